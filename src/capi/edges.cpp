@@ -60,7 +60,7 @@ bempd_status bempd_set_load_nodal_values(bempd_model* model, int32_t load, int64
 bempd_status bempd_fractions_on_edge(const bempd_model* model, int32_t region, int32_t edge, int64_t count,
                                      const double* points, double* fractions, double* distances) {
   return with_model(model, __func__, [&](const model::Model& m) {
-    const Edge line = m.region_with_edge(region, edge).edge(edge);
+    const Edge line = m.scene().region_with_edge(region, edge).edge(edge);
     const std::vector<Point> places = points_from(points, count, "points");
     for (std::size_t i = 0; i < places.size(); ++i) {
       require(std::isfinite(distance(line, places[i])), "point ", i + 1, " is (", places[i].x(), ", ", places[i].y(),
@@ -75,15 +75,15 @@ bempd_status bempd_fractions_on_edge(const bempd_model* model, int32_t region, i
 
 bempd_status bempd_edge_size(bempd_model* model, int32_t region, int32_t edge, int64_t* nodes, int64_t* elements) {
   return with_model(model, __func__, [&](model::Model& m) {
-    if (nodes) *nodes = static_cast<int64_t>(m.edge_nodes(region, edge).size());
-    if (elements) *elements = static_cast<int64_t>(m.edge_cells(region, edge).size());
+    if (nodes) *nodes = static_cast<int64_t>(m.edges().nodes(region, edge).size());
+    if (elements) *elements = static_cast<int64_t>(m.edges().cells(region, edge).size());
   });
 }
 
 bempd_status bempd_copy_edge_nodes(bempd_model* model, int32_t region, int32_t edge, int64_t capacity, int32_t* nodes,
                                    double* fractions, double* weights) {
   return with_model(model, __func__, [&](model::Model& m) {
-    const std::vector<regions::EdgeNode> all = m.edge_nodes(region, edge);
+    const std::vector<regions::EdgeNode> all = m.edges().nodes(region, edge);
     require_room(capacity, all.size(), "nodes");
     for (std::size_t i = 0; i < all.size(); ++i) {
       if (nodes) nodes[i] = all[i].entry;
@@ -96,7 +96,7 @@ bempd_status bempd_copy_edge_nodes(bempd_model* model, int32_t region, int32_t e
 bempd_status bempd_copy_edge_elements(bempd_model* model, int32_t region, int32_t edge, int64_t capacity,
                                       int32_t* elements) {
   return with_model(model, __func__, [&](model::Model& m) {
-    const std::vector<int> all = m.edge_cells(region, edge);
+    const std::vector<int> all = m.edges().cells(region, edge);
     require_room(capacity, all.size(), "elements");
     std::copy(all.begin(), all.end(), &out(elements, "elements"));
   });
@@ -106,8 +106,8 @@ bempd_status bempd_copy_edge_forces(bempd_model* model, int32_t region, int32_t 
                                     double* forces) {
   return with_model(model, __func__, [&](model::Model& m) {
     out(forces, "forces");
-    require_room(capacity, m.edge_nodes(region, edge).size(), "nodes");
-    const std::vector<Point> all = m.edge_forces(region, edge);
+    require_room(capacity, m.edges().nodes(region, edge).size(), "nodes");
+    const std::vector<Point> all = m.edges().forces(region, edge);
     for (std::size_t i = 0; i < all.size(); ++i) std::copy_n(all[i].data(), 2, forces + 2 * i);
   });
 }

@@ -14,13 +14,13 @@ std::int32_t the_one(const std::vector<int>& pieces) { return pieces.size() == 1
 
 bempd_status bempd_piece_count(bempd_model* model, int64_t* count) {
   return with_model(model, __func__,
-                    [&](model::Model& m) { out(count, "count") = static_cast<int64_t>(m.pieces().nodes.size()); });
+                    [&](model::Model& m) { out(count, "count") = static_cast<int64_t>(m.pieces().all().nodes.size()); });
 }
 
 bempd_status bempd_copy_node_pieces(bempd_model* model, int32_t region, int64_t capacity, int32_t* pieces) {
   return with_model(model, __func__, [&](model::Model& m) {
     out(pieces, "pieces");
-    const std::vector<int> found = m.node_pieces(region);
+    const std::vector<int> found = m.pieces().of_nodes_in(region);
     const auto count = static_cast<int64_t>(found.size());
     require(capacity >= count, "capacity is ", capacity, " integers; ", count, " are needed");
     std::copy(found.begin(), found.end(), pieces);
@@ -29,17 +29,17 @@ bempd_status bempd_copy_node_pieces(bempd_model* model, int32_t region, int64_t 
 
 bempd_status bempd_support_piece(bempd_model* model, int32_t support, int32_t* piece) {
   return with_model(model, __func__,
-                    [&](model::Model& m) { out(piece, "piece") = the_one(m.pieces_of_support(support)); });
+                    [&](model::Model& m) { out(piece, "piece") = the_one(m.pieces().of_support(support)); });
 }
 
 bempd_status bempd_load_piece(bempd_model* model, int32_t load, int32_t* piece) {
-  return with_model(model, __func__, [&](model::Model& m) { out(piece, "piece") = the_one(m.pieces_of_load(load)); });
+  return with_model(model, __func__, [&](model::Model& m) { out(piece, "piece") = the_one(m.pieces().of_load(load)); });
 }
 
 bempd_status bempd_are_connected(bempd_model* model, int32_t support, int32_t other, int32_t* connected) {
   return with_model(model, __func__, [&](model::Model& m) {
     out(connected, "connected");
-    const std::vector<int> one = m.pieces_of_support(support), two = m.pieces_of_support(other);
+    const std::vector<int> one = m.pieces().of_support(support), two = m.pieces().of_support(other);
     *connected = std::any_of(one.begin(), one.end(),
                              [&](int piece) { return std::binary_search(two.begin(), two.end(), piece); })
                      ? 1
@@ -54,7 +54,7 @@ bempd_status bempd_piece_init(bempd_piece* piece, int64_t struct_size) {
 bempd_status bempd_get_piece(bempd_model* model, int32_t number, bempd_piece* piece) {
   return with_model(model, __func__, [&](model::Model& m) {
     struct_bytes(piece, "piece", sizeof(int64_t));
-    const model::PieceState p = m.piece(number);
+    const model::PieceState p = m.pieces().state(number);
     const coupling::RigidFit& motion = p.motion;
     write_struct(piece,
                  bempd_piece{

@@ -79,17 +79,17 @@ bempd_status bempd_generation(const bempd_model* model, int64_t* generation) {
 
 bempd_status bempd_node_count(bempd_model* model, int32_t region, int64_t* count) {
   return with_model(model, __func__, [&](model::Model& m) {
-    out(count, "count") = m.field_size(region, regions::Field::position).count;
+    out(count, "count") = m.results().field_size(region, regions::Field::position).count;
   });
 }
 
 bempd_status bempd_element_count(bempd_model* model, int32_t region, int64_t* count) {
-  return with_model(model, __func__, [&](model::Model& m) { out(count, "count") = m.region(region).cell_count(); });
+  return with_model(model, __func__, [&](model::Model& m) { out(count, "count") = m.results().region(region).cell_count(); });
 }
 
 bempd_status bempd_copy_elements(bempd_model* model, int32_t region, int64_t capacity, int32_t* nodes) {
   return with_model(model, __func__, [&](model::Model& m) {
-    const std::vector<std::int32_t> elements = m.region(region).cells().nodes;
+    const std::vector<std::int32_t> elements = m.results().region(region).cells().nodes;
     require_capacity(capacity, static_cast<std::int64_t>(elements.size()), "integers");
     std::copy(elements.begin(), elements.end(), &out(nodes, "nodes"));
   });
@@ -97,7 +97,7 @@ bempd_status bempd_copy_elements(bempd_model* model, int32_t region, int64_t cap
 
 bempd_status bempd_field_size(bempd_model* model, int32_t region, int32_t field, int64_t* count, int32_t* components) {
   return with_model(model, __func__, [&](model::Model& m) {
-    const regions::FieldSize size = m.field_size(region, field_of(field));
+    const regions::FieldSize size = m.results().field_size(region, field_of(field));
     if (count) *count = size.count;
     if (components) *components = size.components;
   });
@@ -105,10 +105,10 @@ bempd_status bempd_field_size(bempd_model* model, int32_t region, int32_t field,
 
 bempd_status bempd_copy_field(bempd_model* model, int32_t region, int32_t field, int64_t capacity, double* values) {
   return with_model(model, __func__, [&](model::Model& m) {
-    const regions::FieldSize size = m.field_size(region, field_of(field));
+    const regions::FieldSize size = m.results().field_size(region, field_of(field));
     require_capacity(capacity, size.count * size.components, "numbers");
     out(values, "values");
-    const regions::FieldValues& f = m.field(region, field_of(field));
+    const regions::FieldValues& f = m.results().field(region, field_of(field));
     std::copy(f.values.begin(), f.values.end(), values);
   });
 }
@@ -117,7 +117,7 @@ bempd_status bempd_view_field(bempd_model* model, int32_t region, int32_t field,
                               int32_t* components, int64_t* generation) {
   return with_model(model, __func__, [&](model::Model& m) {
     out(values, "values");
-    const regions::FieldValues& f = m.field(region, field_of(field));
+    const regions::FieldValues& f = m.results().field(region, field_of(field));
     *values = f.values.data();
     if (count) *count = f.count();
     if (components) *components = f.components;
@@ -127,14 +127,14 @@ bempd_status bempd_view_field(bempd_model* model, int32_t region, int32_t field,
 
 bempd_status bempd_bond_count(bempd_model* model, int32_t region, int64_t* count) {
   return with_model(model, __func__,
-                    [&](model::Model& m) { out(count, "count") = static_cast<std::int64_t>(m.bonds(region).size()); });
+                    [&](model::Model& m) { out(count, "count") = static_cast<std::int64_t>(m.results().bonds(region).size()); });
 }
 
 bempd_status bempd_copy_bonds(bempd_model* model, int32_t region, int64_t capacity, int32_t* points, int32_t* states) {
   return with_model(model, __func__, [&](model::Model& m) {
-    const auto bonds = m.bonds(region);
+    const auto bonds = m.results().bonds(region);
     require_capacity(capacity, static_cast<std::int64_t>(bonds.size()), "bonds");
-    const std::vector<regions::BondState> known = m.bond_states(region);
+    const std::vector<regions::BondState> known = m.results().bond_states(region);
     for (std::size_t b = 0; b < bonds.size(); ++b) {
       if (points) {
         points[2 * b] = bonds[b].first;
@@ -148,7 +148,7 @@ bempd_status bempd_copy_bonds(bempd_model* model, int32_t region, int64_t capaci
 bempd_status bempd_reaction(bempd_model* model, int32_t support, double* force) {
   return with_model(model, __func__, [&](model::Model& m) {
     out(force, "force");
-    const Eigen::Vector2d reaction = m.reaction(support);
+    const Eigen::Vector2d reaction = m.results().reaction(support);
     force[0] = reaction.x();
     force[1] = reaction.y();
   });
@@ -157,7 +157,7 @@ bempd_status bempd_reaction(bempd_model* model, int32_t support, double* force) 
 bempd_status bempd_reaction_moment(bempd_model* model, int32_t support, double x, double y, double* moment) {
   return with_model(model, __func__, [&](model::Model& m) {
     require(std::isfinite(x) && std::isfinite(y), "the point is (", x, ", ", y, "); give finite coordinates");
-    out(moment, "moment") = m.reaction_moment(support, Point(x, y));
+    out(moment, "moment") = m.results().reaction_moment(support, Point(x, y));
   });
 }
 
@@ -165,7 +165,7 @@ bempd_status bempd_edge_reaction(bempd_model* model, int32_t region, int32_t edg
                                  double* moment) {
   return with_model(model, __func__, [&](model::Model& m) {
     require(std::isfinite(x) && std::isfinite(y), "the point is (", x, ", ", y, "); give finite coordinates");
-    const model::Model::EdgeReaction reaction = m.edge_reaction(region, edge, Point(x, y));
+    const model::EdgeResults::Reaction reaction = m.edges().reaction(region, edge, Point(x, y));
     if (force) std::copy_n(reaction.force.data(), 2, force);
     if (moment) *moment = reaction.moment;
   });
@@ -174,7 +174,7 @@ bempd_status bempd_edge_reaction(bempd_model* model, int32_t region, int32_t edg
 bempd_status bempd_evaluate(bempd_model* model, int64_t count, const double* points, double* displacement,
                             double* stress, int32_t* regions) {
   return with_model(model, __func__, [&](model::Model& m) {
-    const auto values = m.evaluate(points_from(points, count, "points"), stress != nullptr);
+    const auto values = m.results().evaluate(points_from(points, count, "points"), stress != nullptr);
     for (std::size_t i = 0; i < values.size(); ++i) {
       if (displacement) std::copy_n(values[i].displacement.data(), 2, displacement + 2 * i);
       if (stress) std::copy_n(values[i].stress.data(), 3, stress + 3 * i);
@@ -190,7 +190,7 @@ bempd_status bempd_evaluate_in(bempd_model* model, int32_t region, int32_t face,
     require(face == BEMPD_FACE_LEFT || face == BEMPD_FACE_RIGHT, "face is ", face,
             "; it must be BEMPD_FACE_LEFT (1) or BEMPD_FACE_RIGHT (2)");
     const auto values =
-        m.evaluate(points_from(points, count, "points"), stress != nullptr, {region, face == BEMPD_FACE_RIGHT});
+        m.results().evaluate(points_from(points, count, "points"), stress != nullptr, {region, face == BEMPD_FACE_RIGHT});
     for (std::size_t i = 0; i < values.size(); ++i) {
       if (displacement) std::copy_n(values[i].displacement.data(), 2, displacement + 2 * i);
       if (stress) std::copy_n(values[i].stress.data(), 3, stress + 3 * i);

@@ -11,15 +11,15 @@ bempd_status bempd_singularity_init(bempd_singularity* singularity, int64_t stru
 
 bempd_status bempd_singularity_count(bempd_model* model, int64_t* count) {
   return with_model(model, __func__,
-                    [&](model::Model& m) { out(count, "count") = static_cast<int64_t>(m.singular_places().size()); });
+                    [&](model::Model& m) { out(count, "count") = static_cast<int64_t>(m.results().singular_places().size()); });
 }
 
 bempd_status bempd_get_singularity(bempd_model* model, int64_t index, bempd_singularity* singularity) {
   return with_model(model, __func__, [&](model::Model& m) {
     struct_bytes(singularity, "singularity", sizeof(int64_t));
-    const auto count = static_cast<int64_t>(m.singular_places().size());
+    const auto count = static_cast<int64_t>(m.results().singular_places().size());
     require(index >= 0 && index < count, "index is ", index, "; stress is unbounded at ", count, " places");
-    const regions::SingularPlace& s = m.singular_places()[static_cast<std::size_t>(index)];
+    const regions::SingularPlace& s = m.results().singular_places()[static_cast<std::size_t>(index)];
     write_struct(singularity,
                  bempd_singularity{sizeof(bempd_singularity), static_cast<int32_t>(s.kind), s.region, s.place.x(),
                                    s.place.y(), s.exponent.real(), s.exponent.imag()},
@@ -29,7 +29,7 @@ bempd_status bempd_get_singularity(bempd_model* model, int64_t index, bempd_sing
 
 bempd_status bempd_stress_orders(bempd_model* model, int64_t count, const double* points, double* orders) {
   return with_model(model, __func__, [&](model::Model& m) {
-    const std::vector<double> found = m.stress_orders(points_from(points, count, "points"));
+    const std::vector<double> found = m.results().stress_orders(points_from(points, count, "points"));
     std::copy(found.begin(), found.end(), found.empty() ? orders : &out(orders, "orders"));
   });
 }

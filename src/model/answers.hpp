@@ -1,9 +1,7 @@
 #pragma once
 
 #include <cstdint>
-#include <vector>
 
-#include "coupling/rigid_motion.hpp"
 #include "fracture/crack_evolution.hpp"
 
 // Results that calls of a model return.
@@ -26,19 +24,6 @@ struct GrowthResult {
   double load_factor = 0;
   double length = 0;  // of all extensions
   double released_energy = 0;
-};
-
-// Pieces of the body: sets of nodes that bonds and boundary elements join.
-struct Pieces {
-  std::vector<std::vector<int>> nodes;
-  std::vector<int> of_node;  // numbers from 1
-};
-
-struct PieceState {
-  std::int64_t nodes = 0;
-  int supports = 0, loads = 0;  // numbers of those that hold and load the piece
-  int free_motions = 0;         // number of rigid motions that supports leave free
-  coupling::RigidFit motion;
 };
 
 }  // namespace bempd::model

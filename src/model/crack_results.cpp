@@ -162,12 +162,12 @@ std::vector<Point> Model::crack_openings(int crack, const std::vector<double>& f
   const auto number = static_cast<std::size_t>(crack) - 1;
   const bool elements_only = number < cracks.size() && cracks[number].has_elements() && !cracks[number].cuts_bonds();
   if (elements_only && cracks[number].parts.size() == 1)
-    return region(cracks[number].region_at(0)).crack_openings(crack, fractions, solution());
+    return results_.region(cracks[number].region_at(0)).crack_openings(crack, fractions, solution());
   if (elements_only) {
     std::vector<Point> openings;
     for (const double fraction : fractions)
       openings.push_back(
-          region(cracks[number].part_at(fraction).region).crack_openings(crack, {fraction}, solution()).front());
+          results_.region(cracks[number].part_at(fraction).region).crack_openings(crack, {fraction}, solution()).front());
     return openings;
   }
   const std::vector<std::vector<Point>> paths = paths_in_lattices();
@@ -180,7 +180,7 @@ std::vector<Point> Model::crack_openings(int crack, const std::vector<double>& f
   for (std::size_t k = 0; k < fractions.size(); ++k) {
     const double part = (fractions[k] * length - before) / own;
     const int with_elements = part < 0 || part > 1 ? 0 : cracks[number].part_at(part).region;
-    if (with_elements > 0) openings[k] = region(with_elements).crack_openings(crack, {part}, solution()).front();
+    if (with_elements > 0) openings[k] = results_.region(with_elements).crack_openings(crack, {part}, solution()).front();
   }
   return openings;
 }

@@ -3,10 +3,10 @@
 #include <set>
 
 #include "error.hpp"
+#include "model/edge_results.hpp"
 #include "model/model.hpp"
 #include "regions/places/edge_part.hpp"
 
-// Edges for a host that couples: nodes, forces on them, and values given at them.
 namespace bempd::model {
 
 namespace {
@@ -25,23 +25,21 @@ std::vector<char> nodes_of_bonded_regions_before(const regions::Discretization& 
 
 }  // namespace
 
-std::vector<regions::EdgeNode> Model::edge_nodes(int region, int edge) {
-  region_with_edge(region, edge);
-  prepare();
-  return regions::edge_nodes(scene_, prepared_->discretization, region, edge);
+std::vector<regions::EdgeNode> EdgeResults::nodes(int region, int edge) {
+  model_.scene().region_with_edge(region, edge);
+  return regions::edge_nodes(model_.scene(), model_.prepared().discretization, region, edge);
 }
 
-std::vector<int> Model::edge_cells(int region, int edge) {
-  const std::vector<regions::EdgeNode> nodes = edge_nodes(region, edge);
-  return regions::edge_cells(prepared_->discretization, region, nodes);
+std::vector<int> EdgeResults::cells(int region, int edge) {
+  return regions::edge_cells(model_.prepared().discretization, region, nodes(region, edge));
 }
 
-// Forces that act on a body from outside, by all nodes: the forces of elements or bonds less those of the loads on
-// them.
-Eigen::VectorXd Model::forces_from_outside(const std::vector<int>& body) {
-  const regions::Discretization& d = prepared_->discretization;
-  const fracture::EvolutionState& state = prepared_->evolution->state();
-  const coupling::EquilibriumSystem& system = *prepared_->system;
+// The forces of elements or bonds on all nodes, less those of the loads on them.
+Eigen::VectorXd EdgeResults::forces_from_outside(const std::vector<int>& body) {
+  const PreparedScene& prepared = model_.prepared();
+  const regions::Discretization& d = prepared.discretization;
+  const fracture::EvolutionState& state = prepared.evolution->state();
+  const coupling::EquilibriumSystem& system = *prepared.system;
   std::vector<int> terms;
   Eigen::VectorXd force = Eigen::VectorXd::Zero(state.total_displacement.size());
   for (const int id : body) {
@@ -54,15 +52,14 @@ Eigen::VectorXd Model::forces_from_outside(const std::vector<int>& body) {
     terms.erase(std::unique(terms.begin(), terms.end()), terms.end());
   }
   force += system.force_of_terms(terms, state.total_displacement, state.load_factor);
-  scene::SceneValues acting = loads_.acting == Acting::on_a_way ? *loads_.in_force : scene_.values();
-  coupling::Affine loads = scene_.under(acting, [&] { return regions::loads_on(scene_, d, body); });
+  coupling::Affine loads = model_.loads_in_force_on(body);
   // Two kinds of loads are corrected: those that free fragments have lost, and the pressure of a fluid in broken bonds,
   // which is no load of its own.
-  coupling::Affine given = prepared_->conditions.force;
+  coupling::Affine given = prepared.conditions.force;
   system.ties().collect(given);
   const coupling::Affine beside = system.force() - given;
   const std::vector<char> others = nodes_of_bonded_regions_before(d, body);
-  const bool has_fluid = d.region(body.front()).bonds() && !prepared_->conditions.crack_pressures.empty();
+  const bool has_fluid = d.region(body.front()).bonds() && !prepared.conditions.crack_pressures.empty();
   for (Eigen::Index node = 0; 2 * node < loads.rows(); ++node) {
     const auto place = static_cast<std::size_t>(node);
     if (state.unloaded[place]) {
@@ -76,19 +73,20 @@ Eigen::VectorXd Model::forces_from_outside(const std::vector<int>& body) {
 
 // Forces of neighbouring regions at the nodes of an interface. A node of several interfaces of a body has for each the
 // force of the tractions there on its side, plus the same share of the difference to the whole force.
-std::map<int, Point> Model::forces_of_neighbours(int region_id, int edge) {
-  const regions::Discretization& d = prepared_->discretization;
+std::map<int, Point> EdgeResults::forces_of_neighbours(int region_id, int edge) {
+  const regions::Discretization& d = model_.prepared().discretization;
+  const scene::Scene& scene = model_.scene();
   if (!regions::is_in_contact(d, region_id, edge)) return {};
   const std::vector<int> body = regions::regions_of_body(d, region_id);
-  const std::vector<int> wanted = regions::interface_nodes(scene_, d, body, region_id, edge);
+  const std::vector<int> wanted = regions::interface_nodes(scene, d, body, region_id, edge);
   if (wanted.empty()) return {};
-  require(!d.region(region_id).bonds() || options_.text_value("scheme") != "paper", "edge ", edge, " of region ",
+  require(!d.region(region_id).bonds() || model_.options().text_value("scheme") != "paper", "edge ", edge, " of region ",
           region_id,
           " is an interface, and in scheme paper the points along it are none of its nodes; ask for the edge "
           "of the boundary element region there");
   Eigen::VectorXd force = forces_from_outside(body);
   std::set<EdgeWithNumber> held;
-  for (const scene::Condition& support : scene_.supports()) {
+  for (const scene::Condition& support : scene.supports()) {
     const auto name = support.removed() ? std::nullopt : support.place->edge();
     if (name && std::find(body.begin(), body.end(), name->first) != body.end()) held.insert(*name);
   }
@@ -96,8 +94,8 @@ std::map<int, Point> Model::forces_of_neighbours(int region_id, int edge) {
     for (const auto& [dof, part] : forces_of_supports(name.first, name.second)) force[dof] -= part;
   std::map<int, std::vector<EdgeWithNumber>> edges_at;
   for (const int id : body)
-    for (int k = 1; k <= scene_.region(id).edge_count(); ++k)
-      for (const int node : regions::interface_nodes(scene_, d, body, id, k)) edges_at[node].emplace_back(id, k);
+    for (int k = 1; k <= scene.region(id).edge_count(); ++k)
+      for (const int node : regions::interface_nodes(scene, d, body, id, k)) edges_at[node].emplace_back(id, k);
   std::map<int, Point> parts;
   for (const int node : wanted) {
     const std::vector<EdgeWithNumber>& edges = edges_at[node];
@@ -114,16 +112,16 @@ std::map<int, Point> Model::forces_of_neighbours(int region_id, int edge) {
   return parts;
 }
 
-std::vector<Point> Model::edge_forces(int region, int edge) {
-  region_with_edge(region, edge);
-  ensure_equilibrium();
+std::vector<Point> EdgeResults::forces(int region, int edge) {
+  model_.scene().region_with_edge(region, edge);
+  model_.in_equilibrium();
   const std::map<int, double> of_supports = forces_of_supports(region, edge);
   const std::map<int, Point> of_neighbours = forces_of_neighbours(region, edge);
   require(!of_supports.empty() || !of_neighbours.empty(), "edge ", edge, " of region ", region,
           " is neither held by a support nor an interface with another region without bonds across it; ask for the "
           "forces of such an edge");
   std::vector<Point> forces;
-  for (const regions::EdgeNode& n : edge_nodes(region, edge)) {
+  for (const regions::EdgeNode& n : nodes(region, edge)) {
     Point force = Point::Zero();
     for (int component = 0; component < 2; ++component) {
       const auto part = of_supports.find(2 * n.node + component);
@@ -135,25 +133,6 @@ std::vector<Point> Model::edge_forces(int region, int edge) {
     forces.push_back(force);
   }
   return forces;
-}
-
-void Model::set_nodal_values(bool of_support, int id, std::vector<double> constant, std::vector<double> proportional) {
-  const char* what = of_support ? "support" : "load";
-  const scene::Condition& condition = of_support ? scene_.support(id) : scene_.load(id);
-  const auto* part = dynamic_cast<const regions::EdgePart*>(condition.place.get());
-  require(part != nullptr, what, " ", id, " does not lie along an edge, which has nodes in order");
-  prepare();
-  const std::vector<regions::PlacedNode> nodes = part->nodes(scene_, prepared_->discretization);
-  require(constant.size() == 2 * nodes.size(), what, " ", id, " has ", nodes.size(),
-          " nodes, and there are values for ", constant.size() / 2,
-          "; bempd_copy_edge_nodes() tells of all nodes of its edge");
-  scene::PlacedValues values{{}, std::move(constant), std::move(proportional)};
-  for (const regions::PlacedNode& n : nodes) values.fractions.push_back(n.fraction);
-  if (of_support) {
-    set_support_values(id, std::move(values));
-  } else {
-    set_load_values(id, std::move(values));
-  }
 }
 
 }  // namespace bempd::model

@@ -3,6 +3,7 @@
 #include <map>
 
 #include "error.hpp"
+#include "model/edge_results.hpp"
 #include "model/model.hpp"
 
 namespace bempd::model {
@@ -36,21 +37,16 @@ Holders holders_of(const scene::Scene& scene, const regions::DofConditions& cond
 
 }  // namespace
 
-const scene::Region& Model::region_with_edge(int region, int edge) const {
-  const scene::Region& described = scene_.region(region);
-  require(edge >= 1 && edge <= described.edge_count(), "edge ", edge, " does not exist; region ", region,
-          " has edges 1 .. ", described.edge_count());
-  return described;
+std::vector<Point> EdgeResults::traction_forces(int id, int edge, const std::vector<int>& nodes) {
+  Results& results = model_.results();
+  const auto fields = [&results, id](Field which) -> const FieldValues& { return results.field(id, which); };
+  return results.region(id).forces_on_edge({edge, model_.scene().region(id).edge(edge), 0, 1}, nodes, fields);
 }
 
-std::vector<Point> Model::traction_forces(int id, int edge, const std::vector<int>& nodes) {
-  const auto fields = [this, id](Field which) -> const FieldValues& { return field(id, which); };
-  return region(id).forces_on_edge({edge, scene_.region(id).edge(edge), 0, 1}, nodes, fields);
-}
-
-std::map<int, double> Model::forces_of_supports(int region_id, int edge) {
+std::map<int, double> EdgeResults::forces_of_supports(int region_id, int edge) {
   const EdgeName wanted(region_id, edge);
-  const Holders holders = holders_of(scene_, prepared_->conditions, wanted);
+  const PreparedScene& prepared = model_.prepared();
+  const Holders holders = holders_of(model_.scene(), prepared.conditions, wanted);
   // Forces of the tractions of every edge at the nodes that it shares with others.
   std::map<EdgeName, std::map<int, Point>> tractions;
   for (const auto& [dof, edges] : holders)
@@ -65,7 +61,7 @@ std::map<int, double> Model::forces_of_supports(int region_id, int edge) {
   std::map<int, double> parts;
   for (const auto& [dof, edges] : holders) {
     const int node = dof / 2, component = dof % 2;
-    double force = prepared_->evolution->reaction_at(dof);
+    double force = prepared.evolution->reaction_at(dof);
     if (edges.size() > 1) {
       double rest = force;
       for (const EdgeName& name : edges) rest -= tractions[name][node][component];
@@ -76,16 +72,16 @@ std::map<int, double> Model::forces_of_supports(int region_id, int edge) {
   return parts;
 }
 
-Model::EdgeReaction Model::edge_reaction(int region_id, int edge, const Point& about) {
-  region_with_edge(region_id, edge);
-  ensure_equilibrium();
+EdgeResults::Reaction EdgeResults::reaction(int region_id, int edge, const Point& about) {
+  model_.scene().region_with_edge(region_id, edge);
+  const PreparedScene& prepared = model_.in_equilibrium();
   const std::map<int, double> parts = forces_of_supports(region_id, edge);
   require(!parts.empty(), "no support holds edge ", edge, " of region ", region_id,
           "; reactions act on edges that are held");
-  EdgeReaction sum{Eigen::Vector2d::Zero(), 0};
+  Reaction sum{Eigen::Vector2d::Zero(), 0};
   for (const auto& [dof, force] : parts) {
     const int component = dof % 2;
-    const Point arm = prepared_->discretization.positions[static_cast<std::size_t>(dof / 2)] - about;
+    const Point arm = prepared.discretization.positions[static_cast<std::size_t>(dof / 2)] - about;
     sum.force[component] += force;
     sum.moment += force * (component == 0 ? -arm.y() : arm.x());
   }

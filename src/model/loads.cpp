@@ -2,7 +2,9 @@
 
 #include "error.hpp"
 #include "model/model.hpp"
+#include "regions/edge_nodes.hpp"
 #include "regions/fluid_paths.hpp"
+#include "regions/places/edge_part.hpp"
 #include "regions/swelling.hpp"
 
 // Values of loads and supports, and when they take effect.
@@ -47,6 +49,25 @@ template void Model::set_load_values(int, scene::PlacedValues);
 template void Model::set_support_values(int, scene::SampledValues);
 template void Model::set_support_values(int, scene::PlacedValues);
 
+void Model::set_nodal_values(bool of_support, int id, std::vector<double> constant, std::vector<double> proportional) {
+  const char* what = of_support ? "support" : "load";
+  const scene::Condition& condition = of_support ? scene_.support(id) : scene_.load(id);
+  const auto* part = dynamic_cast<const regions::EdgePart*>(condition.place.get());
+  require(part != nullptr, what, " ", id, " does not lie along an edge, which has nodes in order");
+  prepare();
+  const std::vector<regions::PlacedNode> nodes = part->nodes(scene_, prepared_->discretization);
+  require(constant.size() == 2 * nodes.size(), what, " ", id, " has ", nodes.size(),
+          " nodes, and there are values for ", constant.size() / 2,
+          "; bempd_copy_edge_nodes() tells of all nodes of its edge");
+  scene::PlacedValues values{{}, std::move(constant), std::move(proportional)};
+  for (const regions::PlacedNode& n : nodes) values.fractions.push_back(n.fraction);
+  if (of_support) {
+    set_support_values(id, std::move(values));
+  } else {
+    set_load_values(id, std::move(values));
+  }
+}
+
 void Model::add_crack_fluid(PreparedScene& p) const {
   if (p.conditions.crack_pressures.empty()) return;
   std::map<int, std::vector<int>> cut;
@@ -85,6 +106,12 @@ void Model::values_were_set() {
 
 regions::DofConditions Model::conditions_under(scene::SceneValues values) {
   return scene_.under(values, [&] { return regions::apply_conditions(scene_, prepared_->discretization); });
+}
+
+coupling::Affine Model::loads_in_force_on(const std::vector<int>& regions_of_body) {
+  scene::SceneValues acting = loads_.acting == Acting::on_a_way ? *loads_.in_force : scene_.values();
+  return scene_.under(acting,
+                      [&] { return regions::loads_on(scene_, prepared_->discretization, regions_of_body); });
 }
 
 Model::LoadsBefore Model::replace_loads(regions::DofConditions conditions, Acting acting) {

@@ -12,7 +12,6 @@
 #include "model/crack_way.hpp"
 #include "model/driven_growth.hpp"
 #include "model/growth_options.hpp"
-#include "model/held_directions.hpp"
 #include "model/stepping_options.hpp"
 #include "regions/crack_places.hpp"
 #include "regions/incompressible.hpp"
@@ -86,7 +85,7 @@ void Model::call_failed(bool was_prepared, bool unsolvable) noexcept {
   if (was_prepared && (has_begun || !unsolvable)) return;
   prepared_.reset();
   loads_ = {};
-  fields_ = {};
+  results_.forget();
   ++generation_;
 }
 
@@ -151,7 +150,7 @@ void Model::prepare() {
   linalg::require_blas_buffer();
   prepared_ = build(nullptr);
   ++generation_;
-  prepared_->anchored_pieces = anchored_pieces();
+  prepared_->anchored_pieces = pieces_.anchored_count();
   say([&] { tell_of_preparation(); });
 }
 
@@ -184,9 +183,18 @@ std::unique_ptr<PreparedScene> Model::build(const PreparedScene* before) const {
   return p;
 }
 
-const PreparedScene& Model::prepared() {
+PreparedScene& Model::prepared() {
   prepare();
   return *prepared_;
+}
+
+PreparedScene& Model::in_equilibrium() {
+  ensure_equilibrium();
+  return *prepared_;
+}
+
+bool Model::hangs() {
+  return prepared_->evolution->progress().separated && pieces_.anchored_count() <= prepared_->anchored_pieces;
 }
 
 void Model::ensure_equilibrium() {

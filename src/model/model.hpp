@@ -16,17 +16,16 @@
 #include "fracture/crack_evolution.hpp"
 #include "model/answers.hpp"
 #include "model/crack_paths.hpp"
+#include "model/edge_results.hpp"
 #include "model/host_listener.hpp"
+#include "model/pieces.hpp"
 #include "model/prepared_scene.hpp"
+#include "model/results.hpp"
 #include "model/saved_state.hpp"
 #include "model/tip_factors.hpp"
 #include "regions/boundary_conditions.hpp"
 #include "regions/discretization.hpp"
-#include "regions/edge_nodes.hpp"
-#include "regions/singular_places.hpp"
 #include "regions/tips/tip_rings.hpp"
-#include "results/field_cache.hpp"
-#include "results/point_values.hpp"
 #include "results/snapshots.hpp"
 #include "results/tip_record.hpp"
 #include "scene/load_table.hpp"
@@ -40,7 +39,8 @@ struct Grown;
 class ElementTips;
 struct DrivenRun;
 
-// Model of a host: a scene, its state, and all requests to them.
+// Model of a host: a scene and its state. It prepares the scene, drives loads and cracks, and keeps states; Results, Pieces
+// and EdgeResults answer requests.
 class Model {
  public:
   scene::Options& options() { return options_; }
@@ -60,8 +60,14 @@ class Model {
   void set_nodal_values(bool of_support, int id, std::vector<double> constant, std::vector<double> proportional);
 
   void prepare();
-  const PreparedScene& prepared();  // prepares if needed
+  PreparedScene& prepared();        // prepares if needed
+  PreparedScene& in_equilibrium();  // likewise, under the values that were set
   const PreparedScene* prepared_or_null() const { return prepared_.get(); }
+
+  // Conditions of the degrees of freedom under given values of supports and loads.
+  regions::DofConditions conditions_under(scene::SceneValues values);
+  // Forces [N] on all nodes of the loads on some regions, with the values that act.
+  coupling::Affine loads_in_force_on(const std::vector<int>& regions_of_body);
 
   // Steps (loads.cpp). advance() moves the load factor; advance_to_values() also moves loads and supports, on a
   // straight line from the values with which the last step ended to those that the host has set since.
@@ -96,48 +102,12 @@ class Model {
   fracture::LoadInterval admissible_load_factors();
   std::int64_t generation() const { return generation_; }
 
-  // Region as it is prepared; throws Error (argument) if there is none of this number.
-  const regions::Region& region(int id);
-  // Bonds of a region; throws Error (argument) for a region that has none.
-  std::span<const pd::Bond> bonds(int region);
-  std::vector<regions::BondState> bond_states(int region);
-
-  // Field of a region, computed once per generation.
-  const regions::FieldValues& field(int region, regions::Field field);
-  regions::FieldSize field_size(int region, regions::Field field) { return this->region(region).field_size(field); }
-
-  Eigen::Vector2d reaction(int support);
-  double reaction_moment(int support, const Point& about);
-  struct EdgeReaction {
-    Eigen::Vector2d force;
-    double moment;
-  };
-  // Region, checked to have the edge; throws Error (argument) without it.
-  const scene::Region& region_with_edge(int region, int edge) const;
-  // Reaction of all supports on an edge (edge_reactions.cpp).
-  EdgeReaction edge_reaction(int region, int edge, const Point& about);
-  // Nodes of an edge in order (edge_forces.cpp), and the forces that supports and neighbours exert on its region there
-  // [N].
-  std::vector<regions::EdgeNode> edge_nodes(int region, int edge);
-  std::vector<int> edge_cells(int region, int edge);
-  std::vector<Point> edge_forces(int region, int edge);
-
-  // Pieces of the body, the largest first, with what holds and loads them (pieces.cpp).
-  const Pieces& pieces();
-  std::vector<int> pieces_of_support(int support);  // numbers from 1, ascending
-  std::vector<int> pieces_of_load(int load);
-  std::vector<int> node_pieces(int region);
-  PieceState piece(int number);
+  // Results of the body in equilibrium; those of cracks are below.
+  Results& results() { return results_; }
+  Pieces& pieces() { return pieces_; }
+  EdgeResults& edges() { return edges_; }
   // Whether the body is separated although bonds still connect what is held and loaded (a hinge).
   bool hangs();
-
-  // Values at places in the body; stress only if asked for.
-  std::vector<regions::PointValue> evaluate(const std::vector<Point>& places, bool with_stress,
-                                            const results::Side& side = {});
-  // Places where stress is unbounded.
-  const std::vector<regions::SingularPlace>& singular_places();
-  // Order of the stress at each of these places: 0 where it is bounded.
-  std::vector<double> stress_orders(const std::vector<Point>& places);
 
   // Tips of cracks with elements, by crack, then tips in lattices; computed once per generation (crack_results.cpp).
   const std::vector<regions::TipValues>& tips();
@@ -160,10 +130,6 @@ class Model {
   void write_tips(const std::string& path) const;
 
  private:
-  std::vector<Point> traction_forces(int region, int edge, const std::vector<int>& nodes);
-  std::map<int, double> forces_of_supports(int region, int edge);   // by degrees of freedom
-  std::map<int, Point> forces_of_neighbours(int region, int edge);  // by nodes
-  Eigen::VectorXd forces_from_outside(const std::vector<int>& body);
   void restore_body(const SavedState& state);
   // `on_way`: values that act; null: those that were set.
   StepResult run(double target, fracture::Goal goal, const scene::SceneValues* on_way = nullptr);
@@ -188,7 +154,6 @@ class Model {
   void go_back_to(LoadsBefore before) noexcept;
   void apply_pending_values();
   scene::SceneValues acting_values() const;
-  regions::DofConditions conditions_under(scene::SceneValues values);
   std::optional<fracture::CrackEvolution::Heat> heat(const regions::DofConditions& conditions);
   std::optional<fracture::CrackEvolution::FaceLoads> load_faces(const regions::DofConditions& conditions);
   void values_will_be_set();
@@ -241,17 +206,11 @@ class Model {
   // Scene with the growth that its cracks had when a state was saved; null if the present scene has just that.
   std::unique_ptr<PreparedScene> as_grown(const std::vector<fracture::CrackExtension>& extensions);
   void check_mechanism(const PreparedScene& prepared) const;
-  void check_loads_inside_free_pieces(const PreparedScene& prepared) const;
   void grow_lines(PreparedScene& prepared) const;
   fracture::ContactPlan contact_plan(const PreparedScene& prepared) const;
   void add_crack_fluid(PreparedScene& prepared) const;
   static fracture::CrackPressures pressures_of(const regions::DofConditions& conditions);
-  std::vector<int> loaded_nodes(int load);
-  std::vector<int> pieces_of(std::vector<int> nodes);
-  int anchored_pieces();
   regions::Solution solution() const { return solution_of(*prepared_); }
-  static regions::Solution solution_of(const PreparedScene& prepared);
-  results::FieldsOfScene fields();
   void log(int level, const std::string& message) const;
   // Runs code that only reports on finished work: a failure is ignored, since a call must not fail because memory for a
   // message is missing.
@@ -272,14 +231,14 @@ class Model {
   std::unique_ptr<PreparedScene> prepared_;
   Loads loads_;
   std::int64_t generation_ = 1;
-  results::FieldCache fields_;
+  Results results_{*this};
+  Pieces pieces_{*this};
+  EdgeResults edges_{*this};
   results::Snapshots snapshots_;
   Progress progress_;
   Log log_;
   HostListener phases_;
   std::atomic<bool> cancel_requested_{false}, stop_requested_{false};
-  Pieces pieces_;
-  std::int64_t pieces_generation_ = 0;
   std::vector<regions::TipValues> tips_;
   std::int64_t tips_generation_ = 0;
   std::vector<results::TipRecord> tip_history_;

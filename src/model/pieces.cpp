@@ -1,11 +1,11 @@
+#include "model/pieces.hpp"
+
 #include <algorithm>
 
 #include "error.hpp"
 #include "fracture/connectivity.hpp"
-#include "model/held_directions.hpp"
 #include "model/model.hpp"
 
-// Pieces that bonds and boundary elements still join.
 namespace bempd::model {
 
 std::vector<coupling::HeldDirection> held_directions(const PreparedScene& p, const std::vector<int>& nodes) {
@@ -17,25 +17,23 @@ std::vector<coupling::HeldDirection> held_directions(const PreparedScene& p, con
   return held;
 }
 
-const Pieces& Model::pieces() {
-  prepare();
-  if (pieces_generation_ == generation_) return pieces_;
-  prepared_->evolution->bring_terms_up_to_date();
-  Pieces found;
-  found.nodes = fracture::Connectivity(*prepared_->system).pieces();
+const PieceNodes& Pieces::all() {
+  const PreparedScene& prepared = model_.prepared();
+  if (generation_ == model_.generation()) return found_;
+  prepared.evolution->bring_terms_up_to_date();
+  PieceNodes found;
+  found.nodes = fracture::Connectivity(*prepared.system).pieces();
   std::stable_sort(found.nodes.begin(), found.nodes.end(),
                    [](const auto& one, const auto& other) { return one.size() > other.size(); });
-  found.of_node.resize(prepared_->discretization.positions.size());
+  found.of_node.resize(prepared.discretization.positions.size());
   for (std::size_t k = 0; k < found.nodes.size(); ++k)
     for (int node : found.nodes[k]) found.of_node[static_cast<std::size_t>(node)] = static_cast<int>(k) + 1;
-  pieces_ = std::move(found);
-  pieces_generation_ = generation_;
-  return pieces_;
+  found_ = std::move(found);
+  generation_ = model_.generation();
+  return found_;
 }
 
-// Refuses free pieces with loads inside: boundary elements have loads on the inside of a region as a whole, so that a
-// piece that growing cracks free cannot lose its part of them.
-void Model::check_loads_inside_free_pieces(const PreparedScene& p) const {
+void check_loads_inside_free_pieces(const PreparedScene& p) {
   const auto is_loaded_inside = [&](const regions::Region& region) {
     if (!region.is_cut()) return false;
     const auto of_crack = [&](const regions::CrackLoad& load) { return region.has_inner_crack(load.crack); };
@@ -62,10 +60,9 @@ void Model::check_loads_inside_free_pieces(const PreparedScene& p) const {
   }
 }
 
-// Number of pieces that supports hold or loads act on.
-int Model::anchored_pieces() {
-  const regions::DofConditions& c = prepared_->conditions;
-  const Pieces& all = pieces();
+int Pieces::anchored_count() {
+  const PieceNodes& all = this->all();
+  const regions::DofConditions& c = model_.prepared().conditions;
   std::vector<char> anchored(all.nodes.size() + 1, 0);
   for (std::size_t dof = 0; dof < c.prescribed.size(); ++dof) {
     const bool loaded = !c.force.row(static_cast<Eigen::Index>(dof)).isZero(0);
@@ -74,30 +71,26 @@ int Model::anchored_pieces() {
   return static_cast<int>(std::count(anchored.begin(), anchored.end(), 1));
 }
 
-bool Model::hangs() {
-  return prepared_->evolution->progress().separated && anchored_pieces() <= prepared_->anchored_pieces;
-}
-
-std::vector<int> Model::pieces_of(std::vector<int> nodes) {
-  const Pieces& all = pieces();
+std::vector<int> Pieces::numbers_of(std::vector<int> nodes) {
+  const PieceNodes& all = this->all();
   for (int& node : nodes) node = all.of_node[static_cast<std::size_t>(node)];
   std::sort(nodes.begin(), nodes.end());
   nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
   return nodes;
 }
 
-std::vector<int> Model::pieces_of_support(int support) {
-  scene_.support(support);
-  prepare();
+std::vector<int> Pieces::of_support(int support) {
+  model_.scene().support(support);  // throws without it
   std::vector<int> nodes;
-  for (int dof : prepared_->conditions.held_dofs[static_cast<std::size_t>(support) - 1]) nodes.push_back(dof / 2);
-  return pieces_of(std::move(nodes));
+  for (int dof : model_.prepared().conditions.held_dofs[static_cast<std::size_t>(support) - 1])
+    nodes.push_back(dof / 2);
+  return numbers_of(std::move(nodes));
 }
 
-// Nodes on which the load has forces if its values are 1.
-std::vector<int> Model::loaded_nodes(int load) {
+// The nodes on which a load puts forces where its values are 1.
+std::vector<int> Pieces::loaded_nodes(int load) {
   const std::size_t place = static_cast<std::size_t>(load) - 1;
-  scene::SceneValues values = scene::at_rest(scene_.values());
+  scene::SceneValues values = scene::at_rest(model_.scene().values());
   if (auto* samples = std::get_if<scene::SampledValues>(&values.loads[place])) {
     std::fill(samples->constant.begin(), samples->constant.end(), 1.0);
   } else {
@@ -105,44 +98,45 @@ std::vector<int> Model::loaded_nodes(int load) {
       return {Point::Ones(), Point::Zero()};
     });
   }
-  const Eigen::VectorXd force = conditions_under(std::move(values)).force.col(0);
+  const Eigen::VectorXd force = model_.conditions_under(std::move(values)).force.col(0);
   std::vector<int> nodes;
   for (Eigen::Index dof = 0; dof < force.size(); ++dof)
     if (force[dof] != 0) nodes.push_back(static_cast<int>(dof / 2));
   return nodes;
 }
 
-std::vector<int> Model::pieces_of_load(int load) {
-  scene_.load(load);
-  prepare();
-  return pieces_of(loaded_nodes(load));
+std::vector<int> Pieces::of_load(int load) {
+  model_.scene().load(load);  // throws without it
+  model_.prepare();
+  return numbers_of(loaded_nodes(load));
 }
 
-std::vector<int> Model::node_pieces(int id) {
-  const std::vector<int> nodes = region(id).nodes_of_entries();
-  const Pieces& all = pieces();
-  std::vector<int> result;
-  result.reserve(nodes.size());
-  for (int node : nodes) result.push_back(all.of_node[static_cast<std::size_t>(node)]);
-  return result;
+std::vector<int> Pieces::of_nodes_in(int region) {
+  const std::vector<int> nodes = model_.results().region(region).nodes_of_entries();
+  const PieceNodes& all = this->all();
+  std::vector<int> numbers;
+  numbers.reserve(nodes.size());
+  for (int node : nodes) numbers.push_back(all.of_node[static_cast<std::size_t>(node)]);
+  return numbers;
 }
 
-PieceState Model::piece(int number) {
-  const auto count = static_cast<int>(pieces().nodes.size());
+PieceState Pieces::state(int number) {
+  const auto count = static_cast<int>(all().nodes.size());
   require(number >= 1 && number <= count, "piece ", number, " does not exist; there are ", count);
-  ensure_equilibrium();
-  const std::vector<int>& nodes = pieces().nodes[static_cast<std::size_t>(number) - 1];
+  const PreparedScene& prepared = model_.in_equilibrium();
+  const scene::Scene& scene = model_.scene();
+  const std::vector<int>& nodes = all().nodes[static_cast<std::size_t>(number) - 1];
   PieceState state;
   state.nodes = static_cast<std::int64_t>(nodes.size());
   const auto has = [&](const std::vector<int>& all) { return std::binary_search(all.begin(), all.end(), number); };
-  for (std::size_t s = 0; s < scene_.supports().size(); ++s)
-    if (!scene_.supports()[s].removed() && has(pieces_of_support(static_cast<int>(s) + 1))) ++state.supports;
-  for (std::size_t l = 0; l < scene_.loads().size(); ++l)
-    if (!scene_.loads()[l].removed() && has(pieces_of_load(static_cast<int>(l) + 1))) ++state.loads;
-  const std::vector<coupling::HeldDirection> held = held_directions(*prepared_, nodes);
-  const std::vector<Point>& positions = prepared_->discretization.positions;
+  for (std::size_t s = 0; s < scene.supports().size(); ++s)
+    if (!scene.supports()[s].removed() && has(of_support(static_cast<int>(s) + 1))) ++state.supports;
+  for (std::size_t l = 0; l < scene.loads().size(); ++l)
+    if (!scene.loads()[l].removed() && has(of_load(static_cast<int>(l) + 1))) ++state.loads;
+  const std::vector<coupling::HeldDirection> held = held_directions(prepared, nodes);
+  const std::vector<Point>& positions = prepared.discretization.positions;
   state.free_motions = coupling::RigidMotion(positions, nodes, held).free_count();
-  state.motion = coupling::nearest_rigid_motion(positions, nodes, prepared_->evolution->state().total_displacement);
+  state.motion = coupling::nearest_rigid_motion(positions, nodes, prepared.evolution->state().total_displacement);
   return state;
 }
 

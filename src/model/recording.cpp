@@ -1,7 +1,6 @@
 #include "error.hpp"
 #include "model/driven_growth.hpp"
 #include "model/model.hpp"
-#include "results/tip_table.hpp"
 
 namespace bempd::model {
 
@@ -36,7 +35,5 @@ void Model::run_recording(DrivenRun& run, StepResult& result) {
     throw;
   }
 }
-
-void Model::write_tips(const std::string& path) const { results::write_tips(path, tip_history_); }
 
 }  // namespace bempd::model

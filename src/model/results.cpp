@@ -1,6 +1,7 @@
+#include "model/results.hpp"
+
 #include "error.hpp"
 #include "model/model.hpp"
-#include "results/history_table.hpp"
 #include "results/stress_orders.hpp"
 
 namespace bempd::model {
@@ -17,40 +18,7 @@ void require_numbers(const Eigen::Ref<const Eigen::VectorXd>& values) {
 
 }  // namespace
 
-Eigen::Vector2d Model::reaction(int support) {
-  scene_.support(support);
-  ensure_equilibrium();
-  const Eigen::Vector2d sum = prepared_->evolution->reaction(static_cast<std::size_t>(support - 1));
-  require_numbers(sum);
-  return sum;
-}
-
-double Model::reaction_moment(int support, const Point& about) {
-  scene_.support(support);
-  ensure_equilibrium();
-  return prepared_->evolution->reaction_moment(static_cast<std::size_t>(support - 1), about);
-}
-
-const regions::Region& Model::region(int id) {
-  scene_.region(id);
-  prepare();
-  return prepared_->discretization.region(id);
-}
-
-std::span<const pd::Bond> Model::bonds(int id) {
-  const auto bonds = region(id).bonds();
-  require(bonds.has_value(), "region ", id, " is a ", scene_.region(id).adjective(),
-          " region and has no bonds; ask a peridynamic region");
-  return *bonds;
-}
-
-std::vector<regions::BondState> Model::bond_states(int id) {
-  bonds(id);
-  prepared_->evolution->bring_terms_up_to_date();
-  return results::bond_states(region(id), prepared_->system->intact(), prepared_->cut_bonds);
-}
-
-regions::Solution Model::solution_of(const PreparedScene& prepared) {
+regions::Solution solution_of(const PreparedScene& prepared) {
   const fracture::EvolutionState& state = prepared.evolution->state();
   std::vector<std::vector<char>> closed(prepared.conditions.body_force.rows() / 3);
   if (prepared.system->closed_face_count() > 0)
@@ -70,64 +38,80 @@ regions::Solution Model::solution_of(const PreparedScene& prepared) {
   };
 }
 
-const FieldValues& Model::field(int id, Field which) {
+const regions::Region& Results::region(int id) {
+  model_.scene().region(id);  // throws without it
+  return model_.prepared().discretization.region(id);
+}
+
+std::span<const pd::Bond> Results::bonds(int id) {
+  const auto bonds = region(id).bonds();
+  require(bonds.has_value(), "region ", id, " is a ", model_.scene().region(id).adjective(),
+          " region and has no bonds; ask a peridynamic region");
+  return *bonds;
+}
+
+std::vector<regions::BondState> Results::bond_states(int id) {
+  bonds(id);
+  const PreparedScene& prepared = model_.prepared();
+  prepared.evolution->bring_terms_up_to_date();
+  return results::bond_states(region(id), prepared.system->intact(), prepared.cut_bonds);
+}
+
+const FieldValues& Results::field(int id, Field which) {
   region(id).field_size(which);
-  ensure_equilibrium();
-  const FieldValues& field = fields_.of({id, which}, generation_, [&] {
-    if (which != Field::stress_order) return region(id).field(which, solution());
-    const results::StressOrders orders(singular_places(), prepared_->discretization.tolerance);
-    return orders.at_nodes(region(id).field(Field::position, solution()));
+  const PreparedScene& prepared = model_.in_equilibrium();
+  const FieldValues& field = fields_.of({id, which}, model_.generation(), [&] {
+    if (which != Field::stress_order) return region(id).field(which, solution_of(prepared));
+    const results::StressOrders orders(singular_places(), prepared.discretization.tolerance);
+    return orders.at_nodes(region(id).field(Field::position, solution_of(prepared)));
   });
   require_numbers(
       Eigen::Map<const Eigen::VectorXd>(field.values.data(), static_cast<Eigen::Index>(field.values.size())));
   return field;
 }
 
-results::FieldsOfScene Model::fields() {
+results::FieldsOfScene Results::fields() {
   return [this](int region, Field which) -> const FieldValues& { return field(region, which); };
 }
 
-const std::vector<regions::SingularPlace>& Model::singular_places() {
-  prepare();
-  auto& known = prepared_->singular_places;
-  if (!known) known = regions::singular_places(scene_, prepared_->discretization);
+Eigen::Vector2d Results::reaction(int support) {
+  model_.scene().support(support);  // throws without it
+  const Eigen::Vector2d sum = model_.in_equilibrium().evolution->reaction(static_cast<std::size_t>(support - 1));
+  require_numbers(sum);
+  return sum;
+}
+
+double Results::reaction_moment(int support, const Point& about) {
+  model_.scene().support(support);  // throws without it
+  return model_.in_equilibrium().evolution->reaction_moment(static_cast<std::size_t>(support - 1), about);
+}
+
+const std::vector<regions::SingularPlace>& Results::singular_places() {
+  PreparedScene& prepared = model_.prepared();
+  auto& known = prepared.singular_places;
+  if (!known) known = regions::singular_places(model_.scene(), prepared.discretization);
   return *known;
 }
 
-std::vector<double> Model::stress_orders(const std::vector<Point>& places) {
-  const results::StressOrders orders(singular_places(), prepared_->discretization.tolerance);
+std::vector<double> Results::stress_orders(const std::vector<Point>& places) {
+  const results::StressOrders orders(singular_places(), model_.prepared().discretization.tolerance);
   std::vector<double> found;
   for (const Point& place : places) found.push_back(orders.order_at(place));
   return found;
 }
 
-std::vector<regions::PointValue> Model::evaluate(const std::vector<Point>& places, bool with_stress,
-                                                 const results::Side& side) {
-  if (side.region != 0) scene_.region(side.region);
-  ensure_equilibrium();
-  results::PointValues found =
-      results::evaluate(scene_, prepared_->discretization, solution(), fields(), places, with_stress, side);
-  prepared_->interior_kernel_evaluations += found.kernel_evaluations;
+std::vector<regions::PointValue> Results::evaluate(const std::vector<Point>& places, bool with_stress,
+                                                   const results::Side& side) {
+  if (side.region != 0) model_.scene().region(side.region);
+  PreparedScene& prepared = model_.in_equilibrium();
+  results::PointValues found = results::evaluate(model_.scene(), prepared.discretization, solution_of(prepared),
+                                                 fields(), places, with_stress, side);
+  prepared.interior_kernel_evaluations += found.kernel_evaluations;
   for (const regions::PointValue& value : found.values) {
     require_numbers(value.displacement);
     require_numbers(value.stress);
   }
   return std::move(found.values);
-}
-
-void Model::write_snapshot(const std::string& prefix) {
-  ensure_equilibrium();
-  const results::CracksShown cracks{crack_pictures(), records_tips() ? tips() : std::vector<regions::TipValues>()};
-  snapshots_.write(prefix, {load_factor(), prepared_->evolution->progress().events},
-                   results::pictures(scene_, prepared_->discretization, solution(), fields(), cracks,
-                                     options_.number("snapshots.inside")),
-                   options_);
-}
-
-void Model::write_history(const std::string& path) const {
-  std::vector<char> there;
-  for (const scene::Condition& support : scene_.supports()) there.push_back(support.removed() ? 0 : 1);
-  results::write_history(path, prepared_ ? &prepared_->evolution->progress() : nullptr, there);
 }
 
 }  // namespace bempd::model

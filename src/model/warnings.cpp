@@ -147,7 +147,9 @@ void Model::tell_of_step(const StepResult& result, std::int64_t new_fragments) {
   warn_of_equilibrium();
   if (result.broken_bonds > 0) warn_of_interface();
   const fracture::EvolutionState& state = evolution.progress();
-  if (log_ && !warned_of_hinge_ && state.separated && fracture::hangs(state.resistance)) {
+  // A body of boundary elements alone has no bonds that could be a hinge.
+  const bool has_bonds = prepared_->system->terms().size() > 0;
+  if (log_ && has_bonds && !warned_of_hinge_ && state.separated && fracture::hangs(state.resistance)) {
     warned_of_hinge_ = true;
     tell_of_hinge();
   }

@@ -76,8 +76,12 @@ class Scene {
   const std::vector<Crack>& cracks() const { return cracks_; }
   const std::vector<Condition>& supports() const { return supports_; }
   const std::vector<Condition>& loads() const { return loads_; }
+  const Condition& support(int id) const;
+  const Condition& load(int id) const;
   Condition& support(int id);
   Condition& load(int id);
+  // Throws Error (argument) unless the region has the edge.
+  const Region& region_with_edge(int id, int edge) const;
 
   // Id of the initial crack nearest to a place; 0 if there are none.
   int crack_nearest(const Point& place) const;
@@ -87,7 +91,7 @@ class Scene {
 
  private:
   Region& mutable_region(int id);
-  Region& region_with_edge(int id, int edge);
+  Region& mutable_region_with_edge(int id, int edge);
   Region& region_to_bend(int id, int edge);
   void check_condition(const Condition& condition, bool is_support) const;
   // Checks for defects that no later call can repair (scene_checks.cpp); the others are found when the scene is

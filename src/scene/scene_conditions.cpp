@@ -33,18 +33,22 @@ int Scene::add_load(Condition condition) {
   return static_cast<int>(loads_.size());
 }
 
-Condition& Scene::support(int id) {
+const Condition& Scene::support(int id) const {
   require(id >= 1 && id <= static_cast<int>(supports_.size()), "support ", id, " does not exist; there are ",
           supports_.size());
   require(!supports_[id - 1].removed(), "support ", id, " was removed");
   return supports_[id - 1];
 }
 
-Condition& Scene::load(int id) {
+const Condition& Scene::load(int id) const {
   require(id >= 1 && id <= static_cast<int>(loads_.size()), "load ", id, " does not exist; there are ", loads_.size());
   require(!loads_[id - 1].removed(), "load ", id, " was removed");
   return loads_[id - 1];
 }
+
+Condition& Scene::support(int id) { return const_cast<Condition&>(std::as_const(*this).support(id)); }
+
+Condition& Scene::load(int id) { return const_cast<Condition&>(std::as_const(*this).load(id)); }
 
 SceneValues Scene::values() const {
   SceneValues all;

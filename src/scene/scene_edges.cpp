@@ -44,15 +44,20 @@ int Scene::add_circular_hole(int region_id, const Point& centre, double radius) 
   return first_edge;
 }
 
-Region& Scene::region_with_edge(int id, int edge) {
-  Region& region = mutable_region(id);
-  require(edge >= 1 && edge <= region.edge_count(), "edge ", edge, " does not exist; region ", id, " has edges 1 .. ",
-          region.edge_count());
-  return region;
+const Region& Scene::region_with_edge(int id, int edge) const {
+  const Region& found = region(id);
+  require(edge >= 1 && edge <= found.edge_count(), "edge ", edge, " does not exist; region ", id, " has edges 1 .. ",
+          found.edge_count());
+  return found;
+}
+
+Region& Scene::mutable_region_with_edge(int id, int edge) {
+  region_with_edge(id, edge);
+  return mutable_region(id);
 }
 
 Region& Scene::region_to_bend(int id, int edge) {
-  Region& region = region_with_edge(id, edge);
+  Region& region = mutable_region_with_edge(id, edge);
   require(region.may_be_curved(), "region ", id, " is ", region.adjective(), "; its edges are straight");
   return region;
 }
@@ -116,7 +121,7 @@ void Scene::set_edges_smooth(int region_id, int first_edge, int last_edge) {
 }
 
 void Scene::set_edge_mesh(int region_id, int edge, const EdgeMesh& mesh) {
-  Region& region = region_with_edge(region_id, edge);
+  Region& region = mutable_region_with_edge(region_id, edge);
   require(region.has_elements(), "region ", region_id, " is ", region.adjective(),
           "; only edges of BEM regions have elements");
   region.set_edge_mesh(edge, mesh);

@@ -1,0 +1,25 @@
+#include "model/model.hpp"
+#include "results/history_table.hpp"
+#include "results/tip_table.hpp"
+
+// What a model writes into files.
+namespace bempd::model {
+
+void Model::write_snapshot(const std::string& prefix) {
+  ensure_equilibrium();
+  const results::CracksShown cracks{crack_pictures(), records_tips() ? tips() : std::vector<regions::TipValues>()};
+  snapshots_.write(prefix, {load_factor(), prepared_->evolution->progress().events},
+                   results::pictures(scene_, prepared_->discretization, solution(), results_.fields(), cracks,
+                                     options_.number("snapshots.inside")),
+                   options_);
+}
+
+void Model::write_history(const std::string& path) const {
+  std::vector<char> there;
+  for (const scene::Condition& support : scene_.supports()) there.push_back(support.removed() ? 0 : 1);
+  results::write_history(path, prepared_ ? &prepared_->evolution->progress() : nullptr, there);
+}
+
+void Model::write_tips(const std::string& path) const { results::write_tips(path, tip_history_); }
+
+}  // namespace bempd::model
