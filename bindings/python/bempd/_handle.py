@@ -55,11 +55,6 @@ class Handle:
         finally:
             self._lock.release()
 
-    @property
-    def busy(self) -> bool:
-        """Whether the model is in a call."""
-        return self._lock.locked()
-
     def view(self, name: str, region: int, field: int) -> tuple[memoryview, int, int]:
         """The library's memory of a field, read-only, as (bytes, count, components); in use until it is dropped."""
         values, count = ffi.new("const double **"), ffi.new("int64_t *")

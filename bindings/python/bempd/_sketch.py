@@ -147,10 +147,6 @@ class Sketch:
         self.supports: dict[int, Mark] = {}
         self.loads: dict[int, Mark] = {}
 
-    def has_lattice(self) -> bool:
-        """Whether a region is a peridynamic one."""
-        return any(region.kind == "PD" for region in self.regions.values())
-
     def edge(self, caller: str, region: int, edge: Union[int, str]) -> int:
         """The number of an edge that is given by its number or its name."""
         if not isinstance(edge, str):

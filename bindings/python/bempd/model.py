@@ -22,7 +22,7 @@ from ._scene import Scene
 from ._sketch import Sketch
 from .callbacks import (Log, PhaseProgress, Progress, callable_or_none, log_callback, phase_callback,
                         progress_callback)
-from .errors import ArgumentError, CancelledError, Error
+from .errors import ArgumentError
 from .options import Options, OptionValue
 from .reports import StepReport, step_report
 from .state import State
@@ -137,10 +137,9 @@ class Model(Scene, Edges, Results):
     def log(self) -> Optional[Log]:
         """Where the library's log goes; `model.log = ...` and Model(log=...) choose it.
 
-        "warnings", the default: warnings become Python's, of the class bempd.Warning; the rest is dropped. Cracked scenes of
-        boundary elements alone then warn of what prepare() finds, and their steps are silent. A logging.Logger,
-        or a function called as f(level, message), receives all of it: level 1 warning, 2 information, 3 detail. None: nothing
-        is told.
+        "warnings", the default: warnings become Python's, of the class bempd.Warning; the rest is dropped. A
+        logging.Logger, or a function called as f(level, message), receives all of it: level 1 warning, 2 information, 3
+        detail. None: nothing is told.
 
         >>> import bempd
         >>> messages = []
@@ -320,30 +319,12 @@ class Model(Scene, Edges, Results):
         start, finish = (getattr(self._progress, part, None) for part in ("start", "finish"))
         if start is not None:
             start(self.load_factor, goal)
-        # Library 0.2 reads beyond an array when it tells its log of a separated body that has no bonds (Model::tell_of_hinge()).
-        # Steps of cracked scenes without a peridynamic region therefore run without the log that nobody asked for.
-        silent = self._log == "warnings" and bool(self._sketch.cracks) and not (
-            self._sketch.has_lattice() or self._open().busy)
         try:
-            if silent:
-                self._prepare_with_warnings()
-                self._set_log(ffi.NULL)
             self._open().call(name, *given, report, changes=True)
         finally:
-            if silent and not self.closed:
-                self._set_log(self._open().log)
             if finish is not None:
                 finish()
         return step_report(report)
-
-    def _prepare_with_warnings(self) -> None:
-        """Prepare the model; what is wrong with the scene is left to the call that needs it, whose name the error has."""
-        try:
-            self.prepare()
-        except CancelledError:
-            raise
-        except Error:
-            pass
 
     def _set_log(self, callback: Any) -> None:
         self._open().call("bempd_set_log", callback, ffi.NULL)
