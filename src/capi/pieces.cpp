@@ -13,8 +13,9 @@ std::int32_t the_one(const std::vector<int>& pieces) { return pieces.size() == 1
 }  // namespace
 
 bempd_status bempd_piece_count(bempd_model* model, int64_t* count) {
-  return with_model(model, __func__,
-                    [&](model::Model& m) { out(count, "count") = static_cast<int64_t>(m.pieces().all().nodes.size()); });
+  return with_model(model, __func__, [&](model::Model& m) {
+    out(count, "count") = static_cast<int64_t>(m.pieces().all().nodes.size());
+  });
 }
 
 bempd_status bempd_copy_node_pieces(bempd_model* model, int32_t region, int64_t capacity, int32_t* pieces) {

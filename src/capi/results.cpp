@@ -84,7 +84,8 @@ bempd_status bempd_node_count(bempd_model* model, int32_t region, int64_t* count
 }
 
 bempd_status bempd_element_count(bempd_model* model, int32_t region, int64_t* count) {
-  return with_model(model, __func__, [&](model::Model& m) { out(count, "count") = m.results().region(region).cell_count(); });
+  return with_model(model, __func__,
+                    [&](model::Model& m) { out(count, "count") = m.results().region(region).cell_count(); });
 }
 
 bempd_status bempd_copy_elements(bempd_model* model, int32_t region, int64_t capacity, int32_t* nodes) {
@@ -126,8 +127,9 @@ bempd_status bempd_view_field(bempd_model* model, int32_t region, int32_t field,
 }
 
 bempd_status bempd_bond_count(bempd_model* model, int32_t region, int64_t* count) {
-  return with_model(model, __func__,
-                    [&](model::Model& m) { out(count, "count") = static_cast<std::int64_t>(m.results().bonds(region).size()); });
+  return with_model(model, __func__, [&](model::Model& m) {
+    out(count, "count") = static_cast<std::int64_t>(m.results().bonds(region).size());
+  });
 }
 
 bempd_status bempd_copy_bonds(bempd_model* model, int32_t region, int64_t capacity, int32_t* points, int32_t* states) {
@@ -189,8 +191,8 @@ bempd_status bempd_evaluate_in(bempd_model* model, int32_t region, int32_t face,
     m.scene().region(region);
     require(face == BEMPD_FACE_LEFT || face == BEMPD_FACE_RIGHT, "face is ", face,
             "; it must be BEMPD_FACE_LEFT (1) or BEMPD_FACE_RIGHT (2)");
-    const auto values =
-        m.results().evaluate(points_from(points, count, "points"), stress != nullptr, {region, face == BEMPD_FACE_RIGHT});
+    const auto values = m.results().evaluate(points_from(points, count, "points"), stress != nullptr,
+                                             {region, face == BEMPD_FACE_RIGHT});
     for (std::size_t i = 0; i < values.size(); ++i) {
       if (displacement) std::copy_n(values[i].displacement.data(), 2, displacement + 2 * i);
       if (stress) std::copy_n(values[i].stress.data(), 3, stress + 3 * i);

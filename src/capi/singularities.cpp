@@ -10,8 +10,9 @@ bempd_status bempd_singularity_init(bempd_singularity* singularity, int64_t stru
 }
 
 bempd_status bempd_singularity_count(bempd_model* model, int64_t* count) {
-  return with_model(model, __func__,
-                    [&](model::Model& m) { out(count, "count") = static_cast<int64_t>(m.results().singular_places().size()); });
+  return with_model(model, __func__, [&](model::Model& m) {
+    out(count, "count") = static_cast<int64_t>(m.results().singular_places().size());
+  });
 }
 
 bempd_status bempd_get_singularity(bempd_model* model, int64_t index, bempd_singularity* singularity) {

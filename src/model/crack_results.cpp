@@ -180,7 +180,8 @@ std::vector<Point> Model::crack_openings(int crack, const std::vector<double>& f
   for (std::size_t k = 0; k < fractions.size(); ++k) {
     const double part = (fractions[k] * length - before) / own;
     const int with_elements = part < 0 || part > 1 ? 0 : cracks[number].part_at(part).region;
-    if (with_elements > 0) openings[k] = results_.region(with_elements).crack_openings(crack, {part}, solution()).front();
+    if (with_elements > 0)
+      openings[k] = results_.region(with_elements).crack_openings(crack, {part}, solution()).front();
   }
   return openings;
 }

@@ -80,8 +80,8 @@ std::map<int, Point> EdgeResults::forces_of_neighbours(int region_id, int edge) 
   const std::vector<int> body = regions::regions_of_body(d, region_id);
   const std::vector<int> wanted = regions::interface_nodes(scene, d, body, region_id, edge);
   if (wanted.empty()) return {};
-  require(!d.region(region_id).bonds() || model_.options().text_value("scheme") != "paper", "edge ", edge, " of region ",
-          region_id,
+  require(!d.region(region_id).bonds() || model_.options().text_value("scheme") != "paper", "edge ", edge,
+          " of region ", region_id,
           " is an interface, and in scheme paper the points along it are none of its nodes; ask for the edge "
           "of the boundary element region there");
   Eigen::VectorXd force = forces_from_outside(body);

@@ -110,8 +110,7 @@ regions::DofConditions Model::conditions_under(scene::SceneValues values) {
 
 coupling::Affine Model::loads_in_force_on(const std::vector<int>& regions_of_body) {
   scene::SceneValues acting = loads_.acting == Acting::on_a_way ? *loads_.in_force : scene_.values();
-  return scene_.under(acting,
-                      [&] { return regions::loads_on(scene_, prepared_->discretization, regions_of_body); });
+  return scene_.under(acting, [&] { return regions::loads_on(scene_, prepared_->discretization, regions_of_body); });
 }
 
 Model::LoadsBefore Model::replace_loads(regions::DofConditions conditions, Acting acting) {

@@ -39,8 +39,8 @@ struct Grown;
 class ElementTips;
 struct DrivenRun;
 
-// Model of a host: a scene and its state. It prepares the scene, drives loads and cracks, and keeps states; Results, Pieces
-// and EdgeResults answer requests.
+// Model of a host: a scene and its state. It prepares the scene, drives loads and cracks, and keeps states; Results,
+// Pieces and EdgeResults answer requests.
 class Model {
  public:
   scene::Options& options() { return options_; }

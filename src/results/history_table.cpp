@@ -17,7 +17,7 @@ void write_history(const std::string& path, const fracture::EvolutionState* stat
   }
   // Columns that come last, so that programs that count columns find the others in their places.
   columns.insert(columns.end(), {"critical_load_factor", "critical_stored_energy", "bond_energy", "load_factor_before",
-                                 "stored_energy_before", "work_before", "resistance_before", "resistance"});
+                                 "stored_energy_before", "work_before", "resistance_before", "resistance", "ties"});
   for (std::size_t s = 1; s <= there.size(); ++s) {
     if (!there[s - 1]) continue;
     for (const char* name : {"reaction_before_x_", "reaction_before_y_", "displacement_x_", "displacement_y_"})
@@ -37,7 +37,7 @@ void write_history(const std::string& path, const fracture::EvolutionState* stat
       row.emplace_back(state->reactions[at + 1]);
     }
     row.insert(row.end(), {h.critical_load_factor, h.critical_stored_energy, h.bond_energy, h.load_factor_before,
-                           h.stored_energy_before, h.work_before, h.resistance_before, h.resistance});
+                           h.stored_energy_before, h.work_before, h.resistance_before, h.resistance, h.ties});
     for (std::size_t s = 0; s < there.size(); ++s) {
       if (!there[s]) continue;
       const std::size_t at = 2 * (there.size() * i + s);

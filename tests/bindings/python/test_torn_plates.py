@@ -66,5 +66,5 @@ def test_a_plate_that_dead_loads_pull_is_torn_in_two(control: str) -> None:
     print(control, torn.events, "events, torn at", torn.load_factor / first, "of the first load factor")
     assert torn.stop_reason is bempd.StopReason.SEPARATED
     assert torn.peak_resistance == pytest.approx(2 * first, rel=1e-6)
-    assert any("come free" in message for message in told) and not any("hinge" in message for message in told)
+    assert any("come free" in message for message in told) and not any("but for a hinge" in message for message in told)
     assert model.piece_count == 2 and torn.fragments == 1
