@@ -166,8 +166,9 @@ std::vector<Point> Model::crack_openings(int crack, const std::vector<double>& f
   if (elements_only) {
     std::vector<Point> openings;
     for (const double fraction : fractions)
-      openings.push_back(
-          results_.region(cracks[number].part_at(fraction).region).crack_openings(crack, {fraction}, solution()).front());
+      openings.push_back(results_.region(cracks[number].part_at(fraction).region)
+                             .crack_openings(crack, {fraction}, solution())
+                             .front());
     return openings;
   }
   const std::vector<std::vector<Point>> paths = paths_in_lattices();
