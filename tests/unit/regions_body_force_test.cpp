@@ -66,7 +66,7 @@ void hang(const Bar& bar, Model& m) {
 }
 
 double largest_error(Model& m, const Bar& bar, Field field, const std::vector<Point>& places) {
-  const regions::FieldValues& values = m.field(1, field);
+  const regions::FieldValues& values = m.results().field(1, field);
   double largest = 0;
   for (std::size_t i = 0; i < places.size(); ++i) {
     const double* found = &values.values[i * static_cast<std::size_t>(values.components)];
@@ -80,7 +80,7 @@ double largest_error(Model& m, const Bar& bar, Field field, const std::vector<Po
 
 std::vector<Point> node_places(Model& m) {
   std::vector<Point> places;
-  const std::vector<double>& values = m.field(1, Field::position).values;
+  const std::vector<double>& values = m.results().field(1, Field::position).values;
   for (std::size_t i = 0; i < values.size(); i += 2) places.emplace_back(values[i], values[i + 1]);
   return places;
 }
@@ -88,8 +88,8 @@ std::vector<Point> node_places(Model& m) {
 // Tractions of the elements are the stress times their outward normals.
 void expect_tractions(Model& m, const Bar& bar) {
   const std::vector<Point> places = node_places(m);
-  const std::vector<std::int32_t> nodes = m.region(1).cells().nodes;
-  const std::vector<double>& tractions = m.field(1, Field::traction).values;
+  const std::vector<std::int32_t> nodes = m.results().region(1).cells().nodes;
+  const std::vector<double>& tractions = m.results().field(1, Field::traction).values;
   for (std::size_t i = 0; i < nodes.size(); ++i) {
     const Point along = places[nodes[i / 3 * 3 + 2]] - places[nodes[i / 3 * 3]];
     const Point n = Point(along.y(), -along.x()).normalized();
@@ -115,11 +115,11 @@ TEST_P(HangingBar, of_boundary_elements_is_exact_and_its_reaction_is_the_weight)
   const double displacement = largest_error(m, bar, Field::displacement, places) / size;
   const double stress = largest_error(m, bar, Field::stress, places) / (weight * height);
   const Point load = width * height * thickness * bar.force();
-  const double reaction = (m.reaction(1) + load).norm() / load.norm();
+  const double reaction = (m.results().reaction(1) + load).norm() / load.norm();
   double inside = 0, inside_stress = 0;
   const std::vector<Point> points{bar.turn() * Point(0.1, 1.1), bar.turn() * Point(-0.29, 0.03)};
-  const std::vector<regions::PointValue> values = m.evaluate(points, true);
-  const std::vector<regions::PointValue> without_stress = m.evaluate(points, false);
+  const std::vector<regions::PointValue> values = m.results().evaluate(points, true);
+  const std::vector<regions::PointValue> without_stress = m.results().evaluate(points, false);
   for (std::size_t i = 0; i < points.size(); ++i) {
     inside = std::max(inside, (values[i].displacement - bar.displacement(points[i])).norm() / size);
     inside = std::max(inside, (without_stress[i].displacement - bar.displacement(points[i])).norm() / size);
@@ -172,9 +172,9 @@ double lattice_error(const char* scheme, double spacing, double* reaction_error)
   hang(bar, m);
   m.advance(1, fracture::Goal::load_factor);
   const double load = weight * width * height * thickness;
-  *reaction_error = (m.reaction(1) - Point(0, load)).norm() / load;
+  *reaction_error = (m.results().reaction(1) - Point(0, load)).norm() / load;
   const std::vector<Point> places = node_places(m);
-  const std::vector<double>& values = m.field(1, Field::displacement).values;
+  const std::vector<double>& values = m.results().field(1, Field::displacement).values;
   double squares = 0;
   for (std::size_t i = 0; i < places.size(); ++i)
     squares += (Eigen::Map<const Point>(&values[2 * i]) - bar.displacement(places[i])).squaredNorm();
@@ -218,10 +218,11 @@ TEST(BodyForce, passes_from_boundary_elements_to_a_lattice) {
   scene.add_load({std::make_shared<const regions::WholeRegion>(2), 3, force});
   m.advance(1, fracture::Goal::load_factor);
   const double load = weight * width * height * thickness;
-  EXPECT_LT((m.reaction(1) - Point(0, load)).norm(), 1e-11 * load);
-  for (const regions::PointValue& value : m.evaluate({{0.1, 0.02}, {-0.2, 0.7}}, false)) EXPECT_EQ(value.region, 2);
+  EXPECT_LT((m.results().reaction(1) - Point(0, load)).norm(), 1e-11 * load);
+  for (const regions::PointValue& value : m.results().evaluate({{0.1, 0.02}, {-0.2, 0.7}}, false))
+    EXPECT_EQ(value.region, 2);
   const Point low(0.1, 0.02);
-  const Point found = m.evaluate({low}, false)[0].displacement;
+  const Point found = m.results().evaluate({low}, false)[0].displacement;
   EXPECT_LT((found - bar.displacement(low)).norm(), 2e-3 * bar.displacement(low).norm());
 }
 

@@ -70,9 +70,9 @@ TEST(SecondLatticeKind, has_bonds_of_its_own_next_to_those_of_the_first) {
   build_strip(m.editable_scene());
   m.prepare();
   // Two along the axes and two diagonals a point, fewer at the edges.
-  EXPECT_EQ(m.bonds(3).size(), 2u * 10 * 11 + 2u * 10 * 10);
-  EXPECT_GT(m.bonds(2).size(), 2 * m.bonds(3).size());
-  EXPECT_EQ(m.region(3).first_bond(), m.bonds(2).size());
+  EXPECT_EQ(m.results().bonds(3).size(), 2u * 10 * 11 + 2u * 10 * 10);
+  EXPECT_GT(m.results().bonds(2).size(), 2 * m.results().bonds(3).size());
+  EXPECT_EQ(m.results().region(3).first_bond(), m.results().bonds(2).size());
 }
 
 TEST(SecondLatticeKind, takes_part_in_uniform_tension) {
@@ -80,13 +80,13 @@ TEST(SecondLatticeKind, takes_part_in_uniform_tension) {
   build_strip(m.editable_scene());
   m.advance(0.5, fracture::Goal::load_factor);
   const double strain = 0.5e-3 / 3;
-  for (const regions::PointValue& value : m.evaluate({{0.3, 0.4}, {1.33, 0.4}, {2.71, 0.4}}, true)) {
+  for (const regions::PointValue& value : m.results().evaluate({{0.3, 0.4}, {1.33, 0.4}, {2.71, 0.4}}, true)) {
     SCOPED_TRACE(value.region);
     EXPECT_NEAR(value.stress[0], young * strain, 1e-8 * young * strain);
     EXPECT_NEAR(value.stress[1], 0, 1e-8 * young * strain);
   }
-  EXPECT_NEAR(m.reaction(3).x(), young * strain * 0.01, 1e-9 * young * strain * 0.01);
-  EXPECT_EQ(m.field(3, Field::damage).count(), 121);
+  EXPECT_NEAR(m.results().reaction(3).x(), young * strain * 0.01, 1e-9 * young * strain * 0.01);
+  EXPECT_EQ(m.results().field(3, Field::damage).count(), 121);
 }
 
 TEST(SecondLatticeKind, breaks_in_two_along_a_notch) {
@@ -97,7 +97,7 @@ TEST(SecondLatticeKind, breaks_in_two_along_a_notch) {
   EXPECT_EQ(result.reason, fracture::StopReason::separated);
   EXPECT_GT(result.broken_bonds, 0);
   int broken = 0, cut = 0;
-  for (const regions::BondState state : m.bond_states(3)) {
+  for (const regions::BondState state : m.results().bond_states(3)) {
     broken += state == regions::BondState::broken;
     cut += state == regions::BondState::cut;
   }
