@@ -36,7 +36,7 @@ std::size_t closed(model::Model& model) { return model.prepared().system->closed
 double largest_stress_error(model::Model& model, const Eigen::Vector3d& exact) {
   const std::vector<Point> places{{0.3, 0.01}, {-0.2, -0.05}, {0.9, 1e-4}, {1.2, 0.4}, {-1.5, -1}, {0, 1e-7}};
   double worst = 0;
-  for (const regions::PointValue& value : model.evaluate(places, true))
+  for (const regions::PointValue& value : model.results().evaluate(places, true))
     worst = std::max(worst, (value.stress - exact).lpNorm<Eigen::Infinity>());
   return worst;
 }
@@ -64,7 +64,7 @@ TEST(ClosingCrack, pressed_straight_is_as_good_as_none) {
       EXPECT_NEAR(tip.stress_along, -0.3, 1e-6);
     }
     const Point a(1.7, 1.9), b(-1.8, -1.6);
-    const auto values = cracked->evaluate({a, b}, false);
+    const auto values = cracked->results().evaluate({a, b}, false);
     const Point moved = values[0].displacement - values[1].displacement;
     EXPECT_NEAR(moved.x(), (-0.3 + 0.3) * (a - b).x(), 1e-10);
     EXPECT_NEAR(moved.y(), (-1 + 0.3 * 0.3) * (a - b).y(), 1e-10);
@@ -129,7 +129,8 @@ TEST(ClosingCrack, random_bodies_agree_with_a_quadratic_programme) {
       for (const double load_factor : {0.7, -1.5, 0.4}) {
         model->advance(load_factor, to_load_factor);
         const double in_crack = pressure + load_factor * growing;
-        const auto& lines = static_cast<const regions::BoundaryRegion&>(model->region(1)).crack_lines()->lines;
+        const auto& lines =
+            static_cast<const regions::BoundaryRegion&>(model->results().region(1)).crack_lines()->lines;
         const Solved exact = by_quadratic_programme(*model, [&](int line, const Point&, const Point& normal) -> Point {
           return lines[static_cast<std::size_t>(line)].crack == 0 ? Point(-in_crack * normal) : Point::Zero();
         });
@@ -265,7 +266,7 @@ TEST(ClosingCrack, beside_a_lattice_that_breaks) {
       {std::make_shared<const regions::EdgePart>(2, 3, 0, 1), 2, scene::SampledValues{{0.0}, {-1e-4}}});
   pressed->advance(1, to_load_factor);
   EXPECT_EQ(closed(*pressed), pressed->prepared().system->face_count());
-  for (const regions::PointValue& value : pressed->evaluate({{5, 4.6}, {12, 3}, {21, 6}, {8, 9}}, true))
+  for (const regions::PointValue& value : pressed->results().evaluate({{5, 4.6}, {12, 3}, {21, 6}, {8, 9}}, true))
     EXPECT_LE((value.stress - Eigen::Vector3d(0, -1e-4, 0)).norm(), 1e-10 * 1e-4);
 }
 

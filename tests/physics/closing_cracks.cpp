@@ -56,7 +56,7 @@ void press_faces(model::Model& model, int crack, double constant, double proport
 }
 
 const bem::CrackedOperator& operator_of(model::Model& model) {
-  const auto& region = static_cast<const regions::BoundaryRegion&>(model.region(1));
+  const auto& region = static_cast<const regions::BoundaryRegion&>(model.results().region(1));
   return static_cast<const bem::CrackedOperator&>(*region.boundary_operator());
 }
 
@@ -108,9 +108,9 @@ Eigen::VectorXd openings(model::Model& model) {
                                    &p.conditions.crack_loads,
                                    state.load_factor,
                                    &p.system->stages(),
-                                   {p.system->closed_faces_on(model.region(1).nodes())}};
+                                   {p.system->closed_faces_on(model.results().region(1).nodes())}};
   // Pictures have the nodes of elements one after another, crack by crack.
-  const auto& region = static_cast<const regions::BoundaryRegion&>(model.region(1));
+  const auto& region = static_cast<const regions::BoundaryRegion&>(model.results().region(1));
   const std::vector<regions::CrackPicture> pictures = region.crack_pictures(solution);
   std::vector<std::size_t> next(pictures.size(), 0);
   for (const bem::CrackElement& e : cracks.elements) {

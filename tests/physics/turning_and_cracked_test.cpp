@@ -99,12 +99,12 @@ TEST(WeightAndCracks, as_the_tractions_that_the_sound_bar_has_there) {
     // The held edge has a field of its own in the bar without a crack: another force at the same places.
     for (model::Model* model : {hangs.get(), whole.get()}) model->advance(1, to_load_factor);
     const Stress of_whole = [&](const Point& x) {
-      const Eigen::Vector3d s = whole->evaluate({x}, true)[0].stress;
+      const Eigen::Vector3d s = whole->results().evaluate({x}, true)[0].stress;
       return stress(s[0], s[1], s[2]);
     };
     pull_faces(*pulled, of_whole, crack);
     pulled->advance(1, to_load_factor);
-    const Eigen::Vector3d here = whole->evaluate({crack[0] + Point(0.1, 0)}, true)[0].stress;
+    const Eigen::Vector3d here = whole->results().evaluate({crack[0] + Point(0.1, 0)}, true)[0].stress;
     EXPECT_NEAR(here[1], sound(crack[0])(1, 1), 0.02 * weight);
     for (std::size_t t = 0; t < hangs->tips().size(); ++t) {
       const Point a = hangs->tips()[t].factors, b = pulled->tips()[t].factors;
@@ -149,7 +149,8 @@ TEST(WeightAndCracks, as_the_tractions_of_an_exact_field) {
   expect_same_cracks(*hangs, *pulled);
   // Stress, also beside the crack, and T differ by the sound bar's.
   for (const Point& x : {Point(0.3, 3.5), Point(0.1, 2.4), Point(-0.9, 1)}) {
-    const Eigen::Vector3d a = hangs->evaluate({x}, true)[0].stress, b = pulled->evaluate({x}, true)[0].stress;
+    const Eigen::Vector3d a = hangs->results().evaluate({x}, true)[0].stress,
+                          b = pulled->results().evaluate({x}, true)[0].stress;
     EXPECT_LE((a - b - Eigen::Vector3d(0, weight * x.y(), 0)).norm(), 1e-8 * weight);
   }
   const Point along = (crack[1] - crack[0]).normalized();
@@ -201,7 +202,8 @@ TEST(WeightAndCracks, weight_closes_them) {
   EXPECT_EQ(pressed->prepared().system->closed_face_count(), pressed->prepared().system->face_count());
   EXPECT_EQ(pressed->tips()[0].factors.x(), 0);
   for (const Point& x : {Point(0.3, 3.5), Point(0.1, 2.9), Point(-0.9, 1)}) {
-    const Eigen::Vector3d a = pressed->evaluate({x}, true)[0].stress, b = whole->evaluate({x}, true)[0].stress;
+    const Eigen::Vector3d a = pressed->results().evaluate({x}, true)[0].stress,
+                          b = whole->results().evaluate({x}, true)[0].stress;
     // All but the shear that the held edge leaves there, on which its faces slide.
     EXPECT_LE((a - b).norm(), 3e-3 * weight);
   }
@@ -228,7 +230,7 @@ TEST(HeatAndCracks, free_expansion_leaves_them_alone) {
   EXPECT_EQ(model->prepared().system->closed_face_count(), 0U);
   EXPECT_LE(openings(*model).lpNorm<Eigen::Infinity>(), 1e-12 * size);
   for (const regions::TipValues& tip : model->tips()) EXPECT_LE(tip.factors.norm(), 1e-10);
-  for (const regions::PointValue& value : model->evaluate({{0.1, 0.2}, {1.5, -1}, {1.2, 1.1}}, true))
+  for (const regions::PointValue& value : model->results().evaluate({{0.1, 0.2}, {1.5, -1}, {1.2, 1.1}}, true))
     EXPECT_LE(value.stress.norm(), 1e-10);
 }
 
@@ -281,7 +283,7 @@ TEST(Rotation, of_a_disc) {
   double error = 0, stress_error = 0;
   for (const double r : {0.0, 0.7, 1.5, 1.95, 2.0}) {
     const Point direction(std::cos(0.4), std::sin(0.4));
-    const regions::PointValue value = model.evaluate({centre + r * direction}, true)[0];
+    const regions::PointValue value = model.results().evaluate({centre + r * direction}, true)[0];
     const double u = k * r * (1 - nu) * ((3 + nu) * radius * radius - (1 + nu) * r * r) / 8;
     const double along = (3 + nu) / 8 * k * (radius * radius - r * r);
     const double across = k / 8 * ((3 + nu) * radius * radius - (1 + 3 * nu) * r * r);
@@ -329,7 +331,8 @@ double bar_error(bool lattice, double size) {
   model.advance(1, to_load_factor);
   double error = 0;
   for (const Point& x : {Point(1, 0.5), Point(3.5, -0.5), Point(-4, 1), Point(-2, 0)})
-    error = std::max(error, (model.evaluate({x}, false)[0].displacement - exact(x)).norm() / exact({a, b}).norm());
+    error = std::max(error,
+                     (model.results().evaluate({x}, false)[0].displacement - exact(x)).norm() / exact({a, b}).norm());
   return error;
 }
 
