@@ -106,6 +106,7 @@ def make(scene: Scene, elements: bool, m: int, cracks: list[Polyline]) -> bempd.
     model = bempd.Model()
     if not elements:
         model.options["crack.rule"] = "tips"
+        model.options["crack.load"] = "energy"
         model.options["stepping.control"] = "path"
     scene.build(scene, model, elements, m)
     for crack in cracks:

@@ -43,7 +43,7 @@ def two_holes(short: bool) -> tuple[list[str], dict]:
     for held, published in references.TWO_HOLES.items():
         ways = {}
         for step in (1.0,) if short else (1.0, 0.5, 0.25):
-            model = cases.run(cases.two_holes(held), step, int(12 / step), share=1e6)
+            model = cases.run(cases.two_holes(held), step, int(12 / step), tie_share=1e6)
             ways[step] = {crack: cases.path(model, crack, published[crack][:2]) for crack in (1, 2)}
         finest = ways[min(ways)]
         apart = max(distance(published[crack], finest[crack]) for crack in (1, 2))
@@ -98,7 +98,7 @@ def gap_to_hole(way: Path, hole: tuple[float, float]) -> float:
 
 
 def edge_cracks(short: bool) -> tuple[list[str], dict]:
-    model = cases.run(cases.edge_cracks(), 1.0 if short else 0.5, 30 if short else 80, share=1e6)
+    model = cases.run(cases.edge_cracks(), 1.0 if short else 0.5, 30 if short else 80, tie_share=1e6)
     ways = [cases.path(model, 1, [(0, 0.5), (8, 0.5)]), cases.path(model, 2, [(40, -0.5), (32, -0.5)])]
     mirrored = [(40 - x, -y) for x, y in ways[1]]
     left = distance(ways[0][-1:], ways[1])

@@ -13,6 +13,12 @@ const scene::OptionGroup growth_group(scene::OptionPlace::growth, [] {
           "grows as a line in a lattice takes the load from it and always turns to the largest hoop "
           "stress.",
           "hoop | energy", "hoop"),
+      scene::text_option("crack.load",
+                         "What tells the load of the next step of a crack that grows as a line in a lattice: fit, the "
+                         "stress around its tip everywhere; energy, that of trial steps where the fit does not hold "
+                         "(docs/cracks.md). Loads at kinks and before interfaces are within some percent by energy, "
+                         "and other scenes are worse: it is being tried.",
+                         "fit | energy", "fit"),
       scene::text_option("crack.direction",
                          "Direction of an extension by bempd_grow_cracks(): tip, that at its start; chord, turned by "
                          "half the angle by which its end would turn on, as the chord of a curved path, for one "

@@ -108,6 +108,7 @@ void Model::grow_lines(PreparedScene& p) const {
   pd::TipLaws laws;
   laws.more_begin = rule != "tips";
   laws.criterion = growth_criterion(options_);
+  laws.loads_by_energy = options_.text_value("crack.load") == "energy";
   laws.of_node.assign(p.discretization.positions.size(), -1);
   laws.share_of_node.assign(laws.of_node.size(), 0);
   std::map<int, int> law_of_region;

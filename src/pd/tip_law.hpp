@@ -22,6 +22,7 @@ struct TipLaws {
   std::vector<int> of_node;                              // law of its region; -1 where there is none
   std::vector<double> share_of_node{};                   // share of the area of a full point; 0 if unknown
   KinkCriterion criterion = KinkCriterion::hoop_stress;  // says when tips grow, not where to
+  bool loads_by_energy = false;                          // where the fit of stresses does not hold
   std::vector<Edge> outer_edges{}, hole_edges{};         // of these regions
   bool more_begin = false;                               // whether cracks begin besides those that the host described
   std::vector<double> of_crack{};                        // length of each crack that the host described [m]

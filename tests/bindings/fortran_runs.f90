@@ -573,7 +573,7 @@ contains
     call path%set_option("stepping.control", "path")
     call path%run_to_separation(1e6_dp, on_path)
     call check(on_path%unstable_event == 0 .and. at_load%unstable_event > 0, "only a held load loses equilibrium")
-    call check(abs(on_path%released_energy / at_load%bond_energy - 1) < 1e-9_dp, "bonds take the same on both ways")
+    call check(abs(on_path%bond_energy / at_load%bond_energy - 1) < 1e-9_dp, "the new area takes the same on both ways")
   end subroutine the_path_of_equilibrium_costs_what_bonds_take
 
   subroutine models_are_freed_and_created_again()

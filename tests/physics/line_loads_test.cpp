@@ -1,4 +1,4 @@
-// Loads of cracks that grow as lines where the stress ahead of a tip is not the tip's own: behind a kink, of short
+// Loads by energy of cracks that grow as lines where the stress ahead of a tip is not the tip's own: behind a kink, of short
 // cracks, before another material. Against boundary elements with the same crack before each step.
 #include <gtest/gtest.h>
 
@@ -61,6 +61,7 @@ double known_load(const Scene& scene, const Outline& crack) {
 std::vector<double> ratios_of(const Scene& scene) {
   Model model;
   model.set_text("crack.rule", "tips");
+  model.set_text("crack.load", "energy");
   model.set_text("stepping.control", "path");
   build(scene, false, model);
   model.crack(scene.crack);

@@ -83,7 +83,7 @@ TEST(OutlinedTips, of_a_crack_beside_a_point_of_a_round_hole) {
     return tips_of(model).at(0).stress_intensity_1;
   };
   const double reference = factor(0);
-  EXPECT_LT(std::abs(report("K_I", factor(0.02), reference, "0.02 spacings beside it")), 0.01 * reference);
+  EXPECT_LT(std::abs(report("K_I", factor(0.02), reference, "0.02 spacings beside it")), 0.03 * reference);
 }
 
 // Tips of a crack from a corner of a square that stands on its corner, half-way to its middle.

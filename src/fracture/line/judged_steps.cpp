@@ -56,8 +56,8 @@ bool LineSteps::is_shut(const GrowingTip& tip, const WilliamsFit& fit) const {
 }
 
 AffineIntensity LineSteps::intensity_of(const GrowingTip& tip, const WilliamsFit& fit) const {
-  AffineIntensity found = TipStress::as_read(fit.factors(law_of(tip).horizon));
-  if (is_shut(tip, fit)) found.one.setZero();
+  AffineIntensity found = stress_.as_read(fit.factors(law_of(tip).horizon));
+  if (laws_.loads_by_energy && is_shut(tip, fit)) found.one.setZero();
   return found;
 }
 
@@ -66,10 +66,12 @@ AffineIntensity LineSteps::intensity_at(const GrowingTip& tip, const coupling::A
 }
 
 void LineSteps::judge_fit(const std::vector<GrowingTip>& tips, const WilliamsFit& fit, LineStep& step) const {
+  step.fit_holds = true;
+  if (!laws_.loads_by_energy) return;
   const GrowingTip& tip = tips[step.tip];
   const pd::TipLaw& law = law_of(tip);
   const Eigen::Vector2d at(1, step.load_factor);
-  const AffineIntensity factors = TipStress::as_read(fit.factors(law.horizon));
+  const AffineIntensity factors = stress_.as_read(fit.factors(law.horizon));
   const bool is_sheared = std::abs(factors.two.dot(at)) > largest_shear * std::abs(factors.one.dot(at));
   step.is_shut = is_shut(tip, fit);
   step.residual = fit.residual(step.load_factor);

@@ -247,8 +247,8 @@ AffineIntensity TipStress::at(const GrowingTip& tip, const pd::TipLaw& law, cons
   return as_read(fitted(tip, law, displacement, pressure).factors(law.horizon));
 }
 
-AffineIntensity TipStress::as_read(AffineIntensity fitted) {
-  fitted.two /= shear_as_fitted;
+AffineIntensity TipStress::as_read(AffineIntensity fitted) const {
+  if (laws_.loads_by_energy) fitted.two /= shear_as_fitted;
   return fitted;
 }
 

@@ -29,7 +29,7 @@ class TipStress {
   // The series as it is fitted, and its factors as a tip has them: K_II is fitted too large.
   WilliamsFit fitted(const GrowingTip& tip, const pd::TipLaw& law, const coupling::Affine& displacement,
                      const Eigen::RowVector2d& pressure) const;
-  static AffineIntensity as_read(AffineIntensity fitted);
+  AffineIntensity as_read(AffineIntensity fitted) const;
 
   // By the mean stress closely ahead, which tells the ratio of both better where another tip lies closely behind.
   AffineIntensity closely_ahead_of(const GrowingTip& tip, const pd::TipLaw& law, const coupling::Affine& displacement,
