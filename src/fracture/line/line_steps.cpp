@@ -26,6 +26,8 @@ constexpr double least_ratio = 0.5, largest_ratio = 2;
 
 // Within this many horizons of a tip no bond breaks by itself.
 constexpr double guarded_reach = 3;
+// Within this many horizons of a tip that is unloaded overloaded bonds do not break.
+constexpr double relaxing_reach = 1;
 
 double correction(const GrowingTip& tip) {
   const double sum = std::accumulate(tip.energy_ratios.begin(), tip.energy_ratios.end(), steps_taken_exact);
@@ -252,8 +254,16 @@ bool LineSteps::is_spared(int term, const GrowingTip& tip) const {
 }
 
 void LineSteps::spare(const GrowingTip& tip, std::vector<char>& intact, std::optional<double> overloaded_at) const {
+  // Of a tip that relaxes only the overloaded bonds closest to it are spared: others have another cause.
   const auto bears = [&](int term) {
-    return overloaded_at && !(body_.ratios().at(static_cast<std::size_t>(term), *overloaded_at) > 1);
+    const auto t = static_cast<std::size_t>(term);
+    if (!overloaded_at) return false;
+    const coupling::Terms& terms = system_.terms();
+    const Point middle = (body_.positions()[static_cast<std::size_t>(terms.first[t])] +
+                          body_.positions()[static_cast<std::size_t>(terms.second[t])]) /
+                         2;
+    return !(body_.ratios().at(t, *overloaded_at) > 1) ||
+           (middle - tip.place).norm() > relaxing_reach * law_of(tip).horizon;
   };
   for (const int node : stress_.near().about(tip.place, (guarded_reach + 1) * law_of(tip).horizon)) {
     for (const int term : way_.terms_from().of(node))
