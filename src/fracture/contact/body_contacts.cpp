@@ -21,7 +21,7 @@ constexpr std::int64_t newton_rounds = 64, rounds_per_place = 16;
 // may then be rounding, which has no solution. After so many rounds places are asked for as they are a little farther
 // on the way: by this share of the load factor at first, and ten times as far each time that this does not end either.
 constexpr std::int64_t rounds_at_rounding = 256;
-constexpr double farther_at_first = 1e-8, farthest = 1e-6;
+constexpr double farther_at_first = 1e-8, farthest_ahead = 1e-6;
 
 // A node that a held motion takes along by less than this share of its largest displacement stays where it is.
 constexpr double taken_along = 1e-6;
@@ -130,7 +130,7 @@ LoadedBody::Settled LoadedBody::settle_contacts(double direction) {
   const std::size_t places = system_.contacts().size() + system_.face_count();
   const std::int64_t most = newton_rounds + rounds_per_place * static_cast<std::int64_t>(places);
   for (std::int64_t round = 0;; ++round) {
-    if (round > 0 && round % rounds_at_rounding == 0 && farther < farthest) {
+    if (round > 0 && round % rounds_at_rounding == 0 && farther < farthest_ahead) {
       farther = farther == 0 ? farther_at_first : 10 * farther;
       rounds = NewtonRounds();
     }

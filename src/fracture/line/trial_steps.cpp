@@ -149,7 +149,7 @@ std::optional<LineLoad> TrialGrowth::load(double nearby, double sense, bool prop
 
 TrialSteps::TrialSteps(const coupling::EquilibriumSystem& system, const std::vector<Point>& positions,
                        const pd::TipLaws& laws, const LineWay& way)
-    : system_(system), laws_(laws), way_(way), cut_(system.terms(), positions, laws) {}
+    : system_(system), way_(way), cut_(system.terms(), positions, laws) {}
 
 // Terms in the order in which ever longer steps cut them, and what follows each of these sets.
 std::optional<TrialGrowth> TrialSteps::along(const GrowingTip& tip, const pd::TipLaw& law, const Point& direction,

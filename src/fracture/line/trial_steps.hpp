@@ -87,7 +87,6 @@ class TrialSteps {
 
  private:
   const coupling::EquilibriumSystem& system_;
-  const pd::TipLaws& laws_;
   const LineWay& way_;
   CutStiffness cut_;
 };
