@@ -21,7 +21,7 @@ scene::OptionDescription crack_rule() {
       "How cracks in peridynamic regions grow: line, by a spacing at a time towards the largest hoop stress, all "
       "bonds across it at once, from initial cracks and from places where a bond reaches its critical stretch; "
       "tips, the same from initial cracks only, and nothing else breaks; bond, bonds break one by one by their own "
-      "stretch and the path prefers rows of the lattice, as in scheme paper and with paper.mode = paper always.",
+      "stretch and the path prefers rows of the lattice, as with paper.mode = paper always.",
       "line | bond | tips", "line"));
   option.in_effect = crack_rule_in_effect;
   return option;
