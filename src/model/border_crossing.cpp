@@ -16,10 +16,10 @@ namespace bempd::model {
 
 namespace {
 
-// So far behind the interface a crack has its first tip with elements, in spacings.
+// Distance behind the interface of a crack's first tip with elements, in spacings.
 constexpr double into_elements = 1.5;
 
-// With less room than this in the region ahead of that tip, in spacings, the line stops at the interface: next to the
+// Least room in the region ahead of that tip, in spacings; with less the line stops at the interface: next to the
 // mouth what is left of lattice and elements may come apart into parts that nothing holds.
 constexpr double room_in_elements = 8;
 

@@ -189,7 +189,7 @@ bool is_on_interface(const scene::Scene& scene, const Point& place, double toler
   return regions > 1;
 }
 
-// Of a place from an edge; parts of it on which cracks go on in the region behind are nothing.
+// Distance of a place from an edge; parts of the edge on which cracks go on in the region behind are nothing.
 double distance_without_crossable(const scene::Scene& scene, const Edge& edge, const Point& x, double tolerance) {
   const double whole = distance(edge, x);
   std::vector<double> ends{0.0, edge.joint(), 1.0};

@@ -23,7 +23,7 @@ class EdgeResults {
     Eigen::Vector2d force;
     double moment;
   };
-  // Of all supports on an edge, with the moment about a place.
+  // Reaction of all supports on an edge, with the moment about a place.
   Reaction reaction(int region, int edge, const Point& about);
 
  private:

@@ -23,7 +23,7 @@ class Results {
 
   // What a region is made of; throws Error (argument) if there is none of this number.
   const regions::Region& region(int id);
-  // Its bonds; throws Error (argument) for a region that has none.
+  // Bonds of a region; throws Error (argument) for a region that has none.
   std::span<const pd::Bond> bonds(int region);
   std::vector<regions::BondState> bond_states(int region);
 

@@ -20,7 +20,7 @@ double limit_in(const fs::path& file) {
   return stream >> bytes && bytes > 0 ? bytes : unlimited;
 }
 
-// Of a group and all above it. In a container the group's own folder may be the mounted one.
+// Least limit of a group and all groups above it. In a container the group's own folder may be the mounted one.
 double least_limit(const fs::path& mounted, const std::string& group, const char* file) {
   double least = limit_in(mounted / file);
   for (fs::path path = fs::path(group).relative_path(); !path.empty(); path = path.parent_path())

@@ -15,11 +15,11 @@ namespace {
 // a step, which cuts fewer bonds, tells loads within 5 % only; with four within 2.5 %. Behind kinks loads by the fit
 // are wrong by 1.8 times what it leaves less 5 %.
 constexpr double least_limit = 0.035, limit_of_residual = 0.7;  // the latter over the square of the spacings
-// By a fit that leaves more than this the crack does not turn.
+// Largest residual of a fit whose direction a crack still follows.
 constexpr double residual_without_direction = 0.2;
-// Under more shear than this share of its opening a tip turns so far that K_II decides, which the fit reads worse.
+// Largest K_II over K_I for which the fit holds: beyond it K_II decides, which the fit reads worse.
 constexpr double largest_shear = 0.25;
-// Within this many horizons of a tip there is nothing else where its fit holds; nor is its crack shorter than so many.
+// Distances in horizons for which a fit holds: to anything else around the tip, and the least length of its crack.
 constexpr double clear_horizons = 2, shortest_crack = 3;
 
 // Loads by fits are at most so many times too high, but for those before a stiffer material.
@@ -34,7 +34,7 @@ double largest_residual(const pd::TipLaw& law) {
 
 }  // namespace
 
-// By the place that lies nearest, within a horizon.
+// Contact at the tip is that of the nearest contact place within a horizon.
 bool LineSteps::faces_press_at(const GrowingTip& tip) const {
   const coupling::Contacts& contacts = system_.contacts();
   if (contacts.closed_count() == 0) return false;

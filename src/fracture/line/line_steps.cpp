@@ -26,7 +26,7 @@ constexpr double least_ratio = 0.5, largest_ratio = 2;
 
 // Within this many horizons of a tip no bond breaks by itself.
 constexpr double guarded_reach = 3;
-// Within this many horizons of a tip that is unloaded overloaded bonds do not break.
+// Horizons around an unloaded tip in which overloaded bonds do not break.
 constexpr double relaxing_reach = 1;
 
 double correction(const GrowingTip& tip) {
@@ -254,7 +254,7 @@ bool LineSteps::is_spared(int term, const GrowingTip& tip) const {
 }
 
 void LineSteps::spare(const GrowingTip& tip, std::vector<char>& intact, std::optional<double> overloaded_at) const {
-  // Of a tip that relaxes only the overloaded bonds closest to it are spared: others have another cause.
+  // Only overloaded bonds closest to an unloaded tip are spared: the overload of others has another cause.
   const auto bears = [&](int term) {
     const auto t = static_cast<std::size_t>(term);
     if (!overloaded_at) return false;

@@ -124,7 +124,7 @@ class LineSteps {
                             std::vector<GrowingTip>& tips) const;
   std::optional<LineStep> next(const std::vector<GrowingTip>& tips, std::size_t tip,
                                const coupling::Affine& displacement, const LoadWay& way) const;
-  // As they are read from the fit, and K_I of a tip whose faces press on each other is 0.
+  // Factors as read from the fit; with loads by energy K_I of a tip whose faces press on each other is 0.
   AffineIntensity intensity_of(const GrowingTip& tip, const WilliamsFit& fit) const;
   bool faces_press_at(const GrowingTip& tip) const;
   bool is_shut(const GrowingTip& tip, const WilliamsFit& fit) const;

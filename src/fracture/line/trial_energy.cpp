@@ -60,7 +60,7 @@ double TrialEnergy::released(Eigen::Index terms, double load_factor) const {
   return 0.5 * (y_.topRows(terms) * Eigen::Vector2d(1, load_factor)).squaredNorm();
 }
 
-// With z = (1 - k^1/2 F k^1/2)^-1 k^1/2 e the elongations are k^-1/2 z.
+// Elongations are k^-1/2 z with z = (1 - k^1/2 F k^1/2)^-1 k^1/2 e.
 Eigen::VectorXd TrialEnergy::elongations_without(Eigen::Index terms, double load_factor) const {
   Eigen::VectorXd z = y_.topRows(terms) * Eigen::Vector2d(1, load_factor);
   lower_.topLeftCorner(terms, terms).triangularView<Eigen::Lower>().transpose().solveInPlace(z);

@@ -65,7 +65,7 @@ CutStiffness::CutStiffness(const coupling::Terms& terms, const std::vector<Point
   }
 }
 
-// Of the bonds of a point each belongs to it by a half.
+// Half of every bond of a point belongs to it.
 double CutStiffness::per_length(int law, const Point& normal) const {
   double sum = 0;
   for (const Bond& bond : family_[static_cast<std::size_t>(law)]) {
@@ -122,7 +122,7 @@ bool TrialGrowth::opens(double load_factor) const {
   return opening_.head(terms).dot(energy_.elongations_without(terms, load_factor)) > 0;
 }
 
-// By secants. Without constant loads the ratio is proportional to the load factor.
+// The root is found by secants. Without constant loads the ratio is proportional to the load factor.
 std::optional<LineLoad> TrialGrowth::load(double nearby, double sense, bool proportional) const {
   LineLoad found;
   if (nearby == 0 || !opens(nearby)) return std::nullopt;

@@ -50,13 +50,13 @@ class TrialGrowth {
   // Root of the energy release rate at the tip over what growth takes, and the same after the first length.
   double ratio(double load_factor) const { return at_tip(load_factor).ratio; }
   double ratio_after(double load_factor) const { return at_tip(load_factor).ratio_after; }
-  // Of the ratio, by how the lengths differ from what they should be.
+  // Error of the ratio, from the scatter of the lengths about their line.
   double error(double load_factor) const { return at_tip(load_factor).error; }
-  // Over all of the lengths, of which longer ones depend less on single bonds.
+  // Mean of the ratio over all lengths; longer lengths depend less on single bonds.
   double mean_ratio(double load_factor) const;
 
-  // Where the ratio reaches one, beginning at a load factor nearby, and how it grows there; null where it does not rise
-  // on the way, or the step would close.
+  // Load factor at which the ratio reaches one, searched from a load factor nearby, and how it grows there; null where
+  // it does not rise on the way, or the step would close.
   std::optional<LineLoad> load(double nearby, double sense, bool proportional) const;
 
  private:

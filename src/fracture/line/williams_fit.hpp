@@ -18,10 +18,10 @@ class WilliamsFit {
 
   explicit WilliamsFit(int terms) : terms_(terms) {}
 
-  // Of a point at a distance, in horizons, and an angle from the tip's direction.
+  // Adds the stress of a point at a distance, in horizons, and an angle from the tip's direction.
   void add(double distance, double angle, const Stress& stress);
 
-  // Of the first so many terms, at most those that were fitted.
+  // Factors from the first so many terms, at most those that were fitted.
   AffineIntensity factors(double horizon, int terms = most_terms) const;
 
   // What the fitted terms leave of the stress, as a share of it, at a load factor: little where the field is that of
