@@ -1,5 +1,7 @@
 #include "model/fingerprint.hpp"
 
+#include <array>
+
 #include "hash.hpp"
 #include "regions/scheme.hpp"
 
@@ -56,6 +58,25 @@ void add_option(Hash& hash, const scene::OptionDescription& option, const scene:
   }
 }
 
+// An option counts where it is in effect other than by default, so that states outlive options that come and go. A
+// default that changes needs a new format of states.
+void add_changed_option(Hash& hash, const scene::OptionDescription& option, const scene::Options& options) {
+  const scene::Options defaults;
+  const bool is_default = option.is_text ? options.text_in_effect(option.name) == defaults.text_in_effect(option.name)
+                                         : options.number(option.name) == defaults.number(option.name);
+  if (!is_default) add_option(hash, option, options);
+}
+
+// Options of format 14 in their order, which counted at their defaults as well.
+constexpr std::array options_of_format_14 = {
+    "scheme",  "critical_stretch",         "pd.crack_tip", "pd.criterion", "crack.rule",
+    "contact", "bem.quadrature_tolerance", "bem.grading"};
+
+void add_options_of_format_14(Hash& hash, const scene::Options& options) {
+  for (const char* const name : options_of_format_14) add_option(hash, scene::option_description(name), options);
+  for (const scene::OptionDescription& option : regions::scheme_options(options)) add_option(hash, option, options);
+}
+
 }  // namespace
 
 SceneFingerprint fingerprint(const scene::Scene& scene, const scene::Options& options) {
@@ -79,16 +100,19 @@ SceneFingerprint fingerprint(const scene::Scene& scene, const scene::Options& op
     cracks += hash.value();
   }
   body.add(cracks);
+  Hash body_of_format_14 = body;
+  add_options_of_format_14(body_of_format_14, options);
   for (const scene::OptionDescription& option : scene::option_descriptions()) {
-    if (option.shapes_operators) add_option(body, option, options);
+    if (option.shapes_operators) add_changed_option(body, option, options);
   }
   // Options of other schemes are left out, because they have no effect here.
-  for (const scene::OptionDescription& option : regions::scheme_options(options)) add_option(body, option, options);
+  for (const scene::OptionDescription& option : regions::scheme_options(options))
+    add_changed_option(body, option, options);
   Hash supports;
   for (const scene::Condition& support : scene.supports()) add_place(supports, support);
   Hash loads;
   for (const scene::Condition& load : scene.loads()) add_place(loads, load);
-  return {body.value(), supports.value(), loads.value()};
+  return {body.value(), supports.value(), loads.value(), body_of_format_14.value()};
 }
 
 std::uint64_t load_fingerprint(const scene::Scene& scene, const regions::DofConditions& values) {

@@ -11,9 +11,10 @@ namespace bempd::model {
 // Fingerprint of what the host has described: two scenes share it if that is the same. Computed values stay out,
 // because their last digits depend on the processor.
 struct SceneFingerprint {
-  std::uint64_t body = 0;      // regions with their materials, initial cracks, options that shape the system
-  std::uint64_t supports = 0;  // places and components in their order, not the values
-  std::uint64_t loads = 0;     // the same of loads; the body may go on under others
+  std::uint64_t body = 0;               // regions with their materials, initial cracks, options that shape the system
+  std::uint64_t supports = 0;           // places and components in their order, not the values
+  std::uint64_t loads = 0;              // the same of loads; the body may go on under others
+  std::uint64_t body_of_format_14 = 0;  // the body as states of that format name it; not among the bytes of others
 };
 
 SceneFingerprint fingerprint(const scene::Scene& scene, const scene::Options& options);

@@ -20,8 +20,13 @@ enum class Acting : std::uint8_t {
   on_a_way  // values between, where a step on a straight line was left: results show them, steps replace them
 };
 
+// Format of a state's bytes, raised when their content changes. The oldest one that is still read: hosts restore states
+// that an earlier version of the library wrote.
+constexpr int state_format = 15, oldest_state_format = 14;
+
 // State of a run, tied to a scene by its fingerprint.
 struct SavedState {
+  int format = state_format;  // of the bytes that it was read from
   SceneFingerprint scene;
   std::uint64_t load_fingerprint = 0;
   fracture::EvolutionState evolution;

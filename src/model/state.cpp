@@ -137,9 +137,10 @@ void Model::restore(const SavedState& state) {
 }
 
 void Model::restore_body(const SavedState& state) {
-  require(state.scene.body == prepared_->fingerprint.body,
+  const SceneFingerprint& present = prepared_->fingerprint;
+  require(state.scene.body == (state.format == 14 ? present.body_of_format_14 : present.body),
           "the state belongs to another scene; restore it into the model that was saved or one built in the same way");
-  require(state.scene.supports == prepared_->fingerprint.supports,
+  require(state.scene.supports == present.supports,
           "the state was saved with other supports, or with the same ones in another order; add those of the model "
           "that was saved, in its order");
   const std::vector<scene::Crack> cracks = scene_.cracks();

@@ -12,7 +12,6 @@ namespace bempd::model {
 namespace {
 
 constexpr char magic[8] = {'B', 'E', 'M', 'P', 'D', 'S', 'T', '\0'};
-constexpr std::uint32_t format_version = 14;
 constexpr std::uint32_t byte_order_mark = 0x01020304;
 
 // Members of the structs in a state, listed once for writing and reading.
@@ -61,22 +60,18 @@ void visit_members(Samples& s, Visit& visit) { visit(s.constant), visit(s.propor
 template <class Placed, class Visit>
 requires std::is_same_v<std::remove_const_t<Placed>, scene::PlacedValues>
 void visit_members(Placed& p, Visit& visit) { visit(p.fractions), visit(p.constant), visit(p.proportional); }
-
 template <class Change, class Visit>
 requires std::is_same_v<std::remove_const_t<Change>, coupling::StageChange>
 void visit_members(Change& c, Visit& visit) { visit(c.term), visit(c.stage); }
 template <class Entry, class Visit>
 requires std::is_same_v<std::remove_const_t<Entry>, coupling::TermEntry>
 void visit_members(Entry& e, Visit& visit) { visit(e.node), visit(e.x), visit(e.y); }
-
 template <class Place, class Visit>
 requires std::is_same_v<std::remove_const_t<Place>, coupling::Contact>
 void visit_members(Place& p, Visit& visit) { visit(p.pull), visit(p.stiffness); }
-
 template <class Change, class Visit>
 requires std::is_same_v<std::remove_const_t<Change>, coupling::FactorChange>
 void visit_members(Change& c, Visit& visit) { visit(c.adds), visit(c.end), visit(c.unknown), visit(c.weight); }
-
 template <class Origin, class Visit>
 requires std::is_same_v<std::remove_const_t<Origin>, coupling::FactorOrigin>
 void visit_members(Origin& o, Visit& visit) {
@@ -257,7 +252,8 @@ void visit_members(State& state, Visit& visit) {
   visit(state.scene.loads), visit(state.said), visit(state.continuation);
 }
 
-void check_header(Reader& reader) {
+// Returns the format of the bytes.
+int read_header(Reader& reader) {
   char found[8];
   reader.raw(found, sizeof found);
   require(std::memcmp(found, magic, sizeof magic) == 0, "the bytes are not a state of bempd");
@@ -265,8 +261,10 @@ void check_header(Reader& reader) {
   reader(order);
   require(order == byte_order_mark, "the state was written on a machine of the other byte order");
   reader(version);
-  require(version == format_version, "the state has format version ", version, "; this library reads version ",
-          format_version, ": repeat the run, or go on with the version of bempd that wrote the bytes");
+  require(version >= oldest_state_format && version <= state_format, "the state has format version ", version,
+          "; this library reads versions ", oldest_state_format, " to ", state_format,
+          ": repeat the run, or go on with the version of bempd that wrote the bytes");
+  return static_cast<int>(version);
 }
 
 }  // namespace
@@ -274,7 +272,7 @@ void check_header(Reader& reader) {
 std::vector<std::uint8_t> to_bytes(const SavedState& state) {
   Writer writer;
   writer.raw(magic, sizeof magic);
-  writer(byte_order_mark), writer(format_version);
+  writer(byte_order_mark), writer(static_cast<std::uint32_t>(state_format));
   visit_members(state, writer);
   if (!state.frozen.empty()) writer(state.frozen);
   return writer.finish();
@@ -282,7 +280,7 @@ std::vector<std::uint8_t> to_bytes(const SavedState& state) {
 
 SavedState from_bytes(const std::uint8_t* bytes, std::size_t size) {
   Reader reader(bytes, size);
-  check_header(reader);
+  const int format = read_header(reader);
   std::uint64_t stored = 0;
   require(reader.left() > sizeof stored, "the bytes of the state end too early");
   Hash hash;
@@ -290,6 +288,7 @@ SavedState from_bytes(const std::uint8_t* bytes, std::size_t size) {
   std::memcpy(&stored, bytes + size - sizeof stored, sizeof stored);
   require(stored == hash.value(), "the bytes of the state are damaged: their checksum does not match");
   SavedState state;
+  state.format = format;
   visit_members(state, reader);
   if (reader.left() > sizeof stored) reader(state.frozen);
   require(reader.left() == sizeof stored, "the bytes of the state are damaged: something is left over");

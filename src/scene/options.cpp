@@ -135,6 +135,8 @@ bool hooks_are_allowed() {
 
 }  // namespace
 
+const OptionDescription& option_description(std::string_view name) { return describe(name); }
+
 const std::vector<OptionDescription>& option_descriptions() {
   static const std::vector<OptionDescription> all = described(false);
   return all;

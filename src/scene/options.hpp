@@ -42,6 +42,7 @@ class OptionGroup {
 };
 
 const std::vector<OptionDescription>& option_descriptions();  // without hooks of tests
+const OptionDescription& option_description(std::string_view name);
 const std::vector<OptionDescription>& test_hook_descriptions();
 
 // Options by name. The value is the one that was set, else the default. Throws Error (argument) for unknown names, for

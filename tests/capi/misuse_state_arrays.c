@@ -2,7 +2,7 @@
 #define CRACK_RULE "bond"
 #include "scenes.h"
 
-/* The layout of format version 14: a head, numbers, then arrays that begin with the count of their entries. */
+/* The layout of formats 14 and 15: a head, numbers, then arrays that begin with the count of their entries. */
 enum {
   offset_version = 12,
   offset_load_factor = 16 + 3 * 8,
