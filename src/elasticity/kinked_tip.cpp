@@ -94,6 +94,17 @@ Point kinked_factors(const Point& factors, double angle) {
   return {f11 * factors.x() + f12 * factors.y(), f21 * factors.x() + f22 * factors.y()};
 }
 
+Point kink_growth(double angle) {
+  const double m = angle / pi, m2 = m * m, root = std::sqrt(2 * pi);
+  const double g1 = m2 * polynomial({2 * pi * root, -47.933390, 63.665987, -50.70880, 26.66807, -6.0205, -7.3148,
+                                     10.947, -2.85, -13.7, 0},
+                                    m2);
+  const double g2 =
+      m *
+      polynomial({-2 * root, 12 * root, -59.565733, 61.174444, -39.90249, 15.6222, 3.0343, -12.781, 9.69, 6.62, 0}, m2);
+  return {g1, g2};
+}
+
 Kink kink_of(const Point& factors, KinkCriterion criterion) {
   if (const int far = far_exponent(factors.lpNorm<Eigen::Infinity>()); far != 0) {
     const Kink kink = kink_of(factors * std::ldexp(1, -far), criterion);

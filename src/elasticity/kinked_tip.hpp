@@ -24,6 +24,10 @@ double hoop_factor(const Point& factors, double angle);
 // further solution.
 Point kinked_factors(const Point& factors, double angle);
 
+// What a straight kink of this angle gains with its length: its factors are those of the infinitesimal one and these
+// times the T stress and the root of the length (Amestoy and Leblond, section 5).
+Point kink_growth(double angle);
+
 // Smallest load factor >= 0 at which the equivalent factor of constant + factor * proportional reaches the toughness;
 // infinite if there is none.
 double growth_load_factor(const Point& constant, const Point& proportional, double toughness, KinkCriterion criterion);

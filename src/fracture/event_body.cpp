@@ -1,5 +1,7 @@
 #include "fracture/event_body.hpp"
 
+#include <algorithm>
+
 #include "fracture/balance.hpp"
 
 namespace bempd::fracture {
@@ -48,7 +50,8 @@ std::optional<Outcome> perform_event(const Event& event, const coupling::Equilib
   // Lost loads take their part along with the piece.
   outcome.released_energy =
       change->takes_loads_along ? outcome.work + outcome.stored_energy_before - outcome.stored_energy : released;
-  outcome.bond_energy = released / (event.ratio * event.ratio);
+  outcome.bond_energy =
+      event.taken_energy > 0 ? std::min(released, event.taken_energy) : released / (event.ratio * event.ratio);
   outcome.critical_stored_energy = body.stored_energy(event.critical_load_factor);
   outcome.unit_energy = body.unit_energy();
   outcome.energy_scale = least_energy_scale(system, f);

@@ -28,9 +28,10 @@ struct Event {
   bool is_contact = false;
   bool goes_down = false;  // then: the load factor falls on the way
 
-  crack::TipId tip{};      // that grows at it; crack 0: none
-  int ties = 0;            // others that would grow as soon
-  bool is_growth = false;  // nothing breaks: a tip with boundary elements grows
+  crack::TipId tip{};       // that grows at it; crack 0: none
+  double taken_energy = 0;  // at most, by what grows, where that is known; else 0: the ratio tells it [J]
+  int ties = 0;             // others that would grow as soon
+  bool is_growth = false;   // nothing breaks: a tip with boundary elements grows
 
   // Notes the ratio of one of the event's terms, if it is the largest so far.
   void reach(double ratio_of_term, double critical_of_term) {

@@ -17,6 +17,8 @@ namespace {
 constexpr double least_limit = 0.035, limit_of_residual = 0.7;  // the latter over the square of the spacings
 // Largest residual of a fit whose direction a crack still follows.
 constexpr double residual_without_direction = 0.2;
+// Largest one of a fit that tells how the energy release rate begins behind a kink; between both it fades.
+constexpr double residual_with_shape = 0.1;
 // Largest K_II over K_I for which the fit holds: beyond it K_II decides, which the fit reads worse.
 constexpr double largest_shear = 0.25;
 // Distances in horizons for which a fit holds: to anything else around the tip, and the least length of its crack.
@@ -97,6 +99,17 @@ bool LineSteps::need_body(const std::vector<LineStep>& steps, const LoadWay& way
   });
 }
 
+// The fit tells how the rate of a kink begins, the less the worse it is.
+KinkShape LineSteps::shape_of(const GrowingTip& tip, const coupling::Affine& displacement, const LineStep& step) const {
+  const pd::TipLaw& law = law_of(tip);
+  const double share = std::clamp(
+      (residual_without_direction - step.residual) / (residual_without_direction - residual_with_shape), 0.0, 1.0);
+  if (share == 0) return {};
+  const WilliamsFit fit = stress_.fitted(tip, law, displacement, body_.pressure_in(tip.id.crack));
+  return {stress_.as_read(fit.factors(law.horizon)), share * fit.t_stress(), step.angle,
+          laws_.criterion == KinkCriterion::hoop_stress};
+}
+
 // The fit has told that the tip opens and where to. Of pressed cracks fluid follows into the step, which the energy
 // without it does not know.
 bool LineSteps::try_step(const GrowingTip& tip, const coupling::Affine& displacement, const LoadWay& way,
@@ -111,11 +124,12 @@ bool LineSteps::try_step(const GrowingTip& tip, const coupling::Affine& displace
       step.direction = better, step.way = its;
     }
   }
-  const std::optional<TrialGrowth> growth = trials_.along(tip, law, step.direction, displacement, body);
+  std::optional<TrialGrowth> growth = trials_.along(tip, law, step.direction, displacement, body);
   if (!growth) return true;
+  growth->shape(shape_of(tip, displacement, step));
   const std::optional<LineLoad> load = growth->load(step.load_factor, way.sense(), displacement.col(0).isZero(0));
   if (!load) return !step.is_shut;
-  step.by_energy = true;
+  step.by_energy = true, step.taken_energy = growth->first_energy();
   step.load_factor = load->load_factor, step.constant = load->constant, step.growing = load->growing;
   step.after_step = growth->ratio_after(load->load_factor) / growth->ratio(load->load_factor);
   step.error = error_by_energy + growth->error(load->load_factor);

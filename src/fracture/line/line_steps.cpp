@@ -148,6 +148,7 @@ LineSteps::Choice LineSteps::choose(const std::vector<GrowingTip>& tips, const c
 Event LineSteps::event_of(const LineStep& step, double load_factor) const {
   Event event{load_factor, step.ratio_at(load_factor), step.load_factor, {}};
   event.tip = step.id;
+  if (step.by_energy && !step.way.arrives()) event.taken_energy = step.taken_energy;
   for (const int bond : step.way.bonds) event.changes.push_back(system_.terms().breaking(bond));
   return event;
 }

@@ -34,9 +34,10 @@ struct LineStep {
   // a share of it; and what the fit leaves of the stress.
   bool fit_holds = true, is_shut = false;  // shut: its faces press on each other at the tip
   double error = 0, residual = 0;
-  // The load is that of the energy of a trial step; then: the ratio of energy rates after the step to that before it.
+  // The load is that of the energy of a trial step; then: the ratio of energy rates after the step to that before it,
+  // and what its bonds take [J].
   bool by_energy = false;
-  double after_step = 1;
+  double after_step = 1, taken_energy = 0;
 
   double ratio_at(double at) const { return constant + at * growing; }
 };
@@ -129,6 +130,7 @@ class LineSteps {
   bool faces_press_at(const GrowingTip& tip) const;
   bool is_shut(const GrowingTip& tip, const WilliamsFit& fit) const;
   void judge_fit(const std::vector<GrowingTip>& tips, const WilliamsFit& fit, LineStep& step) const;
+  KinkShape shape_of(const GrowingTip& tip, const coupling::Affine& displacement, const LineStep& step) const;
   // False where the faces press on each other and a trial step would close, too: the tip does not grow.
   bool try_step(const GrowingTip& tip, const coupling::Affine& displacement, const LoadWay& way, TrialBody& body,
                 LineStep& step) const;

@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
 #include <numbers>
+#include <utility>
 
 #include "geometry/turning.hpp"
 #include "linalg/adjacency.hpp"
@@ -23,23 +25,35 @@ constexpr double between_trials = 10 * std::numbers::pi / 180;
 constexpr int rounds_for_load = 30;
 constexpr double load_rounding = 1e-12;
 
-// What a lattice takes for a length is known from a point none of whose neighbours' neighbours lies at an edge.
-int deep_point(int law, const pd::TipLaws& laws, const linalg::Adjacency& neighbours) {
-  const auto count = [&](int node) { return neighbours.of(node).size(); };
-  const auto is_of = [&](int node) { return laws.of_node[static_cast<std::size_t>(node)] == law; };
+// Bond vectors that agree to this share of a spacing are the same.
+constexpr double same_vector = 1e-6;
+
+bool are_alike(const pd::TipLaw& one, const pd::TipLaw& other) {
+  return one.spacing == other.spacing && one.horizon == other.horizon && one.thickness == other.thickness &&
+         one.modulus == other.modulus;
+}
+
+// What a lattice takes for a length is known from points none of whose neighbours' neighbours lies at an edge or in
+// another lattice: from all of those that lie deepest, in all regions of that lattice, so that no numbering matters.
+std::vector<int> deep_points(const std::vector<char>& is_of, const linalg::Adjacency& neighbours) {
+  const auto is_own = [&](int node) { return is_of[static_cast<std::size_t>(node)] != 0; };
   std::size_t most = 0;
-  const int nodes = static_cast<int>(laws.of_node.size());
+  const int nodes = static_cast<int>(is_of.size());
   for (int node = 0; node < nodes; ++node)
-    if (is_of(node)) most = std::max(most, count(node));
-  const auto is_whole = [&](int node) { return is_of(node) && count(node) == most; };
-  int found = -1, depth = -1;
-  for (int node = 0; node < nodes && depth < 2; ++node) {
-    if (!is_whole(node)) continue;
-    int own = 0;
-    const auto all = [&](int at) { return std::ranges::all_of(neighbours.of(at), is_whole); };
-    if (all(node)) own = std::ranges::all_of(neighbours.of(node), all) ? 2 : 1;
-    if (own > depth) found = node, depth = own;
-  }
+    if (is_own(node)) most = std::max(most, neighbours.of(node).size());
+  std::vector<char> depth(is_of.size(), 0);  // 1: full number of neighbours; 2, 3: likewise theirs, and theirs
+  for (int node = 0; node < nodes; ++node)
+    depth[static_cast<std::size_t>(node)] = is_own(node) && neighbours.of(node).size() == most ? 1 : 0;
+  for (const char level : {1, 2})
+    for (int node = 0; node < nodes; ++node) {
+      const auto is_deep = [&](int other) { return depth[static_cast<std::size_t>(other)] >= level; };
+      if (is_deep(node) && std::ranges::all_of(neighbours.of(node), is_deep))
+        depth[static_cast<std::size_t>(node)] = static_cast<char>(level + 1);
+    }
+  std::vector<int> found;
+  const char deepest = depth.empty() ? char{0} : *std::ranges::max_element(depth);
+  for (int node = 0; node < nodes; ++node)
+    if (deepest > 0 && depth[static_cast<std::size_t>(node)] == deepest) found.push_back(node);
   return found;
 }
 
@@ -54,14 +68,35 @@ CutStiffness::CutStiffness(const coupling::Terms& terms, const std::vector<Point
       add(terms.second[t], terms.first[t]);
     }
   });
-  std::vector<int> deep;
-  for (std::size_t law = 0; law < family_.size(); ++law)
-    deep.push_back(deep_point(static_cast<int>(law), laws, neighbours));
-  for (std::size_t t = 0; t < terms.size(); ++t) {
-    if (terms.is_wide(t)) continue;
-    for (std::size_t law = 0; law < family_.size(); ++law)
-      if (terms.first[t] == deep[law] || terms.second[t] == deep[law])
-        family_[law].push_back({terms.length[t] * Point(terms.cosine[t], terms.sine[t]), terms.stiffness[t]});
+  const linalg::Adjacency bonds_at = linalg::make_adjacency(positions.size(), [&](const auto& add) {
+    for (std::size_t t = 0; t < terms.size(); ++t) {
+      if (terms.is_wide(t)) continue;
+      add(terms.first[t], static_cast<int>(t));
+      add(terms.second[t], static_cast<int>(t));
+    }
+  });
+  for (std::size_t law = 0; law < family_.size(); ++law) {
+    const auto alike = std::ranges::find_if(laws.laws, [&](const auto& l) { return are_alike(l, laws.laws[law]); });
+    if (const auto first = static_cast<std::size_t>(alike - laws.laws.begin()); first < law) {
+      family_[law] = family_[first];
+      continue;
+    }
+    std::vector<char> is_of(laws.of_node.size(), 0);
+    for (std::size_t node = 0; node < is_of.size(); ++node)
+      is_of[node] =
+          laws.of_node[node] >= 0 && are_alike(laws.laws[static_cast<std::size_t>(laws.of_node[node])], laws.laws[law]);
+    const std::vector<int> deep = deep_points(is_of, neighbours);
+    std::map<std::pair<long, long>, Bond> family;
+    for (const int node : deep)
+      for (const int bond : bonds_at.of(node)) {
+        const auto t = static_cast<std::size_t>(bond);
+        const Point vector = terms.length[t] * Point(terms.cosine[t], terms.sine[t]);
+        const Point rounded = vector / (same_vector * laws.laws[law].spacing);
+        Bond& of_all =
+            family.try_emplace({std::lround(rounded.x()), std::lround(rounded.y())}, vector, 0.0).first->second;
+        of_all.stiffness += terms.stiffness[t] / static_cast<double>(deep.size());
+      }
+    for (const auto& [key, bond] : family) family_[law].push_back(bond);
   }
 }
 
@@ -94,10 +129,13 @@ CutStiffness::Counted CutStiffness::of(std::size_t bond, double stiffness, const
   return counted;
 }
 
-// The rate goes like g exp(c x) along the way x, so that its mean over a length s is about g exp(c s / 2).
+// The rate goes like g exp(c x) along the way x, times the shape of a kink, so that its mean over a length s is about
+// g exp(c s / 2) times the mean of the shape.
 TrialGrowth::AtTip TrialGrowth::at_tip(double load_factor) const {
   double weights = 0, x_mean = 0, y_mean = 0, xx = 0, xy = 0;
-  const auto rate = [&](const Length& l) { return std::log(energy_.released(l.terms, load_factor) / l.energy); };
+  const auto rate = [&](const Length& l) {
+    return std::log(energy_.released(l.terms, load_factor) / (l.energy * kink_.mean(l.length, load_factor)));
+  };
   for (const Length& l : lengths_) weights += l.length, x_mean += l.length * l.length / 2, y_mean += l.length * rate(l);
   x_mean /= weights, y_mean /= weights;
   for (const Length& l : lengths_) {
@@ -105,10 +143,11 @@ TrialGrowth::AtTip TrialGrowth::at_tip(double load_factor) const {
     xx += l.length * x * x, xy += l.length * x * (rate(l) - y_mean);
   }
   const double slope = lengths_.size() > 1 && xx > 0 ? xy / xx : 0;
-  const double logarithm = y_mean - slope * x_mean;
+  const double logarithm = y_mean - slope * x_mean, first = lengths_.front().length;
   double off = 0;
   for (const Length& l : lengths_) off += l.length * std::pow(rate(l) - logarithm - slope * l.length / 2, 2) / weights;
-  return {std::exp(logarithm / 2), std::exp((logarithm + slope * lengths_.front().length) / 2), std::sqrt(off) / 2};
+  const double here = std::exp(logarithm / 2) * kink_.of_criterion(load_factor);
+  return {here, here * std::sqrt(kink_.at(first, load_factor) * std::exp(slope * first)), std::sqrt(off) / 2};
 }
 
 double TrialGrowth::mean_ratio(double load_factor) const {

@@ -31,7 +31,7 @@ class CutStiffness {
 
   const coupling::Terms& terms_;
   const pd::TipLaws& laws_;
-  std::vector<std::vector<Bond>> family_;  // of a point deep inside, for every law
+  std::vector<std::vector<Bond>> family_;  // of the points deep inside in the mean, for every law
 };
 
 // What growth straight on in one direction would release, over what it would take: for one to some spacings, and from
@@ -54,6 +54,10 @@ class TrialGrowth {
   double error(double load_factor) const { return at_tip(load_factor).error; }
   // Mean of the ratio over all lengths; longer lengths depend less on single bonds.
   double mean_ratio(double load_factor) const;
+  // What the first length takes [J].
+  double first_energy() const { return lengths_.front().energy; }
+  // From now on with the rate's shape behind a kink.
+  void shape(const KinkShape& kink) { kink_ = kink; }
 
   // Load factor at which the ratio reaches one, searched from a load factor nearby, and how it grows there; null where
   // it does not rise on the way, or the step would close.
@@ -69,6 +73,7 @@ class TrialGrowth {
   TrialEnergy energy_;
   std::vector<Length> lengths_;
   Eigen::VectorXd opening_;
+  KinkShape kink_;
 };
 
 // Steps of tips that are tried out by their energy, where the stress ahead is not the tip's own.

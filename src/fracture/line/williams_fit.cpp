@@ -4,11 +4,16 @@
 #include <cmath>
 #include <numbers>
 
+#include "elasticity/kinked_tip.hpp"
 #include "linalg/least_squares.hpp"
 
 namespace bempd::fracture {
 
 namespace {
+
+// The rate of a kink over its first spacings, as a share of that at its beginning; and how far the loads of both
+// criteria lie apart at most.
+constexpr double least_shape = 0.25, largest_shape = 4, largest_of_criteria = 1.1;
 
 constexpr int most_amplitudes = 2 * WilliamsFit::most_terms;
 
@@ -60,6 +65,34 @@ double WilliamsFit::residual(double load_factor) const {
   const Eigen::Matrix2d left = squares_ - right_.transpose() * solution(terms_);
   const double all = at.dot(squares_ * at);
   return all > 0 ? std::sqrt(std::max(at.dot(left * at), 0.0) / all) : 0;
+}
+
+KinkShape::Factors KinkShape::of_kink(double load_factor) const {
+  const Eigen::Vector2d at(1, load_factor);
+  return {kinked_factors({factors_.one.dot(at), factors_.two.dot(at)}, angle_),
+          t_stress_.dot(at) * kink_growth(angle_)};
+}
+
+double KinkShape::mean(double length, double load_factor) const {
+  const auto [first, growing] = of_kink(load_factor);
+  const double all = first.squaredNorm();
+  const double grown = 4.0 / 3 * first.dot(growing) * std::sqrt(length) + growing.squaredNorm() * length / 2;
+  return all > 0 ? std::clamp(1 + grown / all, least_shape, largest_shape) : 1;
+}
+
+double KinkShape::at(double length, double load_factor) const {
+  const auto [first, growing] = of_kink(load_factor);
+  const double all = first.squaredNorm();
+  return all > 0 ? std::clamp((first + std::sqrt(length) * growing).squaredNorm() / all, least_shape, largest_shape)
+                 : 1;
+}
+
+double KinkShape::of_criterion(double load_factor) const {
+  const Eigen::Vector2d at(1, load_factor);
+  const double all = of_kink(load_factor).first.norm();
+  if (!is_hoop_ || !(all > 0)) return 1;
+  const double hoop = hoop_factor({factors_.one.dot(at), factors_.two.dot(at)}, angle_);
+  return std::clamp(hoop / all, 1 / largest_of_criteria, largest_of_criteria);
 }
 
 }  // namespace bempd::fracture
