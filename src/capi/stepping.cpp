@@ -62,8 +62,7 @@ bempd_step_report report_of(const model::StepResult& result, const fracture::Evo
 void write_report(model::Model& m, const model::StepResult& result, bempd_step_report* report) {
   if (!report) return;
   bempd_step_report r = report_of(result, m.prepared().evolution->progress());
-  r.closed_places = static_cast<std::int64_t>(m.prepared().system->contacts().closed_count() +
-                                              m.prepared().system->closed_face_count());
+  r.closed_places = static_cast<std::int64_t>(m.prepared().system->constraints().closed_count());
   write_struct(report, r, "report");
 }
 

@@ -130,30 +130,6 @@ void EquilibriumSystem::commit(std::span<const StageChange> changes, std::span<c
   change_factor(removed, columns_removed, linalg::Change::remove);
 }
 
-void EquilibriumSystem::switch_contacts(std::span<const int> places) {
-  std::vector<Eigen::Triplet<double>> added, removed;
-  int columns_added = 0, columns_removed = 0;
-  std::vector<UnknownEntry> pull;
-  for (const int i : places) {
-    const auto place = static_cast<std::size_t>(i);
-    const Contact& contact = contacts_[place];
-    const bool closes = !contacts_.is_closed(place);
-    contacts_.set_closed(place, closes);
-    pull.clear();
-    for (const TermEntry& e : contact.pull)
-      append_pull(unknowns_.unknown_of, ties_, e.node, e.x, e.y, std::sqrt(contact.stiffness), pull);
-    const int column = closes ? columns_added++ : columns_removed++;
-    for (const UnknownEntry& e : pull) (closes ? added : removed).emplace_back(e.unknown, column, e.weight);
-  }
-  change_factor(added, columns_added, linalg::Change::add);
-  change_factor(removed, columns_removed, linalg::Change::remove);
-}
-
-void EquilibriumSystem::set_contacts(Contacts contacts) {
-  if (contacts.closed_count() > 0 || contacts_.closed_count() > 0) forget_factor();
-  contacts_ = std::move(contacts);
-}
-
 void EquilibriumSystem::restore(std::vector<std::uint8_t> stages, std::vector<HoldingSpring> springs) {
   for (std::size_t t = 0; t < stages.size(); ++t) enter({static_cast<int>(t), stages[t]});
   springs_ = std::move(springs);
@@ -198,7 +174,7 @@ std::vector<Eigen::VectorXd> EquilibriumSystem::motions_held_by(std::span<const 
   condense();
   assemble();
   const Eigen::SparseMatrix<double>& matrix = assembly_->sum(present_stiffness_, springs_);
-  // The matrix has no contacts: parts that only crack faces hold are free in it.
+  // The matrix has no constraints: parts that only crack faces hold are free in it.
   const std::unique_ptr<SystemSolver> solver = shifted_solver(method_, matrix, stiff_diagonal(matrix));
   Eigen::MatrixXd pulls = Eigen::MatrixXd::Zero(unknowns_.count(), static_cast<Eigen::Index>(springs.size()));
   for (Eigen::Index k = 0; k < pulls.cols(); ++k) {

@@ -10,44 +10,44 @@ namespace bempd::coupling {
 
 namespace {
 
-PlacesMet nodes_of_places(const Contacts& contacts) {
-  PlacesMet places(contacts.size());
-  for (std::size_t i = 0; i < contacts.size(); ++i)
-    for (const TermEntry& e : contacts[i].pull) places[i].push_back(e.node);
+PlacesMet nodes_of_penalties(const Constraints& constraints) {
+  PlacesMet places(constraints.size() - constraints.exact_count());
+  for (std::size_t k = 0; k < places.size(); ++k)
+    for (const TermEntry& e : constraints[constraints.exact_count() + k].pull) places[k].push_back(e.node);
   return places;
 }
 
-Contacts contacts_on(const PlacesMet& places) {
-  Contacts contacts;
+Constraints constraints_on(const PlacesMet& places) {
+  Constraints constraints;
   for (const std::vector<int>& nodes : places) {
-    Contact contact{{}, 0};
-    for (const int node : nodes) contact.pull.push_back({node, 0, 0});
-    contacts.add(std::move(contact));
+    Constraint constraint{{}, 0};
+    for (const int node : nodes) constraint.pull.push_back({node, 0, 0});
+    constraints.add(std::move(constraint));
   }
-  return contacts;
+  return constraints;
 }
 
 }  // namespace
 
 std::unique_ptr<StiffnessAssembly> EquilibriumSystem::assembly_with(const PlacesMet* places) const {
   return std::make_unique<StiffnessAssembly>(unknowns_.unknown_of, terms_, ties_, operators_, is_symmetric(),
-                                             places ? contacts_on(*places) : Contacts());
+                                             places ? constraints_on(*places) : Constraints());
 }
 
 const Eigen::SparseMatrix<double>& EquilibriumSystem::assemble() const {
-  // Places that have never touched are left out, so that they do not change the pattern.
+  // Constraints that have never closed are left out, so that they do not change the pattern.
   if (!assembly_) assembly_ = assembly_with(places_met_.get());
-  if (!assembly_->has_room_for(contacts_)) {
-    places_met_ = std::make_shared<const PlacesMet>(nodes_of_places(contacts_));
+  if (!assembly_->has_room_for(constraints_)) {
+    places_met_ = std::make_shared<const PlacesMet>(nodes_of_penalties(constraints_));
     assembly_ = assembly_with(places_met_.get());
   }
-  return assembly_->sum(present_stiffness_, springs_, contacts_);
+  return assembly_->sum(present_stiffness_, springs_, constraints_);
 }
 
 const Eigen::SparseMatrix<double>& EquilibriumSystem::assemble_to_factorize() {
   const Eigen::SparseMatrix<double>& matrix = assemble();
-  source_ = {stages_, springs_, {}, closed_faces_, places_met_, false, {}};
-  contacts_.for_each_closed([&](const Contact& contact) { source_.closed.push_back(contact); });
+  source_ = {stages_, springs_, {}, constraints_.closed_exact(), places_met_, false, {}};
+  constraints_.for_each_closed_penalty([&](const Constraint& closed) { source_.closed.push_back(closed); });
   return matrix;
 }
 
@@ -101,7 +101,8 @@ std::optional<FactorOrigin> EquilibriumSystem::factor_origin() const {
 
 void EquilibriumSystem::set_factor_origin(FactorOrigin origin) {
   forget_factor();
-  FactorSource source{stages_, {}, std::move(origin.closed), closed_faces_, {}, true, std::move(origin.changes)};
+  FactorSource source{stages_, {},   std::move(origin.closed), constraints_.closed_exact(),
+                      {},      true, std::move(origin.changes)};
   for (const StageChange& c : origin.stages) source.stages[c.term] = static_cast<std::uint8_t>(c.stage);
   source.springs.assign(springs_.begin(), springs_.begin() + static_cast<std::ptrdiff_t>(origin.springs));
   if (places_met_ && origin.places == *places_met_) {
@@ -127,9 +128,9 @@ void EquilibriumSystem::rebuild_factor() {
   std::vector<double> stiffness(terms_.size());
   for (std::size_t t = 0; t < stiffness.size(); ++t)
     stiffness[t] = stiffness_after({static_cast<int>(t), source_.stages[t]});
-  Contacts closed;
-  for (const Contact& contact : source_.closed) {
-    closed.add(contact);
+  Constraints closed;
+  for (const Constraint& constraint : source_.closed) {
+    closed.add(constraint);
     closed.set_closed(closed.size() - 1, true);
   }
   const bool has_pattern = source_.places == places_met_;

@@ -17,7 +17,7 @@ Eigen::VectorXd EquilibriumSystem::internal_force(const Eigen::VectorXd& displac
   } else {
     terms_.add_forces(present_stiffness_, displacement.data(), force.data());
   }
-  contacts_.add_forces(displacement.data(), force.data());
+  constraints_.add_penalty_forces(displacement.data(), force.data());
   for (const OperatorSchurComplement& op : operators_) op.add_internal_force(displacement, load_factor, force);
   ties_.collect(force);
   return force;
@@ -51,7 +51,7 @@ double EquilibriumSystem::energy(const Eigen::VectorXd& displacement, double loa
   for (std::size_t t = 0; t < terms_.size(); ++t) {
     if (intact_[t]) sum += terms_.energy(t, present_stiffness_[t], displacement.data(), load_factor);
   }
-  sum += contacts_.energy(displacement.data());
+  sum += constraints_.penalty_energy(displacement.data());
   for (const OperatorSchurComplement& op : operators_) sum += op.energy(displacement, load_factor);
   return sum;
 }
@@ -75,7 +75,7 @@ double EquilibriumSystem::unit_energy(const Eigen::VectorXd& proportional) const
     const double elastic = terms_.elastic_elongation_part(t, proportional.data(), 1);
     sum += 0.5 * present_stiffness_[t] * elastic * elastic;
   }
-  sum += contacts_.energy(proportional.data());
+  sum += constraints_.penalty_energy(proportional.data());
   for (const OperatorSchurComplement& op : operators_) sum += op.unit_energy(proportional);
   return sum;
 }
@@ -84,7 +84,7 @@ Eigen::VectorXd EquilibriumSystem::apply(const Eigen::VectorXd& unknowns) const 
   const Eigen::VectorXd displacement = displacement_of(unknowns);
   Eigen::VectorXd force = Eigen::VectorXd::Zero(2 * node_count_);
   terms_.add_forces(present_stiffness_, displacement.data(), force.data());
-  contacts_.add_forces(displacement.data(), force.data());
+  constraints_.add_penalty_forces(displacement.data(), force.data());
   ties_.collect(force);
   for (const OperatorSchurComplement& op : operators_) {
     if (op.shared_dofs().empty()) continue;  // a BLAS complains on the terminal about a matrix without rows
@@ -128,7 +128,7 @@ void EquilibriumSystem::add_supports(const Affine& support, Affine& load) const 
     }
   }
   for (int t : terms_.wide.term) add(static_cast<std::size_t>(t));
-  add_pressing_supports(support, load);
+  add_supports_of_penalties(support, load);
   for (const HoldingSpring& s : springs_) {
     const int x = 2 * s.node;
     const Eigen::RowVector2d moved = s.cosine * support.row(x) + s.sine * support.row(x + 1);
@@ -139,11 +139,11 @@ void EquilibriumSystem::add_supports(const Affine& support, Affine& load) const 
   }
 }
 
-void EquilibriumSystem::add_pressing_supports(const Affine& support, Affine& load) const {
-  contacts_.for_each_closed([&](const Contact& contact) {
-    const Eigen::RowVector2d tension =
-        contact.stiffness * Eigen::RowVector2d(contact.gap(support.col(0).data()), contact.gap(support.col(1).data()));
-    for (const TermEntry& e : contact.pull) {
+void EquilibriumSystem::add_supports_of_penalties(const Affine& support, Affine& load) const {
+  constraints_.for_each_closed_penalty([&](const Constraint& constraint) {
+    const Eigen::RowVector2d tension = constraint.stiffness * Eigen::RowVector2d(constraint.gap(support.col(0).data()),
+                                                                                 constraint.gap(support.col(1).data()));
+    for (const TermEntry& e : constraint.pull) {
       load.row(2 * e.node) -= e.x * tension;
       load.row(2 * e.node + 1) -= e.y * tension;
     }

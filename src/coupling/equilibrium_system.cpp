@@ -75,11 +75,11 @@ EquilibriumSystem::EquilibriumSystem(int node_count, std::vector<DenseOperator> 
   collect_bodies(operators);
   collect_followers();
   for (std::size_t t = 0; t < terms_.law.size(); ++t) enter({static_cast<int>(t), 0});
-  std::size_t faces = 0;
+  Eigen::Index exact = 0;
   for (const DenseOperator& op : operators)
-    if (op.openings) faces += static_cast<std::size_t>(op.openings->of_forces.rows());
-  closed_faces_.assign(faces, 0);
-  face_offsets_ = Affine::Zero(static_cast<Eigen::Index>(faces), 2);
+    if (op.constraints) exact += op.constraints->of_forces.rows();
+  constraints_ = Constraints(static_cast<std::size_t>(exact));
+  gap_offsets_ = Affine::Zero(exact, 2);
   const StiffnessRange range = stiffness_range(node_count, operators, terms_);
   largest_stiffness_ = range.largest;
   stiffness_ratio_ = range.largest > 0 ? range.smallest / range.largest : 1;
@@ -170,8 +170,8 @@ void EquilibriumSystem::set_load(Affine force, Affine prescribed) {
   for (int part = 0; part < 2; ++part) force_parts_[part] = force_.col(part).lpNorm<Eigen::Infinity>();
   ties_.collect(force_);
   if (condensed_ == Condensed::operators_and_load) condensed_ = Condensed::operators;
-  // Contact forces depend on the loads, so these are condensed anew.
-  if (closed_face_count_ > 0) condense_load();
+  // Multipliers depend on the loads, so these are condensed anew.
+  if (constraints_.closed_exact_count() > 0) condense_load();
 }
 
 // Collects the different motions of supports: edges and points move alike, which makes a few motions for thousands of
@@ -220,7 +220,7 @@ void EquilibriumSystem::condense() {
   pending_.clear();
   if (stiffness_ratio_ < ordinary_stiffness_ratio) counters_.reciprocal_condition *= stiffness_ratio_;
   condensed_ = Condensed::operators;
-  if (!closed_faces_.empty()) close_faces();
+  enter_exact_constraints();
 }
 
 void EquilibriumSystem::condense_load() {

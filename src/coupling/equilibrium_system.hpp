@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "coupling/affine.hpp"
-#include "coupling/contacts.hpp"
+#include "coupling/constraints.hpp"
 #include "coupling/factor_origin.hpp"
 #include "coupling/node_ties.hpp"
 #include "coupling/operator_schur_complement.hpp"
@@ -78,7 +78,8 @@ class EquilibriumSystem {
   const std::vector<double>& present_stiffness() const { return present_stiffness_; }
   // Whether terms or operators have forces without displacements.
   bool has_offsets() const {
-    return terms_.have_offsets() || operators_have_rest_[0] || operators_have_rest_[1] || closed_face_count() > 0;
+    return terms_.have_offsets() || operators_have_rest_[0] || operators_have_rest_[1] ||
+           constraints_.closed_exact_count() > 0;
   }
   // Stage change of a term that reaches the critical elongation of its stage.
   StageChange after_critical(int term) const {
@@ -123,41 +124,36 @@ class EquilibriumSystem {
   void mark(std::span<const StageChange> changes);
   void commit(std::span<const StageChange> changes, std::span<const HoldingSpring> springs);
 
-  // Places where crack faces may touch; the closed ones are a part of the matrix, of forces and of energies.
-  const Contacts& contacts() const { return contacts_; }
-  void add_contact(Contact contact) { contacts_.add(std::move(contact)); }
-  void replace_open_contact(std::size_t place, Contact contact) { contacts_.replace(place, std::move(contact)); }
-  void bar_contacts(std::vector<char> barred) { contacts_.bar(std::move(barred)); }
-  // Closes open places and opens closed ones: rank-one changes of the factor.
-  void switch_contacts(std::span<const int> places);
-  // Replaces all places; the next solve factorizes afresh if that changes the matrix.
-  void set_contacts(Contacts contacts);
+  // Unilateral constraints between faces of cracks (equilibrium_constraints.cpp). Exact ones are numbered by operators,
+  // which eliminate the closed ones; closed ones with a penalty are a part of the matrix, of forces and of energies.
+  const Constraints& constraints() const { return constraints_; }
+  void add_constraint(Constraint constraint) { constraints_.add(std::move(constraint)); }
+  void replace_open_constraint(std::size_t number, Constraint other) { constraints_.replace(number, std::move(other)); }
+  void bar_constraints(std::vector<char> barred) { constraints_.bar(std::move(barred)); }
+  // Closes open constraints and opens closed ones: rank-one changes of the factor for those with a penalty; the next
+  // solve factorizes afresh if one of them is exact.
+  void switch_constraints(std::span<const int> numbers);
+  // Replaces all constraints with a penalty, and the active set; the next solve factorizes afresh if that changes the
+  // matrix.
+  void set_constraints(Constraints constraints);
+  // Replaces them without touching the factor, which then belongs to another matrix; exact ones stay as they are.
+  void put_constraints(Constraints constraints) { constraints_ = std::move(constraints); }
 
-  // Replaces all places without touching the factor, which then belongs to another matrix.
-  void put_contacts(Contacts contacts) { contacts_ = std::move(contacts); }
-
-  // Places on the faces of cracks inside operators (equilibrium_faces.cpp), which are not among the contacts above:
-  // closed ones have a gap of exactly zero. They are numbered by operators, and all open at first.
-  std::size_t face_count() const { return closed_faces_.size(); }
-  const std::vector<char>& closed_faces() const { return closed_faces_; }
-  std::size_t closed_face_count() const { return closed_face_count_; }
-  void set_closed_faces(const std::vector<char>& closed);  // the next solve factorizes afresh if that changes them
-  void switch_faces(std::span<const int> places);
-  // Gaps that loads inside operators cause; set_load() has to follow a change.
-  const Affine& face_offsets() const { return face_offsets_; }
-  void exchange_face_offsets(Affine& others) noexcept;
-  // Gaps of open places. A closed place has the overlap that it would have without its contact force, negative while
-  // its faces press.
-  Affine face_gaps(const Affine& displacement) const;
-  // Gaps that displacements and loads cause without contact forces; and the contact forces [N] at closed places.
-  Eigen::VectorXd open_gaps(const Eigen::VectorXd& displacement, double load_factor) const;
-  Eigen::VectorXd face_forces(const Eigen::VectorXd& displacement, double load_factor) const;
-  // Work that loads inside operators do on the displacements due to contact forces.
-  double work_at_closed_faces(const Eigen::VectorXd& displacement, double load_factor) const;
-  // Closed faces of the operator on these nodes.
-  std::vector<char> closed_faces_on(const std::vector<int>& nodes) const;
-  // Gap of an open place as a function of displacements, 2 * node + component, without its offset.
-  Eigen::VectorXd gap_function(std::size_t place) const;
+  // Gaps of all constraints. A closed exact one has the overlap that it would have without its multiplier, negative
+  // while its faces press.
+  Affine gaps(const Affine& displacement) const;
+  // Weights of the gap of an open constraint as a function of displacements, 2 * node + component, none on tied nodes.
+  // The gap of an exact one is this and its offset: the gap that loads inside its operator cause.
+  Eigen::VectorXd gap_function(std::size_t number) const;
+  const Affine& gap_offsets() const { return gap_offsets_; }
+  void exchange_gap_offsets(Affine& others) noexcept;  // set_load() has to follow
+  // Gaps of exact constraints without multipliers; their multipliers, which are contact forces [N]; and the work that
+  // loads inside operators do on the displacements due to these.
+  Eigen::VectorXd exact_gaps(const Eigen::VectorXd& displacement, double load_factor) const;
+  Eigen::VectorXd multipliers(const Eigen::VectorXd& displacement, double load_factor) const;
+  double work_due_to_multipliers(const Eigen::VectorXd& displacement, double load_factor) const;
+  // Flags of the exact constraints of the operator on these nodes: 1 if closed.
+  std::vector<char> closed_on(const std::vector<int>& nodes) const;
 
   // Puts terms into other stages without touching the factor, which then belongs to another matrix.
   void set_stages(std::span<const StageChange> changes);
@@ -171,7 +167,7 @@ class EquilibriumSystem {
   // Replaces the state; the next solve factorizes afresh.
   void restore(std::vector<std::uint8_t> stages, std::vector<HoldingSpring> springs);
   void forget_factor();
-  // Entries of the matrix that places of contact have needed so far: rounding depends on them.
+  // Entries of the matrix that closed penalties have needed so far: rounding depends on them.
   PlacesMet places_met() const { return places_met_ ? *places_met_ : PlacesMet(); }
   void set_places_met(PlacesMet places);
   void forget_places_met();
@@ -236,9 +232,8 @@ class EquilibriumSystem {
  private:
   enum class Condensed : char { nothing, operators, operators_and_load };
 
-  template <class Visit>
-  void for_each_with_faces(const Visit& visit) const;
-  void close_faces();
+  void enter_exact_constraints();
+  void eliminate_exact_constraints();
   void collect_bodies(const std::vector<DenseOperator>& operators);
   void collect_support_motions();
   void collect_rest_motions() noexcept;
@@ -260,7 +255,7 @@ class EquilibriumSystem {
   Affine right_hand_side() const;
   void add_supports(const Affine& support, Affine& load) const;
   void add_offsets(Affine& load) const;
-  void add_pressing_supports(const Affine& support, Affine& load) const;
+  void add_supports_of_penalties(const Affine& support, Affine& load) const;
   Eigen::VectorXd apply(const Eigen::VectorXd& unknowns) const;
   Eigen::VectorXd solve_column(const Eigen::VectorXd& rhs);
   // Displacements of all nodes from the unknowns, with prescribed ones at 0.
@@ -282,10 +277,8 @@ class EquilibriumSystem {
   std::vector<char> intact_;
   std::vector<double> present_stiffness_;
   std::vector<HoldingSpring> springs_;
-  Contacts contacts_;
-  std::vector<char> closed_faces_;
-  std::size_t closed_face_count_ = 0;
-  Affine face_offsets_{0, 2};
+  Constraints constraints_;
+  Affine gap_offsets_{0, 2};  // of exact constraints
   Unknowns unknowns_;
   Affine force_, prescribed_, condensed_load_;
   std::vector<std::array<double, 2>> support_motions_;  // each once, of the prescribed ones that are not 0

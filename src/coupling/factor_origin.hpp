@@ -5,7 +5,7 @@
 #include <memory>
 #include <vector>
 
-#include "coupling/contacts.hpp"
+#include "coupling/constraints.hpp"
 #include "coupling/operators.hpp"
 #include "coupling/term_law.hpp"
 
@@ -20,7 +20,7 @@ struct FactorChange {
   bool operator==(const FactorChange&) const = default;
 };
 
-// Nodes of each place of contact, between which it needs entries of the matrix.
+// Nodes of each constraint with a penalty, between which it needs entries of the matrix.
 using PlacesMet = std::vector<std::vector<int>>;
 
 // Record of how a factor was made, from which it can be made again with the same digits: a changed factor has other
@@ -28,7 +28,7 @@ using PlacesMet = std::vector<std::vector<int>>;
 struct FactorOrigin {
   std::vector<StageChange> stages;    // stages at that time of terms that have other ones now
   std::size_t springs = 0;            // number of the present springs that existed then
-  std::vector<Contact> closed;        // places of contact that were closed
+  std::vector<Constraint> closed;     // constraints with a penalty that were closed
   PlacesMet places;                   // entries that the matrix had room for
   std::vector<FactorChange> changes;  // since
 };
@@ -37,8 +37,8 @@ struct FactorOrigin {
 struct FactorSource {
   std::vector<std::uint8_t> stages;  // of all terms
   std::vector<HoldingSpring> springs;
-  std::vector<Contact> closed;
-  std::vector<char> closed_faces;           // inside operators
+  std::vector<Constraint> closed;           // constraints with a penalty
+  std::vector<char> closed_exact;           // which of the exact ones
   std::shared_ptr<const PlacesMet> places;  // null: none
   bool is_awaited = false;                  // whether the factor is still to be made of this state, and then changed
   std::vector<FactorChange> to_repeat;
@@ -46,7 +46,7 @@ struct FactorSource {
   bool has_matrix_of(const FactorSource& other) const {
     const bool has_places = places && other.places ? *places == *other.places : places == other.places;
     return stages == other.stages && springs == other.springs && closed == other.closed &&
-           closed_faces == other.closed_faces && has_places;
+           closed_exact == other.closed_exact && has_places;
   }
 };
 

@@ -7,8 +7,8 @@ namespace bempd::coupling {
 
 OperatorSchurComplement::OperatorSchurComplement(const DenseOperator& source, const std::vector<DofKind>& kind,
                                                  const std::vector<OperatorSchurComplement>& built)
-    : rest_(source.rest), openings_(source.openings) {
-  if (openings_) face_offsets_ = Affine::Zero(static_cast<Eigen::Index>(face_count()), 2);
+    : rest_(source.rest), constraints_(source.constraints) {
+  if (constraints_) gap_offsets_ = Affine::Zero(static_cast<Eigen::Index>(constraint_count()), 2);
   for (int node : source.nodes) all_.insert(all_.end(), {2 * node, 2 * node + 1});
   std::vector<DofKind> own;
   for (int dof : all_) own.push_back(kind[dof]);
@@ -23,7 +23,7 @@ OperatorSchurComplement::OperatorSchurComplement(const DenseOperator& source, co
   }
   for (int i : schur_->private_dofs()) private_.push_back(all_[i]);
   for (int i : schur_->shared_dofs()) shared_.push_back(all_[i]);
-  if (openings_) find_free_faces();
+  if (constraints_) find_switchable();
 }
 
 void OperatorSchurComplement::condense_load(const Affine& force, const Affine& prescribed, Affine& load) {
@@ -41,10 +41,10 @@ void OperatorSchurComplement::condense_load(const Affine& force, const Affine& p
         load.row(shared_[i]) -= carried.row(static_cast<Eigen::Index>(i));
     }
   }
-  if (pressing_.empty()) return;
+  if (active_.empty()) return;
   find_gaps_at_rest(support);
   const Affine carried =
-      gaps_by_shared_(pressing_, Eigen::all).transpose() * held_.solve(gaps_at_rest_(pressing_, Eigen::all));
+      gaps_by_shared_(active_, Eigen::all).transpose() * active_compliance_.solve(gaps_at_rest_(active_, Eigen::all));
   for (std::size_t i = 0; i < shared_.size(); ++i) load.row(shared_[i]) -= carried.row(static_cast<Eigen::Index>(i));
 }
 
@@ -59,7 +59,7 @@ void OperatorSchurComplement::recover(Affine& displacement) const {
   if (private_.empty()) return;
   Affine values = private_load_;
   if (!shared_.empty()) values -= schur_->transfer() * displacement(shared_, Eigen::all);
-  if (!pressing_.empty()) values += private_by_faces_(Eigen::all, pressing_) * pressing_forces(displacement);
+  if (!active_.empty()) values += private_by_forces_(Eigen::all, active_) * active_multipliers(displacement);
   for (std::size_t i = 0; i < private_.size(); ++i) {
     displacement.row(private_[i]) = values.row(static_cast<Eigen::Index>(i));
   }
@@ -72,10 +72,10 @@ void OperatorSchurComplement::condense_function(Eigen::VectorXd& weights, Eigen:
   constant += own.transpose() * private_load_;
   weights(private_).setZero();
   if (!shared_.empty()) weights(shared_) -= (schur_->transfer().transpose() * own).eval();
-  if (pressing_.empty()) return;
-  const Eigen::VectorXd per_gap = held_.solve(private_by_faces_(Eigen::all, pressing_).transpose() * own);
-  constant -= per_gap.transpose() * gaps_at_rest_(pressing_, Eigen::all);
-  if (!shared_.empty()) weights(shared_) -= (gaps_by_shared_(pressing_, Eigen::all).transpose() * per_gap).eval();
+  if (active_.empty()) return;
+  const Eigen::VectorXd per_gap = active_compliance_.solve(private_by_forces_(Eigen::all, active_).transpose() * own);
+  constant -= per_gap.transpose() * gaps_at_rest_(active_, Eigen::all);
+  if (!shared_.empty()) weights(shared_) -= (gaps_by_shared_(active_, Eigen::all).transpose() * per_gap).eval();
 }
 
 Eigen::VectorXd OperatorSchurComplement::elastic(const Eigen::VectorXd& displacement, double load_factor) const {
@@ -87,34 +87,35 @@ Eigen::VectorXd OperatorSchurComplement::elastic(const Eigen::VectorXd& displace
 void OperatorSchurComplement::add_internal_force(const Eigen::VectorXd& displacement, double load_factor,
                                                  Eigen::VectorXd& force) const {
   Eigen::VectorXd values = schur_->stiffness() * elastic(displacement, load_factor);
-  if (!pressing_.empty()) values -= openings_->of_displacements.transpose() * face_forces(displacement, load_factor);
+  if (!active_.empty()) values -= constraints_->of_displacements.transpose() * multipliers(displacement, load_factor);
   force(all_) += values;
 }
 
 double OperatorSchurComplement::energy(const Eigen::VectorXd& displacement, double load_factor) const {
   const Eigen::VectorXd own = elastic(displacement, load_factor);
   const double open = 0.5 * own.dot(schur_->stiffness() * own);
-  if (shut_.empty()) return open;
-  const Eigen::VectorXd gaps = shut_gaps(displacement, load_factor);
-  return open + 0.5 * gaps.dot(held_shut_.solve(gaps));
+  if (compliant_.empty()) return open;
+  const Eigen::VectorXd gaps = compliant_gaps(displacement, load_factor);
+  return open + 0.5 * gaps.dot(own_compliance_.solve(gaps));
 }
 
 double OperatorSchurComplement::energy_slope(const Eigen::VectorXd& displacement, double load_factor) const {
   double slope = 0;
   if (rest_.rows() > 0) slope = -rest_.col(1).dot(schur_->stiffness() * elastic(displacement, load_factor));
-  if (shut_.empty()) return slope;
-  Eigen::VectorXd growth = face_offsets_.col(1)(shut_);
-  if (rest_.rows() > 0) growth -= openings_->of_displacements(shut_, Eigen::all) * rest_.col(1);
-  return slope + growth.dot(held_shut_.solve(shut_gaps(displacement, load_factor)));
+  if (compliant_.empty()) return slope;
+  Eigen::VectorXd growth = gap_offsets_.col(1)(compliant_);
+  if (rest_.rows() > 0) growth -= constraints_->of_displacements(compliant_, Eigen::all) * rest_.col(1);
+  return slope + growth.dot(own_compliance_.solve(compliant_gaps(displacement, load_factor)));
 }
 
 double OperatorSchurComplement::unit_energy(const Eigen::VectorXd& proportional) const {
   Eigen::VectorXd own = proportional(all_);
   if (rest_.rows() > 0) own -= rest_.col(1);
   const double open = 0.5 * own.dot(schur_->stiffness() * own);
-  if (shut_.empty()) return open;
-  const Eigen::VectorXd gaps = face_offsets_.col(1)(shut_) + openings_->of_displacements(shut_, Eigen::all) * own;
-  return open + 0.5 * gaps.dot(held_shut_.solve(gaps));
+  if (compliant_.empty()) return open;
+  const Eigen::VectorXd gaps =
+      gap_offsets_.col(1)(compliant_) + constraints_->of_displacements(compliant_, Eigen::all) * own;
+  return open + 0.5 * gaps.dot(own_compliance_.solve(gaps));
 }
 
 }  // namespace bempd::coupling

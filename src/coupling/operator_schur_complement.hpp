@@ -22,7 +22,7 @@ class OperatorSchurComplement {
                           const std::vector<OperatorSchurComplement>& built);
 
   const std::vector<int>& shared_dofs() const { return shared_; }
-  const Eigen::MatrixXd& schur_complement() const { return pressing_.empty() ? schur_->matrix() : schur_of_closed_; }
+  const Eigen::MatrixXd& schur_complement() const { return active_.empty() ? schur_->matrix() : schur_with_active_; }
   // Whether the operator is on these nodes, in this order.
   bool is_on(const std::vector<int>& nodes) const;
   const Affine& rest() const { return rest_; }
@@ -50,32 +50,32 @@ class OperatorSchurComplement {
   double energy_slope(const Eigen::VectorXd& displacement, double load_factor) const;
   double unit_energy(const Eigen::VectorXd& proportional) const;
 
-  // --- Faces of cracks inside that are closed (operator_faces.cpp); all are open at first.
+  // Exact unilateral constraints inside (operator_constraints.cpp); all are open at first.
 
-  std::size_t face_count() const { return openings_ ? static_cast<std::size_t>(openings_->of_forces.rows()) : 0; }
-  // Sets the gaps that loads inside the body cause; condense_load() has to follow, as it has to after close_faces().
-  void set_face_offsets(const Eigen::Ref<const Affine>& offsets) { face_offsets_ = offsets; }
-  void close_faces(const std::vector<char>& closed);
-  // Gaps of open places. A closed place has the overlap that it would have without its contact force, negative while
+  std::size_t constraint_count() const {
+    return constraints_ ? static_cast<std::size_t>(constraints_->of_forces.rows()) : 0;
+  }
+  // Sets the gaps that loads inside the body cause; condense_load() has to follow, as it has to after set_closed().
+  void set_gap_offsets(const Eigen::Ref<const Affine>& offsets) { gap_offsets_ = offsets; }
+  void set_closed(const std::vector<char>& closed);
+  // Gaps of open constraints. A closed one has the overlap that it would have without its multiplier, negative while
   // its faces press.
-  Affine face_gaps(const Affine& displacement) const;
-  // Gaps that displacements and loads cause without contact forces; and the contact forces [N].
-  Eigen::VectorXd open_gaps(const Eigen::VectorXd& displacement, double load_factor) const;
-  Eigen::VectorXd face_forces(const Eigen::VectorXd& displacement, double load_factor) const;
-  // Work that loads inside the body do on the displacements due to contact forces.
-  double work_at_closed_faces(const Eigen::VectorXd& displacement, double load_factor) const;
-  // Adds the gap of a place as a function of displacements, 2 * node + component; the gap of an open place is this and
-  // its offset.
-  void add_gap_function(std::size_t place, Eigen::Ref<Eigen::VectorXd> weights) const;
-  const Affine& face_offsets() const { return face_offsets_; }
+  Affine gaps(const Affine& displacement) const;
+  // Gaps that displacements and loads cause where all multipliers are zero; and the multipliers [N].
+  Eigen::VectorXd gaps_without_multipliers(const Eigen::VectorXd& displacement, double load_factor) const;
+  Eigen::VectorXd multipliers(const Eigen::VectorXd& displacement, double load_factor) const;
+  // Work that loads inside the body do on the displacements due to multipliers.
+  double work_due_to_multipliers(const Eigen::VectorXd& displacement, double load_factor) const;
+  // Adds the gap of a constraint as a function of displacements, 2 * node + component; the gap of an open constraint is
+  // this and its offset.
+  void add_gap_function(Eigen::Index constraint, Eigen::Ref<Eigen::VectorXd> weights) const;
 
  private:
-  void find_free_faces();
-  void reduce_faces();
+  void find_switchable();
+  void eliminate_constraints();
   void find_gaps_at_rest(const Affine& support);
-  Affine pressing_forces(const Affine& displacement) const;
-  // Gaps, without contact forces, of closed places that have openings of their own.
-  Eigen::VectorXd shut_gaps(const Eigen::VectorXd& displacement, double load_factor) const;
+  Affine active_multipliers(const Affine& displacement) const;
+  Eigen::VectorXd compliant_gaps(const Eigen::VectorXd& displacement, double load_factor) const;  // without multipliers
 
   Eigen::VectorXd elastic(const Eigen::VectorXd& displacement, double load_factor) const;  // displacement - rest
 
@@ -85,15 +85,17 @@ class OperatorSchurComplement {
   std::vector<int> all_, private_, shared_;  // global degrees of freedom
   Affine private_load_;                      // private displacements with the shared unknowns held at 0
 
-  std::shared_ptr<const FaceOpenings> openings_;
-  Affine face_offsets_;                        // of all places
-  std::vector<char> free_faces_;               // faces that private displacements or their own openings can close
-  std::vector<Eigen::Index> pressing_, shut_;  // closed places; those of them that have openings of their own
-  // Private displacements and gaps per contact force, and gaps per shared displacement; computed when first needed.
-  Eigen::MatrixXd private_by_faces_, gaps_by_faces_, gaps_by_shared_;
-  Eigen::LDLT<Eigen::MatrixXd> held_, held_shut_;  // of the closed places: with everything private, with openings alone
-  Eigen::MatrixXd schur_of_closed_;
-  Affine gaps_at_rest_;  // with the shared unknowns held at 0 and nothing that presses
+  std::shared_ptr<const ExactConstraints> constraints_;
+  Affine gap_offsets_;            // of all constraints
+  std::vector<char> can_switch_;  // whether private displacements or its own multiplier can close a constraint
+  // Active set: the closed constraints; and those of them whose multipliers open gaps of their own.
+  std::vector<Eigen::Index> active_, compliant_;
+  // Private displacements and gaps per multiplier, and gaps per shared displacement; computed when first needed.
+  Eigen::MatrixXd private_by_forces_, gaps_by_forces_, gaps_by_shared_;
+  // Gaps of the active set per multiplier: where everything private moves, and where no displacement does.
+  Eigen::LDLT<Eigen::MatrixXd> active_compliance_, own_compliance_;
+  Eigen::MatrixXd schur_with_active_;
+  Affine gaps_at_rest_;  // with the shared unknowns held at 0 and no multipliers
 };
 
 }  // namespace bempd::coupling

@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "coupling/affine.hpp"
-#include "coupling/face_openings.hpp"
 #include "coupling/solution_method.hpp"
 #include "coupling/terms.hpp"
 
@@ -21,6 +20,16 @@ struct BodyPiece {
   std::array<int, 2> holdable;
 };
 
+// Exact unilateral constraints inside a dense operator: gaps of crack faces at some places, none of which may be
+// negative. With the displacements u of its nodes (2 * node of its list + component, less those at rest) and the
+// multipliers q, which are contact forces,
+//   gaps = of_displacements u + of_forces q + gaps due to loads inside the body.
+// A closed constraint has the gap zero and q >= 0, an open one has q = 0. The stiffness of the operator is that with
+// all constraints open.
+struct ExactConstraints {
+  Eigen::MatrixXd of_displacements, of_forces;
+};
+
 // Stiffness [N/m] on the nodes listed, such as that of a boundary element region; positive semidefinite where it is
 // symmetric.
 struct DenseOperator {
@@ -30,8 +39,8 @@ struct DenseOperator {
   // Displacement of the nodes (2 * node of the list + component) without any force, as of a body that swells: the force
   // is stiffness * (displacement - rest). Empty: 0.
   Affine rest = Affine(0, 2);
-  std::shared_ptr<const FaceOpenings> openings = nullptr;  // null: without cracks that close
-  std::vector<BodyPiece> pieces = {};                      // pieces that nothing joins; empty: the body is one piece
+  std::shared_ptr<const ExactConstraints> constraints = nullptr;  // null: without cracks that close
+  std::vector<BodyPiece> pieces = {};                             // pieces that nothing joins; empty: one piece
 };
 
 // Stress-free state of terms and operators: rest elongations of terms, constant and proportional parts, and the rest

@@ -21,12 +21,12 @@ void append_pull(const std::vector<int>& unknown_of, const NodeTies& ties, int n
 
 StiffnessAssembly::StiffnessAssembly(const std::vector<int>& unknown_of, const Terms& terms, const NodeTies& ties,
                                      const std::vector<OperatorSchurComplement>& operators, bool symmetric,
-                                     const Contacts& contacts)
+                                     const Constraints& constraints)
     : unknown_of_(unknown_of), terms_(terms), ties_(ties), operators_(operators), symmetric_(symmetric) {
   for (std::size_t t = 0; t < terms_.size(); ++t) {
     if (is_general(t)) general_.push_back(t);
   }
-  make_pattern(contacts);
+  make_pattern(constraints);
   find_places();
 }
 
@@ -52,14 +52,14 @@ void StiffnessAssembly::add_node_pulled(int node, std::vector<int>& nodes) const
   for (const NodeTies::Master& m : ties_.masters(tie)) nodes.push_back(m.node);
 }
 
-std::vector<UnknownEntry> StiffnessAssembly::pull_of(const Contact& contact) const {
+std::vector<UnknownEntry> StiffnessAssembly::pull_of(const Constraint& constraint) const {
   std::vector<UnknownEntry> pull;
-  for (const TermEntry& e : contact.pull) append_pull(unknown_of_, ties_, e.node, e.x, e.y, 1, pull);
+  for (const TermEntry& e : constraint.pull) append_pull(unknown_of_, ties_, e.node, e.x, e.y, 1, pull);
   return pull;
 }
 
 template <class Visit>
-void StiffnessAssembly::each_pair(const Contacts& contacts, const Visit& visit) const {
+void StiffnessAssembly::each_pair(const Constraints& constraints, const Visit& visit) const {
   for (std::size_t b = 0; b < terms_.size(); ++b) visit(terms_.first[b], terms_.second[b]);
   const auto each_of = [&](const std::vector<int>& nodes) {
     for (std::size_t i = 0; i < nodes.size(); ++i) {
@@ -73,9 +73,9 @@ void StiffnessAssembly::each_pair(const Contacts& contacts, const Visit& visit) 
       for (std::size_t j = 0; j < i; ++j) visit(entries[i].node, entries[j].node);
     }
   }
-  for (std::size_t i = 0; i < contacts.size(); ++i) {
+  for (std::size_t i = 0; i < constraints.size(); ++i) {
     std::vector<int> nodes;
-    for (const TermEntry& e : contacts[i].pull) add_node_pulled(e.node, nodes);
+    for (const TermEntry& e : constraints[i].pull) add_node_pulled(e.node, nodes);
     each_of(nodes);
   }
   for (const OperatorSchurComplement& op : operators_) {
@@ -87,18 +87,18 @@ void StiffnessAssembly::each_pair(const Contacts& contacts, const Visit& visit) 
   }
 }
 
-linalg::Adjacency StiffnessAssembly::partners(const Contacts& contacts) const {
+linalg::Adjacency StiffnessAssembly::partners(const Constraints& constraints) const {
   const auto has_column = [&](int column, int row) { return column != row && (!symmetric_ || column < row); };
   return linalg::make_adjacency(unknown_of_.size() / 2, [&](const auto& add) {
-    each_pair(contacts, [&](int a, int b) {
+    each_pair(constraints, [&](int a, int b) {
       if (has_column(a, b)) add(a, b);
       if (has_column(b, a)) add(b, a);
     });
   });
 }
 
-void StiffnessAssembly::make_pattern(const Contacts& contacts) {
-  linalg::Adjacency partners = this->partners(contacts);
+void StiffnessAssembly::make_pattern(const Constraints& constraints) {
+  linalg::Adjacency partners = this->partners(constraints);
   const auto size =
       static_cast<Eigen::Index>(std::count_if(unknown_of_.begin(), unknown_of_.end(), [](int u) { return u >= 0; }));
   matrix_.resize(size, size);
@@ -258,10 +258,10 @@ void StiffnessAssembly::add_springs(const std::vector<HoldingSpring>& springs) {
   }
 }
 
-bool StiffnessAssembly::has_room_for(const Contacts& contacts) const {
+bool StiffnessAssembly::has_room_for(const Constraints& constraints) const {
   bool room = true;
-  contacts.for_each_closed([&](const Contact& contact) {
-    const std::vector<UnknownEntry> pull = pull_of(contact);
+  constraints.for_each_closed_penalty([&](const Constraint& constraint) {
+    const std::vector<UnknownEntry> pull = pull_of(constraint);
     for (const UnknownEntry& row : pull) {
       for (const UnknownEntry& column : pull) {
         const int at = place(row.unknown, column.unknown);
@@ -273,24 +273,24 @@ bool StiffnessAssembly::has_room_for(const Contacts& contacts) const {
   return room;
 }
 
-void StiffnessAssembly::add_contacts(const Contacts& contacts) {
-  contacts.for_each_closed([&](const Contact& contact) {
-    const std::vector<UnknownEntry> pull = pull_of(contact);
+void StiffnessAssembly::add_penalties(const Constraints& constraints) {
+  constraints.for_each_closed_penalty([&](const Constraint& constraint) {
+    const std::vector<UnknownEntry> pull = pull_of(constraint);
     for (const UnknownEntry& row : pull) {
       for (const UnknownEntry& column : pull)
-        add(row.unknown, column.unknown, contact.stiffness * row.weight * column.weight);
+        add(row.unknown, column.unknown, constraint.stiffness * row.weight * column.weight);
     }
   });
 }
 
 const Eigen::SparseMatrix<double>& StiffnessAssembly::sum(const std::vector<double>& stiffness,
                                                           const std::vector<HoldingSpring>& springs,
-                                                          const Contacts& contacts) {
+                                                          const Constraints& constraints) {
   std::fill_n(matrix_.valuePtr(), matrix_.nonZeros(), 0.0);
   add_bonds(stiffness);
   add_operators();
   add_springs(springs);
-  add_contacts(contacts);
+  add_penalties(constraints);
   return matrix_;
 }
 

@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "coupling/contacts.hpp"
+#include "coupling/constraints.hpp"
 #include "coupling/node_ties.hpp"
 #include "coupling/operator_schur_complement.hpp"
 #include "coupling/operators.hpp"
@@ -28,27 +28,28 @@ void append_pull(const std::vector<int>& unknown_of, const NodeTies& ties, int n
 class StiffnessAssembly {
  public:
   // `unknown_of` gives the unknown of a degree of freedom, or -1. A symmetric matrix has its lower triangle only. Each
-  // of `contacts` has its entries even if no term has them.
+  // of `constraints` has its entries even if no term has them.
   StiffnessAssembly(const std::vector<int>& unknown_of, const Terms& terms, const NodeTies& ties,
                     const std::vector<OperatorSchurComplement>& operators, bool symmetric,
-                    const Contacts& contacts = {});
+                    const Constraints& constraints = {});
 
   // Sums the matrix. A broken term has the stiffness 0; its entries stay, so that the pattern does not change. Closed
-  // contacts have entries.
+  // constraints have entries.
   const Eigen::SparseMatrix<double>& sum(const std::vector<double>& stiffness,
-                                         const std::vector<HoldingSpring>& springs, const Contacts& contacts = {});
-  bool has_room_for(const Contacts& contacts) const;  // the closed ones
+                                         const std::vector<HoldingSpring>& springs,
+                                         const Constraints& constraints = {});
+  bool has_room_for(const Constraints& constraints) const;  // the closed ones
 
  private:
   // Calls visit(node, other) for every two nodes with common entries, some of them several times.
   template <class Visit>
-  void each_pair(const Contacts& contacts, const Visit& visit) const;
+  void each_pair(const Constraints& constraints, const Visit& visit) const;
   // Nodes coupled to each node; without those of a smaller number where the matrix is symmetric.
-  linalg::Adjacency partners(const Contacts& contacts) const;
-  void make_pattern(const Contacts& contacts);
+  linalg::Adjacency partners(const Constraints& constraints) const;
+  void make_pattern(const Constraints& constraints);
   std::vector<int> nodes_pulled(std::size_t term) const;
   void add_node_pulled(int node, std::vector<int>& nodes) const;  // or its masters
-  std::vector<UnknownEntry> pull_of(const Contact& contact) const;
+  std::vector<UnknownEntry> pull_of(const Constraint& constraint) const;
   bool is_general(std::size_t term) const;
   int place(int row, int column) const;  // -1: in the triangle left out
   void add(int row, int column, double value);
@@ -60,7 +61,7 @@ class StiffnessAssembly {
   void add_bonds(const std::vector<double>& stiffness);
   void add_operators();
   void add_springs(const std::vector<HoldingSpring>& springs);
-  void add_contacts(const Contacts& contacts);
+  void add_penalties(const Constraints& constraints);
 
   const std::vector<int>& unknown_of_;
   const Terms& terms_;

@@ -19,7 +19,7 @@ Continuation EventSources::continuation() const {
   result.most_events = window_.most_events();
   result.place = window_.place_of_last();
   result.places_met = system.places_met();
-  result.barred = system.contacts().barred();
+  result.barred = system.constraints().barred();
   result.changes_that_bar = body_.changes_that_bar();
   result.factor = system.factor_origin();
   if (window_.is_open()) result.window = window_.origin();
@@ -31,7 +31,7 @@ void EventSources::remember(const Continuation& continuation) {
   patience_ = continuation.patience;
   window_.remember(continuation.place, continuation.most_events);
   body_.system().set_places_met(continuation.places_met);
-  body_.bar_contacts(continuation.barred, continuation.changes_that_bar);
+  body_.bar_constraints(continuation.barred, continuation.changes_that_bar);
   if (continuation.factor) body_.system().set_factor_origin(*continuation.factor);
 }
 

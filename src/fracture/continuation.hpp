@@ -18,7 +18,7 @@ struct Continuation {
   int most_events = 0;  // that the next window computes at once, or the open one at first
   WindowLocation place;
   coupling::PlacesMet places_met;
-  std::vector<char> barred;  // of the places of contact, once that is known
+  std::vector<char> barred;  // flags of the constraints with a penalty, once known
   std::uint64_t changes_that_bar = 0;
   std::optional<coupling::FactorOrigin> factor;
   std::optional<WindowOrigin> window;  // that is open

@@ -210,7 +210,7 @@ void CrackEvolution::synchronize() {
   sources_.bring_up_to_date();
   sources_.forget();
   body_.update_faces();
-  system_.bar_contacts({});  // they are found anew, as by a run that goes on from the state
+  system_.bar_constraints({});  // they are found anew, as by a run that goes on from the state
   system_.forget_factor();
   system_.forget_places_met();
 }

@@ -165,7 +165,7 @@ class CrackEvolution {
     return body_.reaction_at(dof);
   }
   // Of places where faces of cracks meet: those on initial cracks, and whether a bond and normal make a grown one.
-  std::size_t initial_faces() const { return body_.faces().initial_count(); }
+  std::size_t first_grown_constraint() const { return body_.faces().first_grown(); }
   bool can_have(const GrownFace& face) const { return body_.faces().can_have(face); }
   double seconds_search() { return body_.seconds_search(); }
 
@@ -207,6 +207,7 @@ class CrackEvolution {
   StopReason go_to_growth(const Event& growth);
   double potential_at(double load_factor) const;
   LoadedBody::FirstEquilibrium find_equilibrium_of_pieces();
+  void take_over_faces(const CrackFaces& before, const FaceState& old);
   void take_over_lattices(const BodyState& old, const std::vector<crack::TipId>& entering);
   void take_over_body(const BodyState& old, const std::vector<int>& node_before,
                       const std::vector<crack::TipId>& entering);

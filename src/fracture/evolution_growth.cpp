@@ -84,24 +84,26 @@ void CrackEvolution::take_over_lattices(const BodyState& old, const std::vector<
     tips.push_back(tip);
   }
   state_.tips = std::move(tips);
-  // Places where faces of cracks meet, then those of broken bonds, which may have become places of a longer crack: of
-  // that all are open at first.
-  FaceState faces = old.faces;
-  const std::size_t before = old.faces.closed.size() - old.faces.grown.size();
-  if (state_.faces.closed.size() != before) {
-    faces.grown.clear();
-    faces.closed = state_.faces.closed;
-    for (std::size_t k = 0; k < old.faces.grown.size(); ++k) {
-      if (cut[static_cast<std::size_t>(old.faces.grown[k].term)] != 0) continue;
-      faces.grown.push_back(old.faces.grown[k]);
-      faces.closed.push_back(old.faces.closed[before + k]);
-    }
-  }
-  faces.closed_inside = std::move(state_.faces.closed_inside);
-  state_.faces = std::move(faces);
 }
 
-// What broke and what holds parts where they are stays as it was; faces inside operators are found anew.
+// Exact constraints of a longer crack are found anew. Places on the initial cracks are, too, where a crack has come
+// among bonds: all are open at first, and some places of broken bonds may have become places of the crack.
+void CrackEvolution::take_over_faces(const CrackFaces& before, const FaceState& old) {
+  FaceState& faces = state_.faces;
+  const std::size_t exact_before = before.constraints().exact_count(), exact = system_.constraints().exact_count();
+  const bool same_places = before.first_grown() - exact_before == body_.faces().first_grown() - exact;
+  const auto initial = old.closed.begin() + static_cast<std::ptrdiff_t>(exact_before);
+  const auto grown = old.closed.begin() + static_cast<std::ptrdiff_t>(before.first_grown());
+  if (same_places) std::copy(initial, grown, faces.closed.begin() + static_cast<std::ptrdiff_t>(exact));
+  for (std::size_t k = 0; k < old.grown.size(); ++k) {
+    if (!same_places && state_.stages[static_cast<std::size_t>(old.grown[k].term)] != 0) continue;
+    faces.grown.push_back(old.grown[k]);
+    faces.closed.push_back(grown[static_cast<std::ptrdiff_t>(k)]);
+  }
+  faces.pending = old.pending;
+}
+
+// What broke and what holds parts where they are stays as it was.
 void CrackEvolution::take_over_body(const BodyState& old, const std::vector<int>& node_before,
                                     const std::vector<crack::TipId>& entering) {
   state_.load_factor = old.load_factor;
@@ -156,6 +158,7 @@ void CrackEvolution::go_on_after_growth(CrackEvolution& before, const std::vecto
   state_.reactions_before = old.reactions_before;
   state_.support_displacements = old.support_displacements;
   state_.extensions = old.extensions;
+  take_over_faces(before.body_.faces(), old.faces);
   take_over_body(old, node_before, entering);
   const std::vector<char> lost_before = state_.unloaded;
   const Eigen::VectorXd displacement = state_.total_displacement;

@@ -66,24 +66,24 @@ CrackEvolution::FaceLoads CrackEvolution::load_faces(Affine offsets) {
   sources_.refresh();
   sources_.settle();
   const Eigen::VectorXd& u = state_.total_displacement;
-  const bool presses = system_.closed_face_count() > 0;
+  const bool presses = system_.constraints().closed_exact_count() > 0;
   const double before = presses ? system_.energy(u, state_.load_factor) : 0;
-  system_.exchange_face_offsets(offsets);
+  system_.exchange_gap_offsets(offsets);
   const double work = presses ? in_range(system_.energy(u, state_.load_factor) - before) : 0;
   state_.work += work;
   return {std::move(offsets), work};
 }
 
 void CrackEvolution::unload_faces(FaceLoads loads) noexcept {
-  system_.exchange_face_offsets(loads.offsets);
+  system_.exchange_gap_offsets(loads.offsets);
   state_.work -= loads.work;
 }
 
 double CrackEvolution::within(double load_factor) const {
   const Eigen::Vector2d loads(1, load_factor);
   const double open = 0.5 * loads.dot(work_within_ * loads);
-  if (system_.closed_face_count() == 0) return open;
-  return open + system_.work_at_closed_faces(coupling::evaluate(state_.displacement, load_factor), load_factor);
+  if (system_.constraints().closed_exact_count() == 0) return open;
+  return open + system_.work_due_to_multipliers(coupling::evaluate(state_.displacement, load_factor), load_factor);
 }
 
 double CrackEvolution::least_scale_within(double load_factor) const {

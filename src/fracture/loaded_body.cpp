@@ -47,8 +47,7 @@ LoadedBody::LoadedBody(coupling::EquilibriumSystem& system, const std::vector<Po
   system_.commit_break(cut, {});
   state_.stages = system_.stages();
   state_.springs = system_.springs();
-  state_.faces.closed.assign(faces_.initial_count(), 0);
-  state_.faces.closed_inside = system_.closed_faces();
+  state_.faces.closed = system_.constraints().closed();
   ratios_.enter(state_.stages);
   if (!system_.has_offsets()) return;
   system_.condense();
@@ -151,8 +150,8 @@ LoadedBody::FirstEquilibrium LoadedBody::find_equilibrium() {
   } else {
     solve();  // what moves freely without cracks is the host's mistake
   }
-  const bool had_contact = system_.contacts().closed_count() + system_.closed_face_count() > 0;
-  const Settled settled = settle_contacts(0);
+  const bool had_contact = system_.constraints().closed_count() > 0;
+  const Settled settled = settle_constraints(0);
   result.switches = settled.switched;
   result.fragments += settled.fragments;
   result.held.insert(result.held.end(), settled.held.begin(), settled.held.end());
@@ -192,7 +191,6 @@ void LoadedBody::update_ratios() {
 void LoadedBody::restore() {
   system_.restore(state_.stages, state_.springs);
   faces_.restore(state_.faces);
-  system_.set_closed_faces(state_.faces.closed_inside);
   apply_load();
   ratios_.enter(state_.stages);
   ratios_.update(state_.displacement);

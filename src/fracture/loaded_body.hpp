@@ -74,27 +74,27 @@ class LoadedBody {
 
   void solve();          // the displacements of the present system
   void update_ratios();  // to these displacements
-  // Opens and closes places of faces, with a solution after each round, until all are as the present load factor asks
-  // for; where a gap is zero, as a way on in this direction does. What nothing but closed faces held is held by springs
-  // when they open.
+  // Opens and closes constraints, with a solution after each round, until all are as the present load factor asks for;
+  // where a gap is zero, as a way on in this direction does. What nothing but closed faces held is held by springs when
+  // they open.
   struct Settled {
-    std::int64_t switched = 0, fragments = 0;  // places; parts that loads push
+    std::int64_t switched = 0, fragments = 0;  // constraints; parts that loads push
     std::vector<int> held;                     // nodes of parts that could move freely
   };
-  Settled settle_contacts(double direction);
-  // The load factor from which places may be wrong again on a way in a direction: the present one or, where they could
-  // only be settled for one a little farther on, that one.
+  Settled settle_constraints(double direction);
+  // The load factor from which constraints may be wrong again on a way in a direction: the present one or, if they
+  // could only be settled for one a little farther on, that one.
   double settled_until(double direction) const;
   // Brings places up to date where terms have broken since; the displacements are those of the state.
   void update_faces() { faces_.update(state_.total_displacement, state_.faces); }
   // Brings places up to date, and tells which of them may press.
   void refresh_faces() {
     update_faces();
-    bar_contacts_of_held_parts();
+    bar_constraints_of_held_parts();
   }
   void restore();  // system and ratios to the state, which the caller has changed
   std::size_t changes_that_bar() const { return changes_that_bar_; }
-  void bar_contacts(std::vector<char> barred, std::size_t changes);
+  void bar_constraints(std::vector<char> barred, std::size_t changes);
 
   // What terms and operators hold where nothing has moved yet; work that was done before.
   double energy_at_rest() const;
@@ -136,7 +136,7 @@ class LoadedBody {
 
  private:
   void apply_load();
-  void bar_contacts_of_held_parts();
+  void bar_constraints_of_held_parts();
   double farther_on(double share, double direction) const;
   std::vector<char> nodes_of_held_parts();
   coupling::Affine without_lost_loads(coupling::Affine force) const;
@@ -156,7 +156,7 @@ class LoadedBody {
   BodyState& state_;
   double seconds_search_ = 0;
   double settled_at_ = 0, settled_farther_on_ = 0;  // load factors; the same where places are right at the first
-  std::size_t changes_that_bar_ = 0;                // springs and broken terms when places were barred
+  std::size_t changes_that_bar_ = 0;                // springs and broken terms when constraints were barred
 };
 
 }  // namespace bempd::fracture

@@ -46,35 +46,28 @@ bool WholeBody::runs_away(std::span<const ChangingTerm> terms) const {
   return !std::all_of(terms.begin(), terms.end(), is_within);
 }
 
-// Energy released by places that have opened or closed at the event.
-double WholeBody::released_by_contacts(const Eigen::VectorXd& before) const {
-  const coupling::Contacts& contacts = system_.contacts();
-  const double* after = body_.state().total_displacement.data();
-  double sum = 0;
-  for (std::size_t i = 0; i < contacts.size(); ++i) {
+// Energies that constraints release which have opened or closed at the event: those with a penalty, and exact ones. The
+// latter is the limit of the former, gaps being those without multipliers.
+std::vector<double> WholeBody::released_by_constraints(const Eigen::VectorXd& before) const {
+  const coupling::Constraints& constraints = system_.constraints();
+  const Eigen::VectorXd& after = body_.state().total_displacement;
+  double by_penalties = 0;
+  for (std::size_t i = constraints.exact_count(); i < constraints.size(); ++i) {
+    const coupling::Constraint& one = constraints[i];
     const bool was_closed = i < closed_before_.size() && closed_before_[i] != 0;
-    if (was_closed == contacts.is_closed(i)) continue;
-    sum += released_by_switch(contacts[i], was_closed, contacts[i].gap(before.data()), contacts[i].gap(after));
+    if (was_closed == constraints.is_closed(i)) continue;
+    by_penalties += released_by_switch(one, was_closed, one.gap(before.data()), one.gap(after.data()));
   }
-  return sum;
+  if (constraints.closed_exact_count() == 0 && multipliers_before_.isZero(0)) return {by_penalties};
+  const double f = body_.state().load_factor;
+  const double gained = system_.multipliers(after, f).dot(system_.exact_gaps(before, f));
+  return {by_penalties, 0.5 * (gained - multipliers_before_.dot(system_.exact_gaps(after, f)))};
 }
 
-// Energy released by forces that shut places inside operators as if these were stiff: the limit of the one above, gaps
-// being those without these forces.
-double WholeBody::released_by_faces() const {
-  if (system_.closed_face_count() == 0 && forces_before_.isZero(0)) return 0;
+void WholeBody::remember_constraints() {
   const BodyState& state = body_.state();
-  const Eigen::VectorXd forces = system_.face_forces(state.total_displacement, state.load_factor);
-  const Eigen::VectorXd gaps = system_.open_gaps(state.total_displacement, state.load_factor);
-  return 0.5 * (forces.dot(gaps_before_) - forces_before_.dot(gaps));
-}
-
-void WholeBody::remember_faces() {
-  closed_before_ = system_.contacts().closed();
-  if (system_.face_count() == 0) return;
-  const BodyState& state = body_.state();
-  forces_before_ = system_.face_forces(state.total_displacement, state.load_factor);
-  gaps_before_ = system_.open_gaps(state.total_displacement, state.load_factor);
+  closed_before_ = system_.constraints().closed();
+  multipliers_before_ = system_.multipliers(state.total_displacement, state.load_factor);
 }
 
 std::optional<BodyChange> WholeBody::change(const Event& event, std::span<const ChangingTerm> terms, Outcome& outcome) {
@@ -83,7 +76,7 @@ std::optional<BodyChange> WholeBody::change(const Event& event, std::span<const 
   const std::vector<int> broken = system_.terms().broken_by(changes);
   const Eigen::VectorXd before = state.total_displacement;
   const double unbalanced_before = body_.unbalanced_share();
-  remember_faces();
+  remember_constraints();
   FreedParts freed;
   Eigen::VectorXd flow = Eigen::VectorXd::Zero(before.size());  // force of the fluid that comes in
   {
@@ -100,7 +93,7 @@ std::optional<BodyChange> WholeBody::change(const Event& event, std::span<const 
   const HeldMotions held = solve_and_hold(body_, broken, before, [&] { return runs_away(terms); });
   outcome.fragments += held.fragments;
   const bool pushed = body_.unload_pushed_parts();
-  const LoadedBody::Settled settled = body_.settle_contacts(0);
+  const LoadedBody::Settled settled = body_.settle_constraints(0);
   outcome.switches = settled.switched;
   outcome.fragments += settled.fragments;
   body_.keep_held_parts_dry();
@@ -113,7 +106,8 @@ std::optional<BodyChange> WholeBody::change(const Event& event, std::span<const 
   // and it fills what the bonds had stretched before they broke.
   const double by_fluid = 0.5 * flow.dot(state.total_displacement + before);
   change.work += by_fluid;
-  change.released_then = {released_by_contacts(before), released_by_faces(), by_fluid};
+  change.released_then = released_by_constraints(before);
+  change.released_then.push_back(by_fluid);
   state.stages = system_.stages();
   state.springs = system_.springs();
   return change;

@@ -23,16 +23,14 @@ class WholeBody final : public EventBody {
   std::optional<BodyChange> change(const Event& event, std::span<const ChangingTerm> terms, Outcome& outcome) override;
 
  private:
-  void remember_faces();
+  void remember_constraints();
   bool runs_away(std::span<const ChangingTerm> terms) const;
-  double released_by_contacts(const Eigen::VectorXd& before) const;
-  double released_by_faces() const;
+  std::vector<double> released_by_constraints(const Eigen::VectorXd& before) const;
 
   LoadedBody& body_;
   coupling::EquilibriumSystem& system_;
-  std::vector<char> closed_before_;  // of the places where faces meet
-  // Forces and gaps of places inside operators; empty where there are none.
-  Eigen::VectorXd forces_before_, gaps_before_;
+  std::vector<char> closed_before_;  // before the event: flags of constraints, and multipliers of the exact ones
+  Eigen::VectorXd multipliers_before_;
 };
 
 }  // namespace bempd::fracture

@@ -40,9 +40,9 @@ bool is_sound(const FactorChange& change, std::size_t unknowns) {
          static_cast<std::size_t>(change.end.back()) == change.unknown.size();
 }
 
-bool is_sound(const coupling::Contact& contact, std::size_t nodes) {
-  return contact.stiffness > 0 && std::isfinite(contact.stiffness) &&
-         std::all_of(contact.pull.begin(), contact.pull.end(), [&](const coupling::TermEntry& e) {
+bool is_sound(const coupling::Constraint& constraint, std::size_t nodes) {
+  return constraint.stiffness > 0 && std::isfinite(constraint.stiffness) &&
+         std::all_of(constraint.pull.begin(), constraint.pull.end(), [&](const coupling::TermEntry& e) {
            return e.node >= 0 && static_cast<std::size_t>(e.node) < nodes && std::isfinite(e.x) && std::isfinite(e.y);
          });
 }
@@ -71,11 +71,8 @@ bool is_sound(const fracture::FaceState& faces, const PreparedScene& scene) {
                        return face.term >= 0 && static_cast<std::size_t>(face.term) < terms &&
                               grown.insert(face.term).second && scene.evolution->can_have(face);
                      }) &&
-         faces.closed.size() == scene.evolution->initial_faces() + grown.size() &&
-         std::all_of(faces.closed.begin(), faces.closed.end(), is_flag) &&
-         faces.closed_inside.size() == scene.system->face_count() &&
-         std::all_of(faces.closed_inside.begin(), faces.closed_inside.end(), is_flag) &&
-         are_below(faces.pending, terms);
+         faces.closed.size() == scene.evolution->first_grown_constraint() + grown.size() &&
+         std::all_of(faces.closed.begin(), faces.closed.end(), is_flag) && are_below(faces.pending, terms);
 }
 
 // Whether tips are those of an earlier state: they may grow or end in a window, but none begins there.

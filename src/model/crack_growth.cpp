@@ -70,7 +70,7 @@ std::span<const fracture::CrackExtension> Model::extensions() const {
 // Factors of tips as functions of the load factor, which stay valid between events while the loads are the same.
 const std::vector<regions::TipValues>& Model::tip_factors() {
   const coupling::Affine& displacement = prepared_->evolution->state().displacement;
-  const std::vector<char>& closed = prepared_->system->closed_faces();
+  const std::vector<char>& closed = prepared_->system->constraints().closed();
   const bool is_known = tip_factors_.scene == prepared_.get() && tip_factors_.closed == closed &&
                         tip_factors_.displacement.rows() == displacement.rows() &&
                         tip_factors_.displacement == displacement;

@@ -33,7 +33,7 @@ std::optional<fracture::CrackEvolution::Heat> Model::heat(const regions::DofCond
 }
 
 std::optional<fracture::CrackEvolution::FaceLoads> Model::load_faces(const regions::DofConditions& conditions) {
-  if (conditions.face_offsets == prepared_->system->face_offsets()) return std::nullopt;
+  if (conditions.face_offsets == prepared_->system->gap_offsets()) return std::nullopt;
   return prepared_->evolution->load_faces(conditions.face_offsets);
 }
 

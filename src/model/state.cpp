@@ -39,14 +39,13 @@ void require_fit(const SavedState& saved, const PreparedScene& scene) {
   }
   for (const coupling::Terms::Following& pair : terms.following)
     must(!is_broken(static_cast<std::size_t>(pair.leader)) || is_broken(static_cast<std::size_t>(pair.follower)));
-  // Every grown face of a state belongs to a broken bond, and the list of closed faces has room for it.
+  // Every grown face of a state belongs to a broken bond, and the list of closed constraints has room for it.
   std::set<int> grown;
   for (const fracture::GrownFace& face : state.faces.grown) {
     must(face.term >= 0 && face.term < static_cast<int>(terms.size()) && grown.insert(face.term).second &&
          is_broken(static_cast<std::size_t>(face.term)) && scene.evolution->can_have(face));
   }
-  must(state.faces.closed.size() == scene.evolution->initial_faces() + grown.size() &&
-       state.faces.closed_inside.size() == scene.system->face_count());
+  must(state.faces.closed.size() == scene.evolution->first_grown_constraint() + grown.size());
   for (const std::vector<int>& terms_of_event : state.faces.pending)
     for (const int term : terms_of_event)
       must(term >= 0 && term < static_cast<int>(terms.size()) && is_broken(static_cast<std::size_t>(term)));

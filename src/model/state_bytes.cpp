@@ -52,7 +52,9 @@ void visit_members(Face& f, Visit& visit) { visit(f.term), visit(f.normal_x), vi
 template <class Faces, class Visit>
 requires std::is_same_v<std::remove_const_t<Faces>, fracture::FaceState>
 void visit_members(Faces& f, Visit& visit) {
-  visit(f.grown), visit(f.closed), visit(f.closed_inside), visit(f.pending);
+  std::vector<char> exact;  // the first flags of `closed`, which bytes of format 14 have in a list of their own
+  visit(f.grown), visit(f.closed), visit(exact), visit(f.pending);
+  if constexpr (!std::is_const_v<Faces>) f.closed.insert(f.closed.begin(), exact.begin(), exact.end());
 }
 template <class Samples, class Visit>
 requires std::is_same_v<std::remove_const_t<Samples>, scene::SampledValues>
@@ -67,7 +69,7 @@ template <class Entry, class Visit>
 requires std::is_same_v<std::remove_const_t<Entry>, coupling::TermEntry>
 void visit_members(Entry& e, Visit& visit) { visit(e.node), visit(e.x), visit(e.y); }
 template <class Place, class Visit>
-requires std::is_same_v<std::remove_const_t<Place>, coupling::Contact>
+requires std::is_same_v<std::remove_const_t<Place>, coupling::Constraint>
 void visit_members(Place& p, Visit& visit) { visit(p.pull), visit(p.stiffness); }
 template <class Change, class Visit>
 requires std::is_same_v<std::remove_const_t<Change>, coupling::FactorChange>
@@ -77,7 +79,6 @@ requires std::is_same_v<std::remove_const_t<Origin>, coupling::FactorOrigin>
 void visit_members(Origin& o, Visit& visit) {
   visit(o.stages), visit(o.springs), visit(o.closed), visit(o.places), visit(o.changes);
 }
-
 template <class Place, class Visit>
 requires std::is_same_v<std::remove_const_t<Place>, fracture::Zone>
 void visit_members(Place& zone, Visit& visit) {

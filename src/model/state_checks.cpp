@@ -81,8 +81,7 @@ void require_consistent(const fracture::EvolutionState& e) {
   sound(is_sound(static_cast<const fracture::Sums&>(e)) && !std::isnan(e.first_unit_energy) &&
             std::isfinite(e.largest_force),
         "a sum of its run is not a finite number");
-  sound(are_flags(e.unloaded) && are_flags(e.faces.closed) && are_flags(e.faces.closed_inside),
-        "a flag is neither 0 nor 1");
+  sound(are_flags(e.unloaded) && are_flags(e.faces.closed), "a flag is neither 0 nor 1");
   sound(std::all_of(e.springs.begin(), e.springs.end(), [&](const auto& spring) { return is_sound(spring, dofs); }),
         "a spring that holds a free piece is at no node or no spring");
   sound(std::all_of(e.history.begin(), e.history.end(), [](const auto& line) { return is_sound(line); }),

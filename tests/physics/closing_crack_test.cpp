@@ -31,7 +31,7 @@ double difference(const Eigen::VectorXd& a, const Eigen::VectorXd& b) {
 
 Eigen::VectorXd displacement(model::Model& model) { return contact_bodies::displacement(model); }
 const fracture::EvolutionState& state(model::Model& model) { return model.prepared().evolution->state(); }
-std::size_t closed(model::Model& model) { return model.prepared().system->closed_face_count(); }
+std::size_t closed(model::Model& model) { return model.prepared().system->constraints().closed_exact_count(); }
 
 double largest_stress_error(model::Model& model, const Eigen::Vector3d& exact) {
   const std::vector<Point> places{{0.3, 0.01}, {-0.2, -0.05}, {0.9, 1e-4}, {1.2, 0.4}, {-1.5, -1}, {0, 1e-7}};
@@ -52,10 +52,10 @@ TEST(ClosingCrack, pressed_straight_is_as_good_as_none) {
     }
     const double error = largest_stress_error(*cracked, {-0.3, -1, 0});
     std::printf("pressed across: %zu of %zu places closed, stress off by %.1e, without contact by %.1e\n",
-                closed(*cracked), cracked->prepared().system->face_count(), error,
+                closed(*cracked), cracked->prepared().system->constraints().exact_count(), error,
                 largest_stress_error(*through, {-0.3, -1, 0}));
     EXPECT_LE(error, 1e-10);
-    EXPECT_EQ(closed(*cracked), cracked->prepared().system->face_count());
+    EXPECT_EQ(closed(*cracked), cracked->prepared().system->constraints().exact_count());
     EXPECT_EQ(openings(*cracked)(Eigen::seq(1, Eigen::last, 2)).cwiseAbs().maxCoeff(), 0);
     EXPECT_LE(openings(*cracked).cwiseAbs().maxCoeff(), 1e-10);
     for (const regions::TipValues& tip : cracked->tips()) {
@@ -137,7 +137,7 @@ TEST(ClosingCrack, random_bodies_agree_with_a_quadratic_programme) {
         const double scale = exact.displacements.lpNorm<Eigen::Infinity>();
         worst = std::max({worst, (displacement(*model) - exact.displacements).lpNorm<Eigen::Infinity>() / scale,
                           (openings(*model) - exact.openings).lpNorm<Eigen::Infinity>() / scale});
-        shut += closed(*model), places += model->prepared().system->face_count();
+        shut += closed(*model), places += model->prepared().system->constraints().exact_count();
       }
       balance = std::max(balance, state(*model).worst_energy_balance_error);
     }
@@ -184,12 +184,12 @@ TEST(ClosingCrack, under_proportional_loads_what_is_closed_stays_so) {
   const auto model = plate(2, 1, {{{-1.2, 0.1}, {1.1, 0.3}}});
   pull(*model, uniform(0, 0), [](const Point& x) { return stress(0, -0.1 - 0.7 * x.x()); });
   model->advance(1e-6, to_load_factor);
-  const std::vector<char> at_first = model->prepared().system->closed_faces();
+  const std::vector<char> at_first = model->prepared().system->constraints().closed();
   const std::int64_t switches = state(*model).contact_switches;
   EXPECT_GT(closed(*model), 2U);
   EXPECT_LT(closed(*model), at_first.size());
   model->advance(5, to_load_factor);
-  EXPECT_EQ(model->prepared().system->closed_faces(), at_first);
+  EXPECT_EQ(model->prepared().system->constraints().closed(), at_first);
   EXPECT_EQ(state(*model).contact_switches, switches);
 }
 
@@ -245,7 +245,7 @@ TEST(ClosingCrack, beside_a_lattice_that_breaks) {
   }
   const fracture::EvolutionState &a = state(*plain), &b = state(*window);
   std::printf("%lld bonds, %zu of %zu places closed, energy balance %.1e\n", static_cast<long long>(a.broken_bonds),
-              closed(*plain), plain->prepared().system->face_count(), a.worst_energy_balance_error);
+              closed(*plain), plain->prepared().system->constraints().exact_count(), a.worst_energy_balance_error);
   EXPECT_GT(closed(*plain), 5U);
   EXPECT_EQ(a.stages, b.stages);
   EXPECT_LE(difference(a.total_displacement, b.total_displacement), 1e-10);
@@ -265,7 +265,7 @@ TEST(ClosingCrack, beside_a_lattice_that_breaks) {
   pressed->editable_scene().add_load(
       {std::make_shared<const regions::EdgePart>(2, 3, 0, 1), 2, scene::SampledValues{{0.0}, {-1e-4}}});
   pressed->advance(1, to_load_factor);
-  EXPECT_EQ(closed(*pressed), pressed->prepared().system->face_count());
+  EXPECT_EQ(closed(*pressed), pressed->prepared().system->constraints().exact_count());
   for (const regions::PointValue& value : pressed->results().evaluate({{5, 4.6}, {12, 3}, {21, 6}, {8, 9}}, true))
     EXPECT_LE((value.stress - Eigen::Vector3d(0, -1e-4, 0)).norm(), 1e-10 * 1e-4);
 }

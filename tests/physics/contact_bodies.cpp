@@ -56,7 +56,7 @@ std::unique_ptr<model::Model> random_plate(std::mt19937& random) {
     return nullptr;
   }
   const bool whole = model->prepared().evolution->state().springs.empty();
-  return whole && model->prepared().system->contacts().size() > 0 ? std::move(model) : nullptr;
+  return whole && model->prepared().system->constraints().size() > 0 ? std::move(model) : nullptr;
 }
 
 Matrix solved(const Matrix& a, const Matrix& b) { return a.ldlt().solve(b); }
@@ -112,7 +112,7 @@ QuadraticProgramme::QuadraticProgramme(model::Model& model) : model_(model) {
   dof_of = factorized.dof_of;
   const Eigen::MatrixXd lower(system.assemble());
   stiffness = Eigen::MatrixXd(lower.selfadjointView<Eigen::Lower>()).cast<Number>();
-  const coupling::Contacts& places = system.contacts();
+  const coupling::Constraints& places = system.constraints();
   const auto count = static_cast<Eigen::Index>(places.size());
   Matrix all = Matrix::Zero(2 * system.node_count(), count);
   softness.resize(count);
@@ -126,7 +126,8 @@ QuadraticProgramme::QuadraticProgramme(model::Model& model) : model_(model) {
   }
   pull = all(dof_of, Eigen::all);
   for (Eigen::Index i = 0; i < count; ++i)
-    stiffness -= places.present_stiffness(static_cast<std::size_t>(i)) * pull.col(i) * pull.col(i).transpose();
+    stiffness -= (places.is_closed(static_cast<std::size_t>(i)) ? places[static_cast<std::size_t>(i)].stiffness : 0) *
+                 pull.col(i) * pull.col(i).transpose();
   answer = solved(stiffness, pull);
   parts_ = std::move(parts);
 }

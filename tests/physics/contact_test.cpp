@@ -11,6 +11,7 @@
 
 #include "contact_bodies.hpp"
 #include "error.hpp"
+#include "fracture/contact/gap_rule.hpp"
 #include "regions/lattice/lattice_description.hpp"
 #include "regions/places/edge_part.hpp"
 
@@ -40,8 +41,8 @@ TEST(Contact, random_bodies_agree_with_a_quadratic_programme) {
     for (const double load_factor : {0.7, 2.0, -1.5, 0.4, 0.0, -0.3}) {
       model->advance(load_factor, fracture::Goal::load_factor);
       worst = std::max(worst, difference(displacement(*model), programme.displacement()));
-      closed += static_cast<int>(model->prepared().system->contacts().closed_count());
-      places += static_cast<int>(model->prepared().system->contacts().size());
+      closed += static_cast<int>(model->prepared().system->constraints().closed_count());
+      places += static_cast<int>(model->prepared().system->constraints().size());
     }
     const fracture::EvolutionState& state = model->prepared().evolution->state();
     balance = std::max(balance, state.worst_energy_balance_error);
@@ -72,7 +73,7 @@ TEST(Contact, a_plate_pressed_across_its_crack_is_as_good_as_whole) {
   std::printf("pressed across: differs from the whole plate by %.2e, without contact by %.2e\n", error[0], error[1]);
   EXPECT_LT(error[0], 0.03);
   EXPECT_GT(error[1], 5 * error[0]);
-  const coupling::Contacts& places = cracked->prepared().system->contacts();
+  const coupling::Constraints& places = cracked->prepared().system->constraints();
   EXPECT_EQ(places.size(), 9U);
   EXPECT_EQ(places.closed_count(), places.size());
   const fracture::EvolutionState& pressed = cracked->prepared().evolution->state();
@@ -83,7 +84,7 @@ TEST(Contact, a_plate_pressed_across_its_crack_is_as_good_as_whole) {
   EXPECT_LE(displacement(*cracked).lpNorm<Eigen::Infinity>(), 1e-15);
   cracked->advance(1, fracture::Goal::load_factor);
   through->advance(1, fracture::Goal::load_factor);
-  EXPECT_EQ(cracked->prepared().system->contacts().closed_count(), 0U);
+  EXPECT_EQ(cracked->prepared().system->constraints().closed_count(), 0U);
   EXPECT_LE(difference(displacement(*cracked), displacement(*through)), 1e-12);
 }
 
@@ -107,15 +108,16 @@ TEST(Contact, the_path_is_piecewise_linear_whatever_the_steps) {
 // A place that has just opened shows the rounding of the gap it had while closed many times larger: zero for Newton's
 // method and for the next event alike.
 TEST(Contact, a_gap_that_passed_zero_by_rounding_stays_as_it_is_while_it_goes_back) {
-  coupling::Contacts places;
+  coupling::Constraints places;
   places.add({{{0, -1, 0}, {1, 1, 0}}, 1});
   const double load_factor = 0.5;
   const auto judge = [&](double gap, double rate) {
     coupling::Affine u = coupling::Affine::Zero(4, 2);
     u(2, 0) = gap - load_factor * rate, u(2, 1) = rate;
     u(1, 0) = 1;  // the largest displacement
-    const bool wrong = !fracture::wrong_places(places, u, load_factor, 1).empty();
-    const std::optional<double> next = fracture::next_switch(places, u, load_factor, 1);
+    const coupling::Affine gaps = u.row(2) - u.row(0);
+    const bool wrong = !fracture::wrong_constraints(places, gaps, u, load_factor, 1).empty();
+    const std::optional<double> next = fracture::next_switch(places, gaps, u, load_factor, 1);
     EXPECT_EQ(wrong, next.has_value() && *next == load_factor) << gap << " " << rate;
     return wrong;
   };
@@ -144,7 +146,7 @@ TEST(Contact, a_grown_crack_returns_from_pressure_to_where_it_was) {
   const Eigen::VectorXd before = displacement(*model);
   const std::int64_t switches = model->prepared().evolution->state().contact_switches;
   model->advance(-0.9 * load_factor, fracture::Goal::load_factor);
-  const coupling::Contacts& places = model->prepared().system->contacts();
+  const coupling::Constraints& places = model->prepared().system->constraints();
   const std::size_t closed = places.closed_count();
   EXPECT_LE(difference(displacement(*model), by_quadratic_programme(*model)), 5e-12);
   model->advance(0.9 * load_factor, fracture::Goal::load_factor);
@@ -172,7 +174,7 @@ TEST(Contact, a_state_saved_among_closed_places_goes_on_alike) {
   for (const auto* model : {&first, &second})
     for (int k = 0; k < 25; ++k) (*model)->advance(10, fracture::Goal::next_event);
   const fracture::EvolutionState &a = first->prepared().evolution->state(), &b = second->prepared().evolution->state();
-  EXPECT_GT(first->prepared().system->contacts().closed_count(), 3U);
+  EXPECT_GT(first->prepared().system->constraints().closed_count(), 3U);
   EXPECT_GT(a.faces.grown.size() + a.faces.pending.size(), 0U);  // while a window is open they wait
   EXPECT_EQ(a.stages, b.stages);
   EXPECT_EQ(a.faces.closed, b.faces.closed);
@@ -189,7 +191,7 @@ TEST(Contact, a_state_saved_after_faces_have_met_goes_on_alike_to_the_last_bit) 
   };
   const auto first = build();
   first->advance(-1, fracture::Goal::load_factor);
-  EXPECT_GT(first->prepared().system->contacts().closed_count(), 5U);
+  EXPECT_GT(first->prepared().system->constraints().closed_count(), 5U);
   first->advance(0.5, fracture::Goal::load_factor);
   for (int k = 0; k < 4; ++k) {
     const std::vector<std::uint8_t> bytes = model::to_bytes(first->save());
@@ -260,7 +262,7 @@ TEST(Contact, wings_leave_a_pressed_crack_where_the_hoop_strain_is_largest) {
       "%lld bonds, %d neighbours parted beside the tips, %zu places closed: %.1f degrees (reference: exact field of "
       "the "
       "closed crack, %.1f)\n",
-      static_cast<long long>(broken), count, p.system->contacts().closed_count(), sum / count, reference);
+      static_cast<long long>(broken), count, p.system->constraints().closed_count(), sum / count, reference);
   ASSERT_GE(count, 4);
   EXPECT_NEAR(sum / count, reference, 8);
 }
@@ -278,11 +280,12 @@ TEST(Contact, windows_and_whole_bodies_break_the_same_bonds) {
   const fracture::EvolutionState &a = plain->prepared().evolution->state(), &b = window->prepared().evolution->state();
   std::printf("%lld events, %lld bonds, %zu of %zu places closed, %lld switches and %lld in windows\n",
               static_cast<long long>(a.events), static_cast<long long>(a.broken_bonds),
-              plain->prepared().system->contacts().closed_count(), plain->prepared().system->contacts().size(),
+              plain->prepared().system->constraints().closed_count(), plain->prepared().system->constraints().size(),
               static_cast<long long>(a.contact_switches), static_cast<long long>(b.contact_switches));
   EXPECT_EQ(a.stages, b.stages);
-  EXPECT_EQ(plain->prepared().system->contacts().closed_count(), window->prepared().system->contacts().closed_count());
-  EXPECT_GT(plain->prepared().system->contacts().closed_count(), 5U);
+  EXPECT_EQ(plain->prepared().system->constraints().closed_count(),
+            window->prepared().system->constraints().closed_count());
+  EXPECT_GT(plain->prepared().system->constraints().closed_count(), 5U);
   EXPECT_LE(difference(a.total_displacement, b.total_displacement), 1e-9);
   EXPECT_LE(b.worst_energy_balance_error, 1e-9);
 }

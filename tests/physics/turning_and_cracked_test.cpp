@@ -199,7 +199,8 @@ TEST(WeightAndCracks, weight_closes_them) {
     model->advance(1, to_load_factor);
     EXPECT_LE(model->prepared().evolution->state().worst_energy_balance_error, 1e-12);
   }
-  EXPECT_EQ(pressed->prepared().system->closed_face_count(), pressed->prepared().system->face_count());
+  EXPECT_EQ(pressed->prepared().system->constraints().closed_exact_count(),
+            pressed->prepared().system->constraints().exact_count());
   EXPECT_EQ(pressed->tips()[0].factors.x(), 0);
   for (const Point& x : {Point(0.3, 3.5), Point(0.1, 2.9), Point(-0.9, 1)}) {
     const Eigen::Vector3d a = pressed->results().evaluate({x}, true)[0].stress,
@@ -227,7 +228,7 @@ TEST(HeatAndCracks, free_expansion_leaves_them_alone) {
   heat(*model, linear);
   model->advance(1, to_load_factor);
   const double size = contact_bodies::displacement(*model).lpNorm<Eigen::Infinity>();
-  EXPECT_EQ(model->prepared().system->closed_face_count(), 0U);
+  EXPECT_EQ(model->prepared().system->constraints().closed_exact_count(), 0U);
   EXPECT_LE(openings(*model).lpNorm<Eigen::Infinity>(), 1e-12 * size);
   for (const regions::TipValues& tip : model->tips()) EXPECT_LE(tip.factors.norm(), 1e-10);
   for (const regions::PointValue& value : model->results().evaluate({{0.1, 0.2}, {1.5, -1}, {1.2, 1.1}}, true))
@@ -257,7 +258,7 @@ TEST(HeatAndCracks, held_ends_are_moved_back_by_the_free_expansion) {
       model->advance(1, to_load_factor);
       EXPECT_LE(model->prepared().evolution->state().worst_energy_balance_error, 1e-11);
     }
-    EXPECT_EQ(heated->prepared().system->closed_faces(), moved->prepared().system->closed_faces());
+    EXPECT_EQ(heated->prepared().system->constraints().closed(), moved->prepared().system->constraints().closed());
     expect_same_cracks(*heated, *moved);
   }
 }

@@ -54,9 +54,9 @@ struct Body {
       }
     }
     system.set_load(force, moved);
-    system.add_contact({{{node(3, 3), 0, -1}, {node(3, 4), 0, 1}}, 5});
+    system.add_constraint({{{node(3, 3), 0, -1}, {node(3, 4), 0, 1}}, 5});
     const int places[]{0};
-    system.switch_contacts(places);
+    system.switch_constraints(places);
   }
   static std::vector<char> held(bool right_too) {
     std::vector<char> dofs(2 * side * side, 0);

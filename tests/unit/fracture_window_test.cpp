@@ -189,34 +189,34 @@ TEST_P(Window, places_close_and_open_in_it_as_in_the_whole_plate) {
   for (const int y : {9, 11}) {
     const std::vector<coupling::TermEntry> pull{
         {Plate::node(6, y), -1, 0.2}, {Plate::node(7, y), 0.7, 0}, {Plate::node(7, y + 1), 0.3, -0.2}};
-    whole.add_contact({pull, 4.0 + y});
+    whole.add_constraint({pull, 4.0 + y});
   }
   const auto switch_both = [&](bool first_closes, bool second_closes) {
-    const std::vector<WindowSolver::FaceSwitch> switches{{whole.contacts()[0], first_closes},
-                                                         {whole.contacts()[1], second_closes}};
-    whole.switch_contacts(std::vector{0, 1});
-    return window->switch_faces(switches);
+    const std::vector<WindowSolver::Switch> switches{{whole.constraints()[0], first_closes},
+                                                     {whole.constraints()[1], second_closes}};
+    whole.switch_constraints(std::vector{0, 1});
+    return window->switch_constraints(switches);
   };
-  whole.switch_contacts(std::vector{0});
-  ASSERT_TRUE(window->follows(whole.contacts()[0]));
-  EXPECT_TRUE(window->switch_faces(std::vector<WindowSolver::FaceSwitch>{{whole.contacts()[0], true}}));
+  whole.switch_constraints(std::vector{0});
+  ASSERT_TRUE(window->follows(whole.constraints()[0]));
+  EXPECT_TRUE(window->switch_constraints(std::vector<WindowSolver::Switch>{{whole.constraints()[0], true}}));
   EXPECT_LT(difference_from_whole(), 1e-11);
   EXPECT_GT((window->displacement() - open).norm(), 1e-4 * open.norm());
   const Eigen::VectorXd at = coupling::evaluate(whole.solve(), load_factor);
-  const double gap = whole.contacts()[0].gap(at.data());
-  EXPECT_NEAR(window->gap(whole.contacts()[0], load_factor), gap, 1e-11 * at.lpNorm<Eigen::Infinity>());
+  const double gap = whole.constraints()[0].gap(at.data());
+  EXPECT_NEAR(window->gap(whole.constraints()[0], load_factor), gap, 1e-11 * at.lpNorm<Eigen::Infinity>());
   EXPECT_TRUE(switch_both(false, true));
   EXPECT_LT(difference_from_whole(), 1e-11);
   EXPECT_TRUE(switch_both(true, false));
-  whole.switch_contacts(std::vector{0});
-  EXPECT_TRUE(window->switch_faces(std::vector<WindowSolver::FaceSwitch>{{whole.contacts()[0], false}}));
+  whole.switch_constraints(std::vector{0});
+  EXPECT_TRUE(window->switch_constraints(std::vector<WindowSolver::Switch>{{whole.constraints()[0], false}}));
   EXPECT_LT((window->displacement() - open).norm(), 1e-11 * open.norm());
 }
 
 // Forces are balanced, too, with a place whose stiffness the window has gained, and with points left behind.
 TEST_P(Window, forces_are_in_balance_and_are_put_back_to_it) {
-  const coupling::Contact place{{{Plate::node(6, 9), -1, 0}, {Plate::node(7, 9), 1, 0}}, 3};
-  EXPECT_TRUE(window->switch_faces(std::vector<WindowSolver::FaceSwitch>{{place, true}}));
+  const coupling::Constraint place{{{Plate::node(6, 9), -1, 0}, {Plate::node(7, 9), 1, 0}}, 3};
+  EXPECT_TRUE(window->switch_constraints(std::vector<WindowSolver::Switch>{{place, true}}));
   std::vector<char> leaves;
   for (const int dof : condensation->dofs()) leaves.push_back(plate.positions[dof / 2].x() < 5.5 ? 1 : 0);
   window->narrow(leaves);

@@ -1,9 +1,10 @@
-// The faces of a body's cracks that press on each other at its load factor.
+// The active set of a body at its load factor: the faces of its cracks that press on each other.
 #include <algorithm>
 #include <utility>
 
 #include "cancellation.hpp"
 #include "error.hpp"
+#include "fracture/contact/gap_rule.hpp"
 #include "fracture/contact/newton_rounds.hpp"
 #include "fracture/free_motions.hpp"
 #include "fracture/loaded_body.hpp"
@@ -14,12 +15,12 @@ using coupling::evaluate;
 
 namespace {
 
-// Newton takes 1 to 6 for the places of contact; one by one each may be met several times.
-constexpr std::int64_t newton_rounds = 64, rounds_per_place = 16;
+// Newton's method takes 1 to 6 rounds; one by one each constraint may be met several times.
+constexpr std::int64_t newton_rounds = 64, rounds_per_constraint = 16;
 
-// Faces may part or meet all at once, as under a pressure that just vanishes: what tells open places from closed ones
-// may then be rounding, which has no solution. After so many rounds places are asked for as they are a little farther
-// on the way: by this share of the load factor at first, and ten times as far each time that this does not end either.
+// Faces may part or meet all at once, as under a pressure that just vanishes: what tells open constraints from closed
+// ones may then be rounding, which has no solution. After so many rounds gaps are asked for a little farther on the
+// way: by this share of the load factor at first, and ten times as far each time that this does not end either.
 constexpr std::int64_t rounds_at_rounding = 256;
 constexpr double farther_at_first = 1e-8, farthest_ahead = 1e-6;
 
@@ -29,13 +30,11 @@ constexpr double taken_along = 1e-6;
 // Springs that carry less of the largest force at a node carry rounding.
 constexpr double pushed_share = 1e-9;
 
-void keep_least(std::vector<int>& first, std::vector<int>& second) {
-  if (first.empty()) {
-    second.erase(second.begin() + 1, second.end());
-  } else {
-    first.erase(first.begin() + 1, first.end());
-    second.clear();
-  }
+// The first constraint that is switched alone: those with a penalty come before exact ones.
+int first_of(const std::vector<int>& wrong, const coupling::Constraints& constraints) {
+  const auto has_penalty = [&](int i) { return !constraints[static_cast<std::size_t>(i)].is_exact(); };
+  const auto found = std::find_if(wrong.begin(), wrong.end(), has_penalty);
+  return found == wrong.end() ? wrong.front() : *found;
 }
 
 void hold_what_moves(const Eigen::VectorXd& motion, FreedPartFinder::Held& held) {
@@ -83,28 +82,30 @@ bool LoadedBody::unload_pushed_parts() {
   return true;
 }
 
-// What springs hold where it is would be pushed away.
-void LoadedBody::bar_contacts_of_held_parts() {
-  const std::size_t count = system_.contacts().size(), springs = system_.springs().size();
-  if (count == 0 || springs == 0) return system_.bar_contacts({});
+// A part that springs hold would be pushed away by a constraint that closes on it.
+void LoadedBody::bar_constraints_of_held_parts() {
+  const coupling::Constraints& constraints = system_.constraints();
+  const std::size_t exact = constraints.exact_count(), count = constraints.size() - exact;
+  const std::size_t springs = system_.springs().size();
+  if (count == 0 || springs == 0) return system_.bar_constraints({});
   // Springs and broken terms never become fewer, and what a spring holds grows with terms that break: their number
   // tells whether the answer is still good.
   const auto broken = std::count(system_.intact().begin(), system_.intact().end(), 0);
   const std::size_t changes = springs + static_cast<std::size_t>(broken);
-  if (system_.contacts().barred_count() == count && changes_that_bar_ == changes) return;
+  if (constraints.barred().size() == count && changes_that_bar_ == changes) return;
   changes_that_bar_ = changes;
   const std::vector<char> held = nodes_of_held_parts();
   std::vector<char> barred;
-  for (std::size_t i = 0; i < count; ++i) {
-    const std::vector<coupling::TermEntry>& pull = system_.contacts()[i].pull;
+  for (std::size_t k = 0; k < count; ++k) {
+    const std::vector<coupling::TermEntry>& pull = constraints[exact + k].pull;
     const auto is_held = [&](const coupling::TermEntry& e) { return held[e.node] != 0; };
     barred.push_back(std::any_of(pull.begin(), pull.end(), is_held) ? 1 : 0);
   }
-  system_.bar_contacts(std::move(barred));
+  system_.bar_constraints(std::move(barred));
 }
 
-void LoadedBody::bar_contacts(std::vector<char> barred, std::size_t changes) {
-  system_.bar_contacts(std::move(barred));
+void LoadedBody::bar_constraints(std::vector<char> barred, std::size_t changes) {
+  system_.bar_constraints(std::move(barred));
   changes_that_bar_ = changes;
 }
 
@@ -122,46 +123,43 @@ double LoadedBody::settled_until(double direction) const {
   return settled_at_ == f && (settled_farther_on_ - f) * direction > 0 ? settled_farther_on_ : f;
 }
 
-LoadedBody::Settled LoadedBody::settle_contacts(double direction) {
+LoadedBody::Settled LoadedBody::settle_constraints(double direction) {
   // Newton's method, as the energy is convex and once differentiable.
   Settled result;
   NewtonRounds rounds;
   double farther = 0;
-  const std::size_t places = system_.contacts().size() + system_.face_count();
-  const std::int64_t most = newton_rounds + rounds_per_place * static_cast<std::int64_t>(places);
+  const coupling::Constraints& constraints = system_.constraints();
+  const std::int64_t most = newton_rounds + rounds_per_constraint * static_cast<std::int64_t>(constraints.size());
   for (std::int64_t round = 0;; ++round) {
     if (round > 0 && round % rounds_at_rounding == 0 && farther < farthest_ahead) {
       farther = farther == 0 ? farther_at_first : 10 * farther;
       rounds = NewtonRounds();
     }
     const double at = farther_on(farther, direction);
-    bar_contacts_of_held_parts();
-    const coupling::Contacts& contacts = system_.contacts();
-    std::vector<int> wrong = wrong_places(contacts, state_.displacement, at, direction);
-    // Loads count as growing where nothing else tells.
-    std::vector<int> inside = wrong_faces(system_, state_.displacement, at, direction == 0 ? 1 : direction);
-    if (wrong.empty() && inside.empty()) break;
+    bar_constraints_of_held_parts();
+    const coupling::Affine& u = state_.displacement;
+    std::vector<int> wrong = wrong_constraints(constraints, system_.gaps(u), u, at, direction);
+    if (wrong.empty()) break;
     check_cancelled();
     if (round == most) fail(Failure::convergence, "faces of cracks open and close without an end");
-    if (!rounds.takes_all(wrong.size() + inside.size(), {contacts.closed(), system_.closed_faces()}))
-      keep_least(wrong, inside);
-    const bool some_open = std::any_of(wrong.begin(), wrong.end(), [&](int i) { return contacts.is_closed(i); });
-    system_.switch_contacts(wrong);
-    if (!inside.empty()) system_.switch_faces(inside);
-    result.switched += static_cast<std::int64_t>(wrong.size() + inside.size());
+    if (!rounds.takes_all(wrong.size(), constraints.closed())) wrong = {first_of(wrong, constraints)};
+    const bool some_open = std::any_of(wrong.begin(), wrong.end(), [&](int i) {
+      return constraints.is_closed(i) && !constraints[static_cast<std::size_t>(i)].is_exact();
+    });
+    system_.switch_constraints(wrong);
+    result.switched += static_cast<std::int64_t>(wrong.size());
     if (!some_open) {
       solve();
       continue;
     }
-    // A part that nothing but closed faces held.
+    // A part may come free that nothing but closed faces held.
     const Eigen::VectorXd before = state_.total_displacement;
     HeldMotions held = solve_and_hold(*this, {}, before, [&] { return !is_balanced(); });
     result.held.insert(result.held.end(), held.nodes.begin(), held.nodes.end());
     result.fragments += held.fragments;
   }
   settled_at_ = state_.load_factor, settled_farther_on_ = farther_on(farther, direction);
-  state_.faces.closed = system_.contacts().closed();
-  state_.faces.closed_inside = system_.closed_faces();
+  state_.faces.closed = constraints.closed();
   state_.springs = system_.springs();
   return result;
 }

@@ -1,20 +1,16 @@
 #include "fracture/contact/contact_events.hpp"
 
+#include "fracture/contact/gap_rule.hpp"
+
 namespace bempd::fracture {
 
 std::optional<double> ContactEvents::switch_before(double load_factor) {
   const BodyState& state = body_.state();
   const double from = body_.settled_until(load_factor > state.load_factor ? 1 : -1);
   if ((load_factor - from) * (load_factor - state.load_factor) <= 0 && from != state.load_factor) return std::nullopt;
-  std::optional<double> first;
-  if (!body_.faces().are_none()) {
-    body_.refresh_faces();
-    first = next_switch(body_.faces().places(), state.displacement, from, load_factor);
-  }
-  if (body_.system().face_count() == 0) return first;
-  const std::optional<double> inside =
-      next_face_switch(body_.system(), state.displacement, from, first.value_or(load_factor));
-  return inside ? inside : first;
+  body_.refresh_faces();
+  const coupling::EquilibriumSystem& system = body_.system();
+  return next_switch(system.constraints(), system.gaps(state.displacement), state.displacement, from, load_factor);
 }
 
 bool ContactEvents::is_before(double load_factor) { return switch_before(load_factor).has_value(); }
@@ -37,7 +33,7 @@ Outcome ContactEvents::perform() {
   Outcome outcome;
   outcome.work_before = body_.move_to(event_.load_factor);
   const double stored_before = body_.stored_energy(), unbalanced_before = body_.unbalanced_share();
-  const LoadedBody::Settled settled = body_.settle_contacts(direction_);
+  const LoadedBody::Settled settled = body_.settle_constraints(direction_);
   outcome.switches = settled.switched;
   outcome.fragments = settled.fragments;
   body_.update_ratios();

@@ -8,8 +8,8 @@
 
 namespace bempd::fracture {
 
-using coupling::Contact;
-using coupling::Contacts;
+using coupling::Constraint;
+using coupling::Constraints;
 
 namespace {
 
@@ -28,10 +28,10 @@ std::uint64_t cell_of(const Point& p, double size, int right, int up) {
   return static_cast<std::uint64_t>(x) << 32 ^ static_cast<std::uint32_t>(y);
 }
 
-Contact contact_of(const pd::FacePlace& place) {
-  Contact contact{{}, place.stiffness};
-  for (const pd::FacePlace::Pull& p : place.pulls) contact.pull.push_back({p.node, p.pull.x(), p.pull.y()});
-  return contact;
+Constraint constraint_of(const pd::FacePlace& place) {
+  Constraint constraint{{}, place.stiffness};
+  for (const pd::FacePlace::Pull& p : place.pulls) constraint.pull.push_back({p.node, p.pull.x(), p.pull.y()});
+  return constraint;
 }
 
 }  // namespace
@@ -56,7 +56,7 @@ bool CrackFaces::can_be_a_place(int term) const {
 bool CrackFaces::can_have(const GrownFace& face) const {
   const Point normal(face.normal_x, face.normal_y);
   return !are_none() && std::abs(normal.norm() - 1) < 1e-6 && can_be_a_place(face.term) &&
-         !std::binary_search(cut_.begin(), cut_.end(), face.term) && contact_at(face.term, normal).has_value();
+         !std::binary_search(cut_.begin(), cut_.end(), face.term) && constraint_at(face.term, normal).has_value();
 }
 
 Point CrackFaces::middle(int term) const {
@@ -106,7 +106,7 @@ Point CrackFaces::normal_at(int term, std::span<const int> others) const {
   return normal.dot(along) < 0 ? Point(-normal) : normal;
 }
 
-std::optional<Contact> CrackFaces::contact_at(int term, const Point& normal) const {
+std::optional<Constraint> CrackFaces::constraint_at(int term, const Point& normal) const {
   const coupling::Terms& terms = system_.terms();
   const Point along(terms.cosine[term], terms.sine[term]);
   const double across = std::abs(normal.dot(along));
@@ -115,7 +115,7 @@ std::optional<Contact> CrackFaces::contact_at(int term, const Point& normal) con
   const double length = 1 / (across + std::abs(cross(normal, along)));
   const int lattice = *plan_.lattices.lattice_of_neighbours(terms.first[term], terms.second[term]);
   const auto place = plan_.lattices.at(lattice, middle(term), normal, length);
-  return place ? std::optional(contact_of(*place)) : std::nullopt;
+  return place ? std::optional(constraint_of(*place)) : std::nullopt;
 }
 
 void CrackFaces::note_broken(std::span<const int> terms, FaceState& state) {
@@ -142,24 +142,24 @@ class CrackFaces::PresentPlaces final : public FacePlaces {
 
   std::optional<std::size_t> place_of(int term) const override {
     const auto found = faces_.grown_.find(term);
-    return found == faces_.grown_.end() ? std::nullopt : std::optional(faces_.initial_count_ + found->second);
+    return found == faces_.grown_.end() ? std::nullopt : std::optional(faces_.first_grown() + found->second);
   }
-  bool is_closed(std::size_t place) const override { return faces_.places().is_closed(place); }
+  bool is_closed(std::size_t place) const override { return faces_.constraints().is_closed(place); }
 
-  void add(const GrownFace& face, Contact contact) override {
+  void add(const GrownFace& face, Constraint constraint) override {
     faces_.grown_[face.term] = state_.grown.size();
     state_.grown.push_back(face);
     state_.closed.push_back(0);
-    faces_.system_.add_contact(std::move(contact));
+    faces_.system_.add_constraint(std::move(constraint));
   }
 
-  void renew(std::size_t place, const GrownFace& face, Contact contact) override {
-    GrownFace& known = state_.grown[place - faces_.initial_count_];
+  void renew(std::size_t place, const GrownFace& face, Constraint constraint) override {
+    GrownFace& known = state_.grown[place - faces_.first_grown()];
     if (face.normal_x == known.normal_x && face.normal_y == known.normal_y) return;
-    const double zero = gap_rounding(displacement_.lpNorm<Eigen::Infinity>());
-    if (passed_zero(false, contact.gap(displacement_.data())) > zero) return;
+    const double zero = gap_rounding(constraint, displacement_.lpNorm<Eigen::Infinity>());
+    if (passed_zero(false, constraint.gap(displacement_.data())) > zero) return;
     known = face;
-    faces_.system_.replace_open_contact(place, std::move(contact));
+    faces_.system_.replace_open_constraint(place, std::move(constraint));
   }
 
  private:
@@ -189,19 +189,20 @@ void CrackFaces::update(const Eigen::VectorXd& displacement, FaceState& state) {
 }
 
 std::vector<int> CrackFaces::follow(std::span<const int> broken, FacePlaces& places) {
+  if (are_none()) return {};
   std::vector<int> terms = fresh(broken);
   for (const int term : terms) enter(term);
   for (const int term : around(terms)) {
     const std::optional<std::size_t> place = places.place_of(term);
     if (place && places.is_closed(*place)) continue;
     const Point normal = normal_at(term, near(term));
-    std::optional<Contact> contact = contact_at(term, normal);
-    if (!contact) continue;
+    std::optional<Constraint> constraint = constraint_at(term, normal);
+    if (!constraint) continue;
     const GrownFace face{term, normal.x(), normal.y()};
     if (place) {
-      places.renew(*place, face, std::move(*contact));
+      places.renew(*place, face, std::move(*constraint));
     } else {
-      places.add(face, std::move(*contact));
+      places.add(face, std::move(*constraint));
     }
   }
   return terms;
@@ -211,31 +212,31 @@ void CrackFaces::forget_terms(std::span<const int> terms) {
   for (const int term : terms) leave(term);
 }
 
-Contacts CrackFaces::contacts_of(const FaceState& state) const {
-  Contacts contacts;
-  for (const pd::FacePlace& place : plan_.initial) contacts.add(contact_of(place));
+Constraints CrackFaces::constraints_of(const FaceState& state) const {
+  Constraints constraints(system_.constraints().exact_count());
+  for (const pd::FacePlace& place : plan_.initial) constraints.add(constraint_of(place));
   for (const GrownFace& face : state.grown) {
-    if (auto contact = contact_at(face.term, {face.normal_x, face.normal_y})) contacts.add(std::move(*contact));
+    if (auto constraint = constraint_at(face.term, {face.normal_x, face.normal_y}))
+      constraints.add(std::move(*constraint));
   }
-  for (std::size_t i = 0; i < std::min(contacts.size(), state.closed.size()); ++i)
-    contacts.set_closed(i, state.closed[i] != 0);
-  return contacts;
+  for (std::size_t i = 0; i < std::min(constraints.size(), state.closed.size()); ++i)
+    constraints.set_closed(i, state.closed[i] != 0);
+  return constraints;
 }
 
 void CrackFaces::restore(const FaceState& state) {
-  if (are_none()) return;
-  system_.set_contacts(contacts_of(state));
+  system_.set_constraints(constraints_of(state));
   enter(state);
 }
 
 void CrackFaces::go_on_from(const FaceState& state) {
-  system_.put_contacts(contacts_of(state));
+  system_.put_constraints(constraints_of(state));
   enter(state);
 }
 
 void CrackFaces::enter(const FaceState& state) {
+  if (are_none()) return;
   parted_.clear(), entered_.clear(), grown_.clear();
-  initial_count_ = plan_.initial.size();
   for (const int term : cut_) enter(term);
   for (std::size_t i = 0; i < state.grown.size(); ++i) {
     grown_[state.grown[i].term] = i;

@@ -22,8 +22,9 @@ struct ContactPlan {
   std::vector<pd::FacePlace> initial;
 };
 
-// The places where faces of cracks can meet: on the initial cracks, and one for every bond between neighbours that has
-// broken since, with the normal of the broken ones around it. The normal of a place may change while it is open.
+// The constraints with a penalty of a body: places where faces of cracks in lattices can meet. They lie on the initial
+// cracks, and one at every bond between neighbours that has broken since, with the normal of the broken ones around it.
+// The normal of a place may change while it is open. In the system's list they follow the exact constraints.
 class CrackFaces {
  public:
   // Bonds in `cut` are broken from the start.
@@ -32,9 +33,10 @@ class CrackFaces {
 
   // No place will ever be there.
   bool are_none() const { return !plan_.faces_meet; }
-  const coupling::Contacts& places() const { return system_.contacts(); }
+  const coupling::Constraints& constraints() const { return system_.constraints(); }
 
-  std::size_t initial_count() const { return initial_count_; }
+  // Number, in the system's list, of the first constraint that a broken bond makes.
+  std::size_t first_grown() const { return system_.constraints().exact_count() + plan_.initial.size(); }
   bool can_have(const GrownFace& face) const;
 
   // Notes terms that have broken; their places follow with the next update().
@@ -48,11 +50,11 @@ class CrackFaces {
   // them. Returns the terms that tell normals from now on; forget_terms() takes them back.
   std::vector<int> follow(std::span<const int> broken, FacePlaces& places);
   void forget_terms(std::span<const int> terms);
-  // Makes the system's places those of a state, whose stages it has; what is pending there stays so.
+  // Makes the system's constraints those of a state, whose stages it has; what is pending there stays so.
   void restore(const FaceState& state);
-  // Makes the system's places those of a state while the factor of another matrix is at work, as in a window.
+  // Makes the system's constraints those of a state while the factor of another matrix is at work, as in a window.
   void go_on_from(const FaceState& state);
-  coupling::Contacts contacts_of(const FaceState& state) const;
+  coupling::Constraints constraints_of(const FaceState& state) const;
 
  private:
   class PresentPlaces;
@@ -67,37 +69,17 @@ class CrackFaces {
   // The parted neighbours around a place.
   std::vector<int> near(int term) const;
   Point normal_at(int term, std::span<const int> others) const;
-  std::optional<coupling::Contact> contact_at(int term, const Point& normal) const;
+  std::optional<coupling::Constraint> constraint_at(int term, const Point& normal) const;
 
   coupling::EquilibriumSystem& system_;
   const std::vector<Point>& positions_;
   ContactPlan plan_;
-  std::vector<int> cut_;  // ascending
-  std::size_t initial_count_ = 0;
+  std::vector<int> cut_;                                        // ascending
   double reach_ = 1;                                            // of what tells a normal [m]
   std::unordered_map<std::uint64_t, std::vector<int>> parted_;  // neighbours, by where their middles are
   std::unordered_set<int> entered_;                             // the same as a set
   std::unordered_map<int, std::size_t> grown_;                  // term -> its place among the grown ones
   std::vector<std::vector<int>> pending_;
 };
-
-// Places that are not as their gaps ask for at a load factor. Where a gap is zero the next one in a direction counts: 1
-// or -1; 0: it stays as it is.
-std::vector<int> wrong_places(const coupling::Contacts& places, const coupling::Affine& displacement,
-                              double load_factor, double direction);
-
-// Load factor on the way to another one at which the first place opens or closes; nothing if none does.
-std::optional<double> next_switch(const coupling::Contacts& places, const coupling::Affine& displacement, double from,
-                                  double to);
-
-// Wrong places and the next switch of faces inside the system's operators.
-std::vector<int> wrong_faces(const coupling::EquilibriumSystem& system, const coupling::Affine& displacement,
-                             double load_factor, double direction);
-std::optional<double> next_face_switch(const coupling::EquilibriumSystem& system, const coupling::Affine& displacement,
-                                       double from, double to);
-double face_rounding(double largest_displacement);
-
-// Whether a place is wrong where displacements are known as numbers: how far its gap counts as zero.
-double gap_rounding(double largest_displacement);
 
 }  // namespace bempd::fracture

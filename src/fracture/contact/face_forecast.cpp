@@ -14,12 +14,12 @@ constexpr int for_good = std::numeric_limits<int>::max();
 }  // namespace
 
 FaceForecast::FaceForecast(CrackFaces& faces, const FaceState& state) : faces_(faces), grown_(state.grown) {
-  const coupling::Contacts& present = faces.places();
+  const coupling::Constraints& present = faces.constraints();
   for (std::size_t i = 0; i < present.size(); ++i) {
     latest_.push_back(i);
-    places_.push_back({present[i], present.is_closed(i), true, 0, present.is_barred(i) ? 0 : for_good, i, 0});
+    watched_.push_back({present[i], present.is_closed(i), true, 0, present.is_barred(i) ? 0 : for_good, i, 0});
   }
-  for (std::size_t k = 0; k < grown_.size(); ++k) number_of_[grown_[k].term] = faces.initial_count() + k;
+  for (std::size_t k = 0; k < grown_.size(); ++k) number_of_[grown_[k].term] = faces.first_grown() + k;
   for (const std::vector<int>& terms : faces.pending()) follow(terms, 0);
 }
 
@@ -36,35 +36,35 @@ std::optional<std::size_t> FaceForecast::place_of(int term) const {
   return known == number_of_.end() ? std::nullopt : std::optional(known->second);
 }
 
-void FaceForecast::add(const GrownFace& face, coupling::Contact contact) {
+void FaceForecast::add(const GrownFace& face, coupling::Constraint constraint) {
   number_of_[face.term] = latest_.size();
   grown_.push_back(face);
-  latest_.push_back(places_.size());
-  places_.push_back({std::move(contact), false, false, state_, for_good, latest_.size() - 1, state_});
+  latest_.push_back(watched_.size());
+  watched_.push_back({std::move(constraint), false, false, state_, for_good, latest_.size() - 1, state_});
 }
 
-void FaceForecast::renew(std::size_t place, const GrownFace& face, coupling::Contact contact) {
-  WatchedPlace& before = places_[latest_[place]];
+void FaceForecast::renew(std::size_t place, const GrownFace& face, coupling::Constraint constraint) {
+  WatchedConstraint& before = watched_[latest_[place]];
   if (before.until == 0) return;  // barred
   before.until = state_;
-  grown_[place - faces_.initial_count()] = face;
-  latest_[place] = places_.size();
+  grown_[place - faces_.first_grown()] = face;
+  latest_[place] = watched_.size();
   // A new normal counts only if the place does not overlap for it before the break.
-  places_.push_back({std::move(contact), false, false, std::max(state_ - 1, 0), for_good, place, state_});
+  watched_.push_back({std::move(constraint), false, false, std::max(state_ - 1, 0), for_good, place, state_});
 }
 
-void FaceForecast::switch_place(std::size_t place, int state) {
-  WatchedPlace next = places_[place];
+void FaceForecast::switch_constraint(std::size_t watched, int state) {
+  WatchedConstraint next = watched_[watched];
   next.closed = !next.closed;
   next.since = next.event = state;
-  places_[place].until = state;
-  latest_[next.number] = places_.size();
-  places_.push_back(std::move(next));
+  watched_[watched].until = state;
+  latest_[next.number] = watched_.size();
+  watched_.push_back(std::move(next));
 }
 
 void FaceForecast::forget_after(int state) {
-  std::erase_if(places_, [&](const WatchedPlace& place) { return place.event > state; });
-  for (WatchedPlace& place : places_) {
+  std::erase_if(watched_, [&](const WatchedConstraint& place) { return place.event > state; });
+  for (WatchedConstraint& place : watched_) {
     if (place.until > state) place.until = for_good;
   }
 }
@@ -72,7 +72,7 @@ void FaceForecast::forget_after(int state) {
 std::vector<std::size_t> FaceForecast::last() const {
   std::vector<std::size_t> result;
   for (const std::size_t place : latest_) {
-    if (places_[place].until == for_good) result.push_back(place);
+    if (watched_[place].until == for_good) result.push_back(place);
   }
   return result;
 }
@@ -80,7 +80,7 @@ std::vector<std::size_t> FaceForecast::last() const {
 FaceState FaceForecast::last_state() const {
   FaceState result;
   result.grown = grown_;
-  for (const std::size_t place : latest_) result.closed.push_back(places_[place].closed ? 1 : 0);
+  for (const std::size_t place : latest_) result.closed.push_back(watched_[place].closed ? 1 : 0);
   return result;
 }
 

@@ -9,9 +9,9 @@
 
 namespace bempd::fracture {
 
-// A place as it is in some states of a row: from one of them on, before another one.
-struct WatchedPlace {
-  coupling::Contact contact;
+// A constraint as it is in some states of a row: from one of them on, before another one.
+struct WatchedConstraint {
+  coupling::Constraint constraint;
   bool closed;
   bool known;  // from the beginning
   int since, until;
@@ -19,32 +19,32 @@ struct WatchedPlace {
   int event;           // that made it as it is
 };
 
-// The places of faces in states to come, 0 being the present one, by the rule of CrackFaces::follow(); the body's
-// places stay as they are.
+// The constraints in states to come, 0 being the present one, by the rule of CrackFaces::follow(); those of the body
+// stay as they are.
 class FaceForecast final : public FacePlaces {
  public:
   FaceForecast(CrackFaces& faces, const FaceState& state);
   ~FaceForecast() override;
 
-  // Terms that the event before a state breaks: places come, and open ones get other normals.
+  // Follows the terms that the event before a state breaks: places come, and open ones get other normals.
   void follow(std::span<const int> broken, int state);
-  void switch_place(std::size_t place, int state);
-  void forget_after(int state);  // and no more is asked but places()
+  void switch_constraint(std::size_t watched, int state);
+  void forget_after(int state);  // and no more is asked but constraints()
 
-  // Places in all states: those of the system at first and in its order.
-  const std::vector<WatchedPlace>& places() const { return places_; }
-  // Places of the last state that may press.
+  // Constraints in all states: those of the system at first and in its order.
+  const std::vector<WatchedConstraint>& constraints() const { return watched_; }
+  // Indices, among these, of the constraints of the last state that may press.
   std::vector<std::size_t> last() const;
   FaceState last_state() const;
 
   std::optional<std::size_t> place_of(int term) const override;
-  bool is_closed(std::size_t place) const override { return places_[latest_[place]].closed; }
-  void add(const GrownFace& face, coupling::Contact contact) override;
-  void renew(std::size_t place, const GrownFace& face, coupling::Contact contact) override;
+  bool is_closed(std::size_t place) const override { return watched_[latest_[place]].closed; }
+  void add(const GrownFace& face, coupling::Constraint constraint) override;
+  void renew(std::size_t place, const GrownFace& face, coupling::Constraint constraint) override;
 
  private:
   CrackFaces& faces_;
-  std::vector<WatchedPlace> places_;
+  std::vector<WatchedConstraint> watched_;
   std::vector<std::size_t> latest_;  // by numbers in the system: which of them in the last state
   std::vector<GrownFace> grown_;
   std::unordered_map<int, std::size_t> number_of_;  // of terms that have a place

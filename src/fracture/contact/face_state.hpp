@@ -10,11 +10,10 @@ struct GrownFace {
   double normal_x, normal_y;
 };
 
-// What a run knows of its faces.
+// What a run knows of the faces of its cracks.
 struct FaceState {
   std::vector<GrownFace> grown;
-  std::vector<char> closed;         // of the initial places, then of the grown ones
-  std::vector<char> closed_inside;  // of those inside operators
+  std::vector<char> closed;  // flags of all constraints: exact ones, places on initial cracks, places that have grown
   // Terms that have broken, by event, whose places have not been looked at yet.
   std::vector<std::vector<int>> pending;
 };

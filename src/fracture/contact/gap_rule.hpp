@@ -1,18 +1,38 @@
 #pragma once
 
-#include "coupling/contacts.hpp"
+#include <optional>
+#include <vector>
+
+#include "coupling/affine.hpp"
+#include "coupling/constraints.hpp"
 
 namespace bempd::fracture {
 
-// Distance of a gap on the wrong side of zero: an opening at a closed place, or an overlap at an open one. The place
-// switches if that is more than rounding. The rule is the same in whole bodies and in windows.
+// Rules by which unilateral constraints close and open, the same in whole bodies and in windows.
+
+// Largest gap that counts as zero, where displacements are known as numbers.
+double gap_rounding(const coupling::Constraint& constraint, double largest_displacement);
+
+// Distance of a gap on the wrong side of zero: an opening at a closed constraint, or an overlap at an open one. The
+// constraint switches if that is more than rounding.
 inline double passed_zero(bool closed, double gap) { return closed ? gap : -gap; }
 
-// Energy that a place releases when it opens, or takes up (negative) when it closes, from its gaps before and after the
-// event. The potential energy is a quadratic function that is least in equilibrium: if a stiffness k is lost while the
-// gap goes from g to g', it falls by k g g' / 2.
-inline double released_by_switch(const coupling::Contact& place, bool was_closed, double gap_before, double gap_after) {
-  const double lost = (was_closed ? 1 : -1) * place.stiffness;
+// Constraints that are not as their gaps ask for at a load factor. Where a gap is zero the next one in a direction
+// counts: 1 or -1. Direction 0: constraints with a penalty stay as they are there, and exact ones take loads as
+// growing.
+std::vector<int> wrong_constraints(const coupling::Constraints& constraints, const coupling::Affine& gaps,
+                                   const coupling::Affine& displacement, double load_factor, double direction);
+
+// Load factor on the way to another one at which the first constraint opens or closes; nothing if none does.
+std::optional<double> next_switch(const coupling::Constraints& constraints, const coupling::Affine& gaps,
+                                  const coupling::Affine& displacement, double from, double to);
+
+// Energy that a constraint with a penalty releases when it opens, or takes up (negative) when it closes, from its gaps
+// before and after the event. The potential energy is a quadratic function that is least in equilibrium: if a stiffness
+// k is lost while the gap goes from g to g', it falls by k g g' / 2.
+inline double released_by_switch(const coupling::Constraint& constraint, bool was_closed, double gap_before,
+                                 double gap_after) {
+  const double lost = (was_closed ? 1 : -1) * constraint.stiffness;
   return 0.5 * lost * gap_before * gap_after;
 }
 

@@ -36,17 +36,18 @@ double largest_residual(const pd::TipLaw& law) {
 
 }  // namespace
 
-// Contact at the tip is that of the nearest contact place within a horizon.
+// Faces press at a tip if the nearest constraint within a horizon is closed.
 bool LineSteps::faces_press_at(const GrowingTip& tip) const {
-  const coupling::Contacts& contacts = system_.contacts();
-  if (contacts.closed_count() == 0) return false;
+  const coupling::Constraints& constraints = system_.constraints();
+  if (constraints.closed_penalty_count() == 0) return false;
   double nearest = law_of(tip).horizon;
   bool presses = false;
-  for (std::size_t i = 0; i < contacts.size(); ++i) {
+  for (std::size_t i = constraints.exact_count(); i < constraints.size(); ++i) {
+    const std::vector<coupling::TermEntry>& pull = constraints[i].pull;
     Point middle(0, 0);
-    for (const coupling::TermEntry& e : contacts[i].pull) middle += body_.positions()[static_cast<std::size_t>(e.node)];
-    const double away = (middle / static_cast<double>(contacts[i].pull.size()) - tip.place).norm();
-    if (away < nearest) nearest = away, presses = contacts.is_closed(i);
+    for (const coupling::TermEntry& e : pull) middle += body_.positions()[static_cast<std::size_t>(e.node)];
+    const double away = (middle / static_cast<double>(pull.size()) - tip.place).norm();
+    if (away < nearest) nearest = away, presses = constraints.is_closed(i);
   }
   return presses;
 }

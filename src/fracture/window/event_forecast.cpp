@@ -136,9 +136,8 @@ void EventForecast::compute(const BodyState& state) {
   if (lines_) begin_steps(state);
   unbalanced_ = 0;
   foreseen_ = {window_->state()};
-  std::optional<FaceForecast> ahead;
-  if (!body_.faces().are_none()) ahead.emplace(body_.faces(), state.faces);
-  face_forecast_ = ahead ? &*ahead : nullptr;
+  FaceForecast ahead(body_.faces(), state.faces);
+  face_forecast_ = &ahead;
   const bool keeps_balance = forecast_events(state);
   most_events_ = std::min(WindowSettings::growth_of_events * most_events_, WindowSettings::most_events_at_once);
   states_ = window_->complete(foreseen_);
@@ -237,7 +236,7 @@ double EventForecast::largest_force_before(double load_factor, const BodyState& 
 
 bool EventForecast::perform_in_window(ForecastEvent& foreseen) {
   const int state = static_cast<int>(events_.size()) + 1;
-  WindowBody body(body_, *window_, functions_, face_forecast_, state, any_displacement_);
+  WindowBody body(body_, *window_, functions_, *face_forecast_, state, any_displacement_);
   foreseen.before = body.energy();
   std::optional<Outcome> outcome = perform_event(foreseen.event, system_, body);
   if (!outcome) return false;

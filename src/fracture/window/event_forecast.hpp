@@ -114,7 +114,7 @@ class EventForecast {
 
   LoadedBody& body_;
   coupling::EquilibriumSystem& system_;
-  FaceForecast* face_forecast_ = nullptr;  // while events are computed, where faces can meet
+  FaceForecast* face_forecast_ = nullptr;  // while events are computed
   WindowLocator locator_;
   WindowFunctions functions_;
   WindowNarrowing narrowing_;

@@ -29,9 +29,8 @@ void EventForecast::certify(double from) {
   if (!events_.empty() && !lines_) keep_first(window_->dropped().first_violation(states_, checks_));
   if (events_.empty()) return;
   // Bonds of these events count as broken while the events computed are not taken back.
-  if (face_forecast_) face_forecast_->forget_after(static_cast<int>(events_.size()));
-  const FaceCertificate watch(face_forecast_ ? face_forecast_->places() : std::vector<WatchedPlace>(), events_, from,
-                              proportional_);
+  face_forecast_->forget_after(static_cast<int>(events_.size()));
+  const FaceCertificate watch(face_forecast_->constraints(), events_, from, proportional_);
   const int unchanged = watch.events_before_change(states_, condensation_->dofs(), system_, outside_gaps_);
   faces_move_ = unchanged < static_cast<int>(events_.size());
   keep_first(unchanged);
@@ -63,10 +62,10 @@ void EventForecast::check_whole_body() {
 Eigen::VectorXd EventForecast::internal_force_after_all(double load_factor) {
   const auto last = std::find_if(events_.rbegin(), events_.rend(), [](const ForecastEvent& e) { return e.faces; });
   if (last == events_.rend()) return system_.internal_force(evaluate(whole_, load_factor));
-  coupling::Contacts present = system_.contacts();
-  system_.put_contacts(body_.faces().contacts_of(*last->faces));
+  coupling::Constraints present = system_.constraints();
+  system_.put_constraints(body_.faces().constraints_of(*last->faces));
   Eigen::VectorXd force = system_.internal_force(evaluate(whole_, load_factor));
-  system_.put_contacts(std::move(present));
+  system_.put_constraints(std::move(present));
   return force;
 }
 

@@ -8,34 +8,21 @@
 
 namespace bempd::fracture {
 
-// Gaps of all places that have points outside of a window, as functions of the displacements kept; each takes the part
-// of half a solution that its points reach.
+// Gaps of all constraints that have points outside of a window, as functions of the displacements kept; each takes the
+// part of half a solution that its points reach. Exact ones are among them, all of which are open where windows are.
 class OutsideGaps {
  public:
   OutsideGaps() = default;
   OutsideGaps(const coupling::EquilibriumSystem& system, const coupling::Condensation& condensation);
 
-  const std::vector<std::size_t>& places() const { return places_; }  // by their numbers in the system
-  // One row a place, one column a state; `part`: of the load.
+  const std::vector<std::size_t>& constraints() const { return constraints_; }  // by their numbers in the system
+  // One row a constraint, one column a state; `part`: of the load.
   Eigen::MatrixXd at(std::span<const coupling::Affine> kept, int part) const;
 
-  struct Gap {
-    coupling::CondensedFunction function;
-
-    double at(const coupling::Affine& kept, int part) const {
-      return function.constant[part] + function.weights.dot(kept.col(part));
-    }
-  };
-  // Gaps of faces inside operators, all of which are open where windows are.
-  const std::vector<Gap>& faces() const { return faces_; }
-
  private:
-  void add_faces(const coupling::EquilibriumSystem& system, const coupling::Condensation& condensation);
-
-  std::vector<std::size_t> places_;
-  Eigen::MatrixXd weights_;    // of kept displacements, one column a place
-  coupling::Affine constant_;  // one row a place
-  std::vector<Gap> faces_;
+  std::vector<std::size_t> constraints_;
+  Eigen::MatrixXd weights_;    // of kept displacements, one column a constraint
+  coupling::Affine constant_;  // one row a constraint
 };
 
 }  // namespace bempd::fracture

@@ -17,8 +17,8 @@ std::vector<char> nodes_touched_outside(const coupling::EquilibriumSystem& syste
       all.for_each_node(t, [&](int node) { touched[node] = 1; });
   }
   for (const coupling::HoldingSpring& s : system.springs()) touched[s.node] = 1;
-  system.contacts().for_each_closed([&](const coupling::Contact& contact) {
-    for (const coupling::TermEntry& e : contact.pull) touched[e.node] = 1;
+  system.constraints().for_each_closed_penalty([&](const coupling::Constraint& constraint) {
+    for (const coupling::TermEntry& e : constraint.pull) touched[e.node] = 1;
   });
   return touched;
 }

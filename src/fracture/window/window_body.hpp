@@ -16,9 +16,9 @@ namespace bempd::fracture {
 // window's.
 class WindowBody final : public EventBody {
  public:
-  // `state`: number of the state that the next event leads to. `face_forecast`: the places of faces in these states;
-  // null where faces cannot meet. `displacement`: any one of the body, at which parts that come free would be held.
-  WindowBody(LoadedBody& body, WindowSolver& window, const WindowFunctions& functions, FaceForecast* face_forecast,
+  // `state`: number of the state that the next event leads to. `face_forecast`: the constraints in these states.
+  // `displacement`: any one of the body, at which parts that come free would be held.
+  WindowBody(LoadedBody& body, WindowSolver& window, const WindowFunctions& functions, FaceForecast& face_forecast,
              int state, const Eigen::VectorXd& displacement)
       : body_(body),
         system_(body.system()),
@@ -45,20 +45,19 @@ class WindowBody final : public EventBody {
 
  private:
   bool change_terms(const Event& event);
-  bool settle_faces(const Event& event, Outcome& outcome);
+  bool settle_constraints(const Event& event, Outcome& outcome);
   bool presses_on_held_parts() const;
-  std::vector<std::size_t> wrong_places(double load_factor) const;
-  double released_by_faces(const std::vector<std::size_t>& places_before, const coupling::Affine& kept_before,
-                           double load_factor) const;
+  std::vector<std::size_t> wrong_constraints(double load_factor) const;
+  double released_by_constraints(const coupling::Affine& kept_before, double load_factor) const;
 
   LoadedBody& body_;
   coupling::EquilibriumSystem& system_;
   WindowSolver& window_;
   const WindowFunctions& functions_;
-  FaceForecast* face_forecast_;
+  FaceForecast& face_forecast_;
   int state_;
   const Eigen::VectorXd& displacement_;
-  std::vector<std::size_t> places_before_;  // of faces, before any has switched at the event
+  std::vector<std::size_t> watched_before_;  // constraints in the forecast, before any has switched at the event
   std::optional<FaceState> switched_faces_;
 };
 

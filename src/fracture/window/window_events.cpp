@@ -168,7 +168,6 @@ Outcome WindowEvents::perform() {
 
 void WindowEvents::take_faces(FaceState faces) {
   faces_have_switched_ = true;
-  faces.closed_inside = body_.state().faces.closed_inside;
   body_.faces().go_on_from(faces);
   body_.state().faces = std::move(faces);
 }

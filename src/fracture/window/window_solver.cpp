@@ -176,27 +176,19 @@ bool WindowSolver::lose(const std::vector<Loss>& losses) {
   return true;
 }
 
-bool WindowSolver::follows(const coupling::Contact& place) const {
-  return std::all_of(place.pull.begin(), place.pull.end(), [&](const coupling::TermEntry& e) {
-    return row_of_[2 * static_cast<std::size_t>(e.node)] >= 0 && row_of_[2 * static_cast<std::size_t>(e.node) + 1] >= 0;
-  });
+bool WindowSolver::follows(const coupling::Constraint& constraint) const {
+  return constraint.is_on([&](int dof) { return row_of_[dof] >= 0; });
 }
 
-double WindowSolver::gap(const coupling::Contact& place, double load_factor) const {
-  const auto value = [&](int dof) { return rows_(row_of_[dof], 0) + load_factor * rows_(row_of_[dof], 1); };
-  double sum = 0;
-  for (const coupling::TermEntry& e : place.pull) sum += e.x * value(2 * e.node) + e.y * value(2 * e.node + 1);
-  return sum;
+double WindowSolver::gap(const coupling::Constraint& constraint, double load_factor) const {
+  return constraint.gap_at([&](int dof) { return rows_(row_of_[dof], 0) + load_factor * rows_(row_of_[dof], 1); });
 }
 
-double WindowSolver::gap(const coupling::Contact& place, double load_factor, const Affine& kept) const {
-  const auto value = [&](int dof) {
+double WindowSolver::gap(const coupling::Constraint& constraint, double load_factor, const Affine& kept) const {
+  return constraint.gap_at([&](int dof) {
     const int r = followed_[row_of_[dof]];
     return kept(r, 0) + load_factor * kept(r, 1);
-  };
-  double sum = 0;
-  for (const coupling::TermEntry& e : place.pull) sum += e.x * value(2 * e.node) + e.y * value(2 * e.node + 1);
-  return sum;
+  });
 }
 
 double WindowSolver::largest_displacement(double load_factor) const {
@@ -204,18 +196,18 @@ double WindowSolver::largest_displacement(double load_factor) const {
   return size() == 0 ? 0 : part(0) + std::abs(load_factor) * part(1);
 }
 
-bool WindowSolver::switch_faces(std::span<const FaceSwitch> switches) {
+bool WindowSolver::switch_constraints(std::span<const Switch> switches) {
   LinearForms pulls;
   std::vector<Loss> losses;
-  for (const FaceSwitch& s : switches) {
-    for (const coupling::TermEntry& e : s.place.pull) {
+  for (const Switch& s : switches) {
+    for (const coupling::TermEntry& e : s.constraint.pull) {
       pulls.add(row_of_[2 * e.node], e.x);
       pulls.add(row_of_[2 * e.node + 1], e.y);
     }
     pulls.close();
   }
   for (std::size_t i = 0; i < switches.size(); ++i)
-    losses.push_back({pulls[i], (switches[i].closes ? -1 : 1) * switches[i].place.stiffness});
+    losses.push_back({pulls[i], (switches[i].closes ? -1 : 1) * switches[i].constraint.stiffness});
   if (!lose(losses)) return false;
   for (const Loss& loss : losses) {
     DroppedDofs::Forms form;

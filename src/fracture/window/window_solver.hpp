@@ -70,17 +70,17 @@ class WindowSolver {
   // resistance with these changes, or if a term stiffens.
   bool change(std::span<const coupling::StageChange> changes);
 
-  // Places where faces meet: whether all of their points are followed, their gaps, and their switches; false, and
-  // nothing changed, if some motion would lose its resistance.
-  struct FaceSwitch {
-    const coupling::Contact& place;
+  // Constraints: whether all of their points are followed, their gaps, and their switches; false, and nothing changed,
+  // if some motion would lose its resistance.
+  struct Switch {
+    const coupling::Constraint& constraint;
     bool closes;
   };
-  bool follows(const coupling::Contact& place) const;
-  double gap(const coupling::Contact& place, double load_factor) const;
-  double gap(const coupling::Contact& place, double load_factor, const coupling::Affine& kept) const;
+  bool follows(const coupling::Constraint& constraint) const;
+  double gap(const coupling::Constraint& constraint, double load_factor) const;
+  double gap(const coupling::Constraint& constraint, double load_factor, const coupling::Affine& kept) const;
   double largest_displacement(double load_factor) const;
-  bool switch_faces(std::span<const FaceSwitch> switches);
+  bool switch_constraints(std::span<const Switch> switches);
 
   // Forces on the kept degrees of freedom that rounding of the flexibility has left out of balance, the system's terms
   // being in their stages; and displacements that answer to them are put right. Functions stay as they are.
@@ -105,7 +105,7 @@ class WindowSolver {
   void add_form(const Pull& pull, double scale, DroppedDofs::Forms& forms) const;
   void keep_rows(const std::vector<int>& followed);
   void update_ratios() { terms_.update_ratios(rows_, has_constant_part_); }
-  // A term or a place loses a stiffness, or gains it where that is negative.
+  // A term or a constraint loses a stiffness, or gains it where that is negative.
   struct Loss {
     Pull pull;
     double stiffness;

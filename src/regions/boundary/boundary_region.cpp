@@ -221,7 +221,8 @@ std::optional<coupling::DenseOperator> BoundaryRegion::dense_operator(std::span<
     if (typeid(*other.region) == typeid(*this) && has_operator_of(static_cast<const BoundaryRegion&>(*other.region)))
       return coupling::DenseOperator{nodes_, other.dense.stiffness, &solution_method(), rest_};
   }
-  return coupling::DenseOperator{nodes_, stiffness_of_nodes(), &solution_method(), rest_, face_openings(), pieces()};
+  return coupling::DenseOperator{nodes_, stiffness_of_nodes(), &solution_method(),
+                                 rest_,  exact_constraints(),  pieces()};
 }
 
 std::shared_ptr<const Eigen::MatrixXd> BoundaryRegion::stiffness_of_nodes() const {

@@ -123,7 +123,7 @@ class BoundaryRegion : public Region {
   Particulars particulars(const std::array<BodyForce, 2>& body_force) const;
   Eigen::Matrix2d work_within_cracks(const std::array<BodyForce, 2>& body_force,
                                      const std::vector<CrackLoad>& loads) const;
-  std::shared_ptr<const coupling::FaceOpenings> face_openings() const;
+  std::shared_ptr<const coupling::ExactConstraints> exact_constraints() const;
   // Displacements of the mesh's nodes without those of swelling.
   Eigen::VectorXd elastic(const Eigen::VectorXd& displacement, double constant, double proportional) const;
   // Displacements of the mesh's nodes without those of swelling and of the particular solution.

@@ -103,10 +103,10 @@ Eigen::MatrixX2d BoundaryRegion::forces_on_cracks(const std::vector<CrackLoad>& 
   return forces;
 }
 
-std::shared_ptr<const coupling::FaceOpenings> BoundaryRegion::face_openings() const {
+std::shared_ptr<const coupling::ExactConstraints> BoundaryRegion::exact_constraints() const {
   if (!closing_) return nullptr;
-  return std::make_shared<const coupling::FaceOpenings>(
-      coupling::FaceOpenings{closing_->of_displacements() * trace_, closing_->of_forces()});
+  return std::make_shared<const coupling::ExactConstraints>(
+      coupling::ExactConstraints{closing_->of_displacements() * trace_, closing_->of_forces()});
 }
 
 coupling::Affine BoundaryRegion::face_offsets(const std::array<BodyForce, 2>& body_force,

@@ -1,0 +1,97 @@
+#include "fracture/contact/gap_rule.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace bempd::fracture {
+
+using coupling::Affine;
+using coupling::Constraint;
+using coupling::Constraints;
+
+namespace {
+
+// Solutions, iterated ones too, tell displacements to this share of the largest one: gaps below are zero, and so are
+// their rates. Gaps inside operators come from solutions with dense matrices.
+constexpr double rounding_of_penalties = 1e-12, rounding_of_exact = 1e-10;
+
+// A gap that is zero in exact numbers while its constraint is closed has that rounding. Once it is open the same
+// rounding shows in the gap as many times larger as the penalty was stiffer than what is left, which nothing tells in
+// advance. So a gap that has passed zero by less than this share is still zero while it goes back. What is neglected of
+// the energy is the square of that. What exact constraints press may change by more than any displacement while the
+// load factor goes by as little: there it is that share of the way.
+constexpr double rounding_of_passed_gaps = 1e-8;
+
+double rounding_of(const Constraint& constraint) {
+  return constraint.is_exact() ? rounding_of_exact : rounding_of_penalties;
+}
+
+// Gap of a constraint as it follows the load factor, and the share of the largest ones that counts as zero.
+struct GapLine {
+  double gap, rate;
+  double largest_displacement, largest_rate;
+  double rounding;
+
+  // How the gap goes on: negative while it closes.
+  double way(double direction) const { return std::abs(rate) <= rounding * largest_rate ? 0 : direction * rate; }
+  double faster() const { return std::max(1.0, std::abs(rate) / largest_rate); }
+  bool is_wrong(bool closed, double direction) const {
+    const double passed = passed_zero(closed, gap), passes = passed_zero(closed, way(direction));
+    if (std::abs(gap) <= rounding * largest_displacement) return passes > 0;
+    return passed > (passes < 0 ? rounding_of_passed_gaps * largest_displacement * faster() : 0);
+  }
+};
+
+// Distance on the way in a direction at which the constraint opens or closes; nothing if it does not.
+std::optional<double> distance_to_switch(const GapLine& line, bool closed, double direction) {
+  if (line.is_wrong(closed, direction)) return 0;
+  const double way = line.way(direction);
+  if (closed ? way <= 0 : way >= 0) return std::nullopt;
+  return std::max(0.0, -line.gap / way);
+}
+
+// Calls visit(number, line) for every constraint.
+template <class Visit>
+void for_each_line(const Constraints& constraints, const Affine& gaps, const Affine& u, double load_factor,
+                   const Visit& visit) {
+  if (constraints.size() == 0) return;
+  const double largest[2] = {u.col(0).lpNorm<Eigen::Infinity>(), u.col(1).lpNorm<Eigen::Infinity>()};
+  const double largest_displacement = largest[0] + std::abs(load_factor) * largest[1];
+  for (std::size_t i = 0; i < constraints.size(); ++i) {
+    const Eigen::RowVector2d gap = gaps.row(static_cast<Eigen::Index>(i));
+    visit(i, GapLine{gap[0] + load_factor * gap[1], gap[1], largest_displacement, largest[1],
+                     rounding_of(constraints[i])});
+  }
+}
+
+}  // namespace
+
+double gap_rounding(const Constraint& constraint, double largest_displacement) {
+  return rounding_of(constraint) * largest_displacement;
+}
+
+std::vector<int> wrong_constraints(const Constraints& constraints, const Affine& gaps, const Affine& displacement,
+                                   double load_factor, double direction) {
+  std::vector<int> wrong;
+  for_each_line(constraints, gaps, displacement, load_factor, [&](std::size_t i, const GapLine& line) {
+    const bool closed = constraints.is_closed(i);
+    const double its_direction = constraints[i].is_exact() && direction == 0 ? 1 : direction;
+    if (constraints.is_barred(i) ? closed : line.is_wrong(closed, its_direction)) wrong.push_back(static_cast<int>(i));
+  });
+  return wrong;
+}
+
+std::optional<double> next_switch(const Constraints& constraints, const Affine& gaps, const Affine& displacement,
+                                  double from, double to) {
+  if (from == to) return std::nullopt;
+  const double direction = to > from ? 1 : -1, farthest = (to - from) * direction;
+  std::optional<double> least;
+  for_each_line(constraints, gaps, displacement, from, [&](std::size_t i, const GapLine& line) {
+    if (constraints.is_barred(i)) return;
+    const std::optional<double> distance = distance_to_switch(line, constraints.is_closed(i), direction);
+    if (distance && *distance <= farthest && (!least || *distance < *least)) least = distance;
+  });
+  return least ? std::optional(from + direction * *least) : std::nullopt;
+}
+
+}  // namespace bempd::fracture
