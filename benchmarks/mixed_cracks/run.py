@@ -1,6 +1,7 @@
 """Cracks across the border of boundary elements and a lattice: the tables of docs/mixed_cracks.md.
 
-usage: benchmarks/run.sh mixed_cracks [--write]      --write: into docs/mixed_cracks.md
+usage: benchmarks/run.sh mixed_cracks [--write] [run.py | crossing.py]
+    --write: into docs/mixed_cracks.md;  run.py: cracks that stand still only;  crossing.py: cracks that run only
 """
 
 from __future__ import annotations
@@ -11,6 +12,7 @@ import sys
 from pathlib import Path
 
 import bempd
+import crossing
 
 PAGE = Path(__file__).resolve().parents[2] / "docs" / "mixed_cracks.md"
 WIDTH, HEIGHT, MIDDLE, HALF_LENGTH = 80, 64, 40, 16  # in spacings
@@ -66,14 +68,22 @@ def table() -> list[str]:
     return lines
 
 
+def write(name: str, lines: list[str]) -> None:
+    """Put a table in its place on the page."""
+    text = PAGE.read_text(encoding="utf-8")
+    begin, end = f"<!-- table of {name} -->\n", "<!-- end of it -->"
+    found = begin + "\n".join(lines) + "\n" + end
+    text = re.sub(re.escape(begin) + ".*?" + re.escape(end), lambda _: found, text, flags=re.DOTALL)
+    PAGE.write_text(text, encoding="utf-8")
+
+
 def main() -> None:
-    found = "\n".join(table())
-    print(found)
-    if "--write" in sys.argv:
-        text = PAGE.read_text(encoding="utf-8")
-        begin, end = "<!-- table of run.py -->\n", "\n<!-- end of it -->"
-        text = re.sub(re.escape(begin) + ".*?" + re.escape(end), lambda _: begin + found + end, text, flags=re.DOTALL)
-        PAGE.write_text(text, encoding="utf-8")
+    for name, measure in (("run.py", table), ("crossing.py", crossing.table)):
+        if name in sys.argv or not any(one.endswith(".py") for one in sys.argv[1:]):
+            lines = measure()
+            print("\n".join(lines))
+            if "--write" in sys.argv:
+                write(name, lines)
 
 
 if __name__ == "__main__":

@@ -62,6 +62,26 @@ double extent(const std::vector<Point>& positions, const std::vector<int>& nodes
        "; add supports that prevent this, for example with bempd_fix_point()");
 }
 
+// Nodes of lattices on their interfaces with boundary elements of the same material, by number. The ends of such an
+// interface are left out, unless another one begins there.
+std::vector<char> nodes_where_material_goes_on(const scene::Scene& scene, const regions::Discretization& d) {
+  constexpr int on_interface = 2, at_its_end = 1;
+  std::vector<int> found(d.positions.size(), 0);
+  for (const Contact& c : d.arrangement.contacts) {
+    const int id = c.region + 1, other = c.other_region + 1;
+    if (scene.region(id).has_elements() || !scene.region(other).has_elements()) continue;
+    if (!(scene.material_of(id) == scene.material_of(other))) continue;
+    const regions::EdgeSpan span{c.edge + 1, scene.region(id).edge(c.edge + 1), c.from, c.to};
+    for (const regions::PlacedNode& node : d.region(id).nodes_on(span, d.tolerance)) {
+      const bool at_end = std::min(node.fraction, 1 - node.fraction) < 1e-9;
+      found[static_cast<std::size_t>(node.node)] += at_end ? at_its_end : on_interface;
+    }
+  }
+  std::vector<char> goes_on;
+  for (const int count : found) goes_on.push_back(count >= on_interface ? 1 : 0);
+  return goes_on;
+}
+
 }  // namespace
 
 Seconds seconds_of(const PreparedScene& prepared) {
@@ -111,6 +131,7 @@ void Model::grow_lines(PreparedScene& p) const {
   laws.loads_by_energy = options_.text_value("crack.load") == "energy";
   laws.of_node.assign(p.discretization.positions.size(), -1);
   laws.share_of_node.assign(laws.of_node.size(), 0);
+  laws.joined = nodes_where_material_goes_on(scene_, p.discretization);
   std::map<int, int> law_of_region;
   for (const auto& region : p.discretization.regions) {
     const std::optional<pd::TipLaw> law = region->tip_law(options_);

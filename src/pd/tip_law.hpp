@@ -26,6 +26,12 @@ struct TipLaws {
   std::vector<Edge> outer_edges{}, hole_edges{};         // of these regions
   bool more_begin = false;                               // whether cracks begin besides those that the host described
   std::vector<double> of_crack{};                        // length of each crack that the host described [m]
+  std::vector<char> joined{};                            // by node, 1: boundary elements of its material lie behind it
+
+  bool is_joined(int node) const {
+    const auto n = static_cast<std::size_t>(node);
+    return n < joined.size() && joined[n] != 0;
+  }
 };
 
 }  // namespace bempd::pd

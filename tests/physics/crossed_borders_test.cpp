@@ -137,6 +137,22 @@ TEST(CrossedBorders, from_a_lattice_into_elements) {
   EXPECT_EQ(again.back().load_factor, found.back().load_factor);
 }
 
+// Behind the border and before it, lines have the loads that they have in a lattice without a border: such a border
+// disturbs no stress. While it counted as an edge, loads were up to 2.5 % off behind it. The first load is that of a
+// crack that was described.
+TEST(CrossedBorders, a_border_with_elements_disturbs_no_load) {
+  Plate into({{false, 0, 20}, {true, 20, width}}), out({{true, 0, 30}, {false, 30, width}});
+  for (int k = 0; k < 24; ++k) into.model.next_event(1e9);
+  for (int k = 0; k < 13; ++k) out.model.next_event(1e9);
+  const std::vector<Vertex> behind = into.vertices(), before = out.vertices();
+  const double first = difference(behind, 24.4, 24.6), next = difference(behind, 24.6, 31),
+               last = difference(before, 16, 29);
+  std::printf("loads off by %.4f at first, %.4f then, %.4f in the last horizons before elements\n", first, next, last);
+  EXPECT_LT(first, 0.02);
+  EXPECT_LT(next, 0.015);
+  EXPECT_LT(last, 0.007);
+}
+
 // A piece with bonds and elements that is cut off while the load is so large that it has moved by many times its size:
 // it is held, though rounding of its motion makes forces. Finding how to hold it failed.
 TEST(CrossedBorders, a_piece_that_comes_off_far_away_is_held) {

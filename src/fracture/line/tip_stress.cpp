@@ -71,7 +71,8 @@ TipStress::TipStress(const coupling::EquilibriumSystem& system, const std::vecto
                                           terms.for_each_node(static_cast<std::size_t>(t),
                                                               [&](int node) { add(node, t); });
                                       })),
-      outline_(system.terms(), laws, positions.size()) {}
+      outline_(system.terms(), laws, positions.size()),
+      joints_(positions, near_, laws) {}
 
 double TipStress::nearest_outline(const Point& place, double at_most) const {
   for (const int number : near_.about(place, at_most)) {
@@ -79,6 +80,21 @@ double TipStress::nearest_outline(const Point& place, double at_most) const {
     if (outline_.has(number)) at_most = std::min(at_most, (positions_[node] - place).norm());
   }
   return at_most;
+}
+
+// Distance of what disturbs the field ahead of a tip, at most three horizons. Where boundary elements of the same
+// material follow, the field goes on: behind the tip such a border disturbs nothing, and ahead of it only points are
+// missing, which are asked for up to two horizons away.
+double TipStress::nearest_disturbance(const GrowingTip& tip, const pd::TipLaw& law) const {
+  double nearest = away_from_surfaces * law.horizon;
+  for (const int node : near_.about(tip.place, nearest)) {
+    if (!outline_.has(node)) continue;
+    const Point step = positions_[static_cast<std::size_t>(node)] - tip.place;
+    const bool joined = laws_.is_joined(node);
+    if (joined && step.dot(tip.direction) <= rounding_of_places * law.spacing) continue;
+    nearest = std::min(nearest, step.norm() + (joined ? (away_from_surfaces - outer_reach) * law.horizon : 0));
+  }
+  return nearest;
 }
 
 TipStress::Reach TipStress::reach_at(double nearest_surface, double horizon) const {
@@ -173,9 +189,17 @@ Point TipStress::across_tension(int bond, const pd::TipLaw& law, const coupling:
 
 TipStress::Fit TipStress::fit_of(const GrowingTip& tip, const pd::TipLaw& law) const {
   const TipSight sight = sight_of(tip, law);
-  const double surface = std::min(sight.nearest_face(), nearest_outline(tip.place, away_from_surfaces * law.horizon));
-  Reach reach = reach_at(surface, law.horizon);
-  Fit fit{terms_beside(sight.nearest_face(), law.horizon), stations(tip, law, reach, fitted_cosine, sight)};
+  const double face = sight.nearest_face();
+  Reach reach = reach_at(std::min(face, nearest_disturbance(tip, law)), law.horizon);
+  Fit fit{terms_beside(face, law.horizon), stations(tip, law, reach, fitted_cosine, sight)};
+  std::vector<Station> apart = fit.stations;
+  std::erase_if(apart, [&](const Station& s) { return joints_.are_beside(s.node); });
+  if (apart.size() >= enough_points) {
+    fit.stations = std::move(apart);
+  } else if (apart.size() < fit.stations.size()) {
+    reach = reach_at(std::min(face, nearest_outline(tip.place, away_from_surfaces * law.horizon)), law.horizon);
+    fit.stations = stations(tip, law, reach, fitted_cosine, sight);
+  }
   if (fit.terms < fitted_terms && fit.stations.size() < enough_points) {
     reach.inner = 2 * rounding_of_places;  // at the tip itself the stress is infinite
     fit.stations = stations(tip, law, reach, fitted_cosine, sight);

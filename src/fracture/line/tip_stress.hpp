@@ -5,6 +5,7 @@
 
 #include "coupling/equilibrium_system.hpp"
 #include "fracture/line/growing_tip.hpp"
+#include "fracture/line/joint_points.hpp"
 #include "fracture/line/near_points.hpp"
 #include "fracture/line/outline_points.hpp"
 #include "fracture/line/tip_sight.hpp"
@@ -78,6 +79,7 @@ class TipStress {
         if (system_.intact()[static_cast<std::size_t>(term)]) visit(static_cast<std::size_t>(term));
   }
 
+  double nearest_disturbance(const GrowingTip& tip, const pd::TipLaw& law) const;
   Reach reach_at(double nearest_surface, double horizon) const;
   TipSight sight_of(const GrowingTip& tip, const pd::TipLaw& law) const;
   Eigen::RowVector2d tension(std::size_t term, const coupling::Affine& displacement) const;  // both parts [N]
@@ -93,6 +95,7 @@ class TipStress {
   NearPoints near_;
   linalg::Adjacency bonds_at_, wide_at_;  // nodes
   OutlinePoints outline_;
+  JointPoints joints_;
 };
 
 }  // namespace bempd::fracture

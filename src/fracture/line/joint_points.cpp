@@ -1,0 +1,25 @@
+#include "fracture/line/joint_points.hpp"
+
+namespace bempd::fracture {
+
+namespace {
+
+// Distance from the border, in spacings. Loads of tips two horizons before it were up to 2.2 % off while points closer
+// to it were asked, and are within 0.9 % without them (docs/mixed_cracks.md).
+constexpr double beside_border = 2.2;
+
+}  // namespace
+
+JointPoints::JointPoints(const std::vector<Point>& positions, const NearPoints& near, const pd::TipLaws& laws)
+    : beside_(positions.size(), 0) {
+  for (std::size_t n = 0; n < laws.joined.size(); ++n) {
+    if (!laws.is_joined(static_cast<int>(n)) || laws.of_node[n] < 0) continue;
+    const double reach = beside_border * laws.laws[static_cast<std::size_t>(laws.of_node[n])].spacing;
+    for (const int node : near.about(positions[n], reach)) {
+      const auto other = static_cast<std::size_t>(node);
+      if ((positions[other] - positions[n]).norm() < reach) beside_[other] = 1;
+    }
+  }
+}
+
+}  // namespace bempd::fracture
