@@ -9,8 +9,8 @@ import bempd
 
 Point = tuple[float, float]
 
-# In spacings. The border lies BORDER along the plate where the crack, WAY above its lower side, comes; beyond SLANTED above and
-# below that it goes straight on to the sides of the plate, so that no region has a sharp corner.
+# Lengths are in spacings. The border lies BORDER along the plate where the crack, WAY above its lower side, comes; beyond SLANTED
+# above and below that it goes straight on to the sides of the plate, so that no region has a sharp corner.
 WIDTH, HEIGHT, BORDER, WAY, SLANTED = 80.0, 64.0, 40.0, 32.5, 14.0
 
 # Ends of the cracks along the plate at first: elements begin ten spacings before the border, lines five horizons.

@@ -137,7 +137,7 @@ TEST(CrossedBorders, from_a_lattice_into_elements) {
   EXPECT_EQ(again.back().load_factor, found.back().load_factor);
 }
 
-// Behind the border and before it, lines have the loads that they have in a lattice without a border: such a border
+// Lines behind the border and before it have the loads that they have in a lattice without a border: such a border
 // disturbs no stress. While it counted as an edge, loads were up to 2.5 % off behind it. The first load is that of a
 // crack that was described.
 TEST(CrossedBorders, a_border_with_elements_disturbs_no_load) {
