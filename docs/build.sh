@@ -2,7 +2,7 @@
 # Builds the site into out/site/html; installs missing Debian packages first.
 #   docs/build.sh          builds the library if it is not there, then the pages
 #   docs/build.sh look     and opens every page in Chromium, on a wide and a narrow screen: broken links and pictures, text that
-#                          runs out of the screen; screenshots go to out/site/look
+#                          runs out of the screen, errors of scripts; screenshots go to out/site/look
 # BEMPD_LIBRARY names a library that is built already.
 set -euo pipefail
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
@@ -11,8 +11,8 @@ cd "$root"
 # Debian's own tools before others of the same name.
 export PATH="/usr/bin:/bin:$PATH"
 packages=(gcc python3 python3-sphinx python3-myst-parser furo python3-sphinx-copybutton libjs-mathjax node-normalize.css python3-pycparser python3-cffi
-  python3-numpy python3-matplotlib cargo rustc)
-if [ "${1:-}" = look ]; then packages+=(chromium python3-pil); fi
+  python3-numpy python3-matplotlib python3-pil cargo rustc)
+if [ "${1:-}" = look ]; then packages+=(chromium); fi
 .ci/require_packages.sh "${packages[@]}"
 
 library=${BEMPD_LIBRARY:-}

@@ -3,6 +3,9 @@
 import pathlib
 import re
 
+# A line that only a module may have; Debian's furo.js begins with it.
+IMPORT = re.compile(r'^import (\w+) from "\./([\w.-]+)";\n', re.MULTILINE)
+
 HERE = pathlib.Path(__file__).resolve().parent
 
 project = "bempd"
@@ -52,8 +55,22 @@ def docstring(app, what, name, thing, options, lines):
     lines[:] = result
 
 
+def join_theme_script(app, exception):
+    """Debian ships the theme's script unbundled: as a module, without the theme button and the marks of the contents in a plain
+    <script>. A module is not loaded from a file of a disk either, so script and import become one plain script."""
+    script = pathlib.Path(app.outdir) / "_static/scripts/furo.js"
+    if exception or not script.exists():
+        return
+    text = script.read_text(encoding="utf-8")
+    imported = [(script.parent / name).read_text(encoding="utf-8") for _, name in IMPORT.findall(text)]
+    if imported:
+        joined = "".join(f"{one}\n" for one in imported) + "(() => {\n" + IMPORT.sub("", text) + "})();\n"
+        script.write_text(joined, encoding="utf-8")
+
+
 def setup(app):
     app.connect("autodoc-process-docstring", docstring)
+    app.connect("build-finished", join_theme_script)
 
 
 # Formulas are drawn without the network, by Debian's MathJax 2, which stage.py copies.

@@ -1,5 +1,6 @@
 """Opens every page of the built site in Chromium, wide and narrow: pictures that do not load, links that lead to nothing, text
-that runs out of the screen. Fails with the list; keeps screenshots.
+that runs out of the screen, code that a wide screen clips, errors of scripts, buttons and marks that do nothing. Fails with the
+list; keeps screenshots.
 
     look.py SITE SCREENSHOTS
 """
@@ -19,8 +20,16 @@ import threading
 import urllib.parse
 
 WIDTHS = (1280, 390)
-SHOTS = ["docs/index.html", "docs/tutorial.html", "docs/theory.html", "docs/coupling.html", "docs/options.html", "docs/paraview.html",
+SHOTS = ["docs/index.html", "docs/tutorial.html", "docs/first_path.html", "docs/cookbook.html", "docs/import.html", "docs/theory.html", "docs/coupling.html", "docs/options.html", "docs/paraview.html",
          "docs/reference/stepping.html", "docs/python_reference.html", "examples/centre_crack/README.html", "README.html"]
+
+# Runs in every page before its own scripts.
+RECORDER = """<script>
+window.faults = [];
+addEventListener('error', e => faults.push(e.message || `${e.target.tagName} ${e.target.src || e.target.href} does not load`), true);
+addEventListener('unhandledrejection', e => faults.push(`a promise fails: ${e.reason}`));
+console.error = (...words) => faults.push(words.join(' '));
+</script>"""
 
 # Runs in the browser: each page in a frame of each width.
 SCRIPT = """
@@ -29,7 +38,7 @@ const exists = url => { if (!seen.has(url)) seen.set(url, fetch(url, {method: 'H
 const load = (page, width) => new Promise(done => {
   const frame = document.createElement('iframe');
   frame.style.cssText = `width:${width}px;height:900px;border:0`;
-  frame.onload = () => setTimeout(() => done(frame), 400);
+  frame.onload = () => setTimeout(() => { frame.contentWindow.scrollTo({top: 1e6, behavior: 'instant'}); setTimeout(() => done(frame), 200); }, 400);
   frame.src = page; document.body.appendChild(frame);
 });
 (async () => {
@@ -40,7 +49,15 @@ const load = (page, width) => new Promise(done => {
       const wide = [...doc.querySelectorAll('article *')].filter(e => e.getBoundingClientRect().right > width + 1 && !e.closest('table, pre, .MathJax_CHTML'));
       found.push(`${page}: ${over} pixels too wide at ${width}: ${wide.slice(0, 2).map(e => e.tagName + ' ' + e.textContent.trim().slice(0, 60)).join(' | ')}`);
     }
+    for (const fault of new Set(frame.contentWindow.faults)) found.push(`${page}: ${fault}`);
     if (width === widths[0]) {
+      const before = doc.body.dataset.theme, button = [...doc.querySelectorAll('.theme-toggle')].pop();
+      if (button) button.click();
+      if (button && doc.body.dataset.theme === before) found.push(`${page}: the theme button does nothing`);
+      localStorage.removeItem('theme');
+      if (doc.querySelector('.toc-tree li li') && !doc.querySelector('.toc-tree .scroll-current')) found.push(`${page}: the contents mark no place`);
+      for (const code of doc.querySelectorAll('article pre')) if (code.scrollWidth > code.clientWidth + 1)
+        found.push(`${page}: code is clipped: ${code.textContent.split('\\n').sort((a, b) => b.length - a.length)[0].trim().slice(0, 60)}`);
       for (const image of doc.images) if (image.loading !== 'lazy' && image.naturalWidth === 0) found.push(`${page}: picture ${image.getAttribute('src')} does not load`);
       for (const link of doc.querySelectorAll('article a[href]')) {
         const url = new URL(link.href);
@@ -61,8 +78,26 @@ const load = (page, width) => new Promise(done => {
 
 
 class Quiet(http.server.SimpleHTTPRequestHandler):
+    missing: set[str] = set()
+
     def log_message(self, *_: object) -> None:
         pass
+
+    def send_error(self, code: int, *arguments: object) -> None:
+        if self.command == "GET" and self.path != "/favicon.ico":  # the other calls ask where links lead
+            self.missing.add(f"{self.headers.get('Referer', 'a page')}: {self.path} is not there")
+        super().send_error(code, *arguments)
+
+    def do_GET(self) -> None:
+        page = pathlib.Path(self.translate_path(self.path))
+        if page.suffix != ".html" or not page.is_file():
+            return super().do_GET()
+        text = page.read_bytes().replace(b"<head>", b"<head>" + RECORDER.encode(), 1)
+        self.send_response(200)
+        self.send_header("Content-Type", "text/html; charset=utf-8")
+        self.send_header("Content-Length", str(len(text)))
+        self.end_headers()
+        self.wfile.write(text)
 
 
 def chromium(*arguments: str) -> str:
@@ -97,7 +132,8 @@ def main() -> int:
         print("the browser did not come to an end")
         return 1
     result = json.loads(html.unescape(answer[1]))
-    print("\n".join(result["found"]) or f"{result['pages']} pages at {' and '.join(map(str, WIDTHS))} pixels: nothing broken, nothing too wide")
+    result["found"] += sorted(Quiet.missing)
+    print("\n".join(result["found"]) or f"{result['pages']} pages at {' and '.join(map(str, WIDTHS))} pixels: nothing broken, nothing too wide, no error of a script")
     print(f"screenshots: {shots}")
     return int(bool(result["found"]))
 

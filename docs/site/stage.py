@@ -11,6 +11,8 @@ import re
 import shutil
 import sys
 
+from PIL import Image
+
 LINK = re.compile(r"!?\[[^\]]*\]\(([^)\s#]+)(#[^)\s]*)?\)")
 PAGES = ["README.md", "CONTRIBUTING.md", "CHANGELOG.md", "docs/*.md", "docs/research/*.md", "examples/*/README.md",
          "benchmarks/*/README.md", "bindings/*/README.md", "packaging/README.md"]
@@ -35,17 +37,29 @@ def copy(source: pathlib.Path, target: pathlib.Path) -> None:
 
 
 CHAPTERS = {
-    "Learn": ["README", "docs/tutorial", "docs/cracks", "docs/mixed_cracks", "docs/import", "docs/converge", "docs/coupling",
-              "docs/checkpoints", "docs/paraview", "docs/theory"],
-    "Look up": ["docs/troubleshooting", "docs/limits", "docs/glossary", "docs/units", "docs/options", "docs/linking",
-                "packaging/README",
-                "docs/languages", "docs/cpp", "docs/reference/index", "docs/python_reference", "bindings/python/README",
-                "bindings/fortran/README", "bindings/rust/README"],
+    "Learn": ["docs/first_path", "docs/tutorial", "docs/cookbook", "docs/cracks", "docs/mixed_cracks", "docs/import",
+              "docs/converge", "docs/coupling", "docs/checkpoints", "docs/paraview", "docs/theory"],
+    "Look up": ["README", "docs/troubleshooting", "docs/limits", "docs/glossary", "docs/units", "docs/options", "docs/linking"],
+    "Languages": ["docs/languages", "docs/reference/index", "docs/python_reference", "docs/cpp", "bindings/python/README",
+                  "bindings/fortran/README", "bindings/rust/README"],
     "Examples": ["examples/*/README"],
     "What is measured": ["docs/measured", "docs/accuracy", "docs/verification", "docs/directions", "docs/materials",
-                         "docs/outlines", "docs/separation", "docs/paper", "docs/scaling", "docs/reliability"],
-    "The project": ["CHANGELOG", "docs/citing", "CONTRIBUTING", "docs/architecture", "benchmarks/*/README", "docs/research/README"],
+                         "docs/outlines", "docs/separation", "docs/paper"],
+    "The project": ["CHANGELOG", "docs/citing", "CONTRIBUTING", "docs/architecture", "docs/scaling", "docs/reliability",
+                    "packaging/README", "benchmarks/*/README", "docs/research/README"],
 }
+# Pages that only the site has; a comment in docs/languages.md stands for them.
+REFERENCE = """## Reference
+
+| language | reference |
+|---|---|
+| C | [every function of `bempd.h`, by topic](reference/index.rst), with its calls in Fortran, Python and Rust |
+| Fortran | [the same pages](reference/index.rst), [the module](../bindings/fortran/README.md) |
+| Python | [every class and method](python_reference.md) |
+| Rust | <a href="../rust/bempd/index.html">the crate</a>, <a href="../rust/bempd_sys/index.html">the raw calls</a> |
+| C++ | [`bempd.hpp`](cpp.md) |
+"""
+THUMBNAIL = (640, 352)  # pixels: twice the place of a picture in the gallery, for fine screens
 PYTHON = """# Python reference
 
 All of it can be imported from `bempd` itself, but for the pictures, which are in `bempd.plot`, and readers of drawings, which are in `bempd.outline`.
@@ -87,6 +101,23 @@ def contents(target: pathlib.Path) -> str:
     return text
 
 
+def shrink_gallery(target: pathlib.Path) -> None:
+    """Gives the gallery pictures of the size at which it shows them."""
+    index = target / "docs/index.md"
+    text = index.read_text(encoding="utf-8")
+    start, end = text.index("## Gallery"), text.index("## Pages")
+    gallery = text[start:end]
+    folder = target / "docs/thumbnails"
+    folder.mkdir()
+    for name in set(re.findall(r"!\[[^\]]*\]\(([\w.]+)\)", gallery)):
+        with Image.open(target / "docs" / name) as picture:
+            small = Image.new("RGBA", picture.size, "white")
+            small.alpha_composite(picture.convert("RGBA"))
+            small.thumbnail(THUMBNAIL, Image.LANCZOS)
+            small.convert("RGB").quantize(128).save(folder / name, optimize=True)
+    index.write_text(text[:start] + re.sub(r"(!\[[^\]]*\]\()([\w.]+\))", r"\1thumbnails/\2", gallery) + text[end:], encoding="utf-8")
+
+
 def give_title(page: pathlib.Path) -> None:
     """READMEs of examples begin with the sentence that lists show; a page needs a title."""
     text = page.read_text(encoding="utf-8")
@@ -108,6 +139,9 @@ def stage(root: pathlib.Path, target: pathlib.Path) -> None:
     for page in pages:
         give_title(target / page.relative_to(root))
     (target / "docs/python_reference.md").write_text(PYTHON, encoding="utf-8")
+    shrink_gallery(target)
+    languages = target / "docs/languages.md"
+    languages.write_text(languages.read_text(encoding="utf-8").replace("<!-- reference -->\n", REFERENCE), encoding="utf-8")
     with open(target / "docs/index.md", "a", encoding="utf-8") as index:
         index.write(contents(target))
     notes = sorted(page.stem for page in target.glob("docs/research/*.md") if page.stem != "README")

@@ -1,10 +1,11 @@
-"""Runs the Python blocks of README.md and of the tutorial, each page as one program: it must end, print what the page says, and
+"""Runs the Python blocks of README.md, of the tutorials and of the cookbook, each page as one program: it must end, print what the page says, and
 write every picture that the page shows of it.
 
     blocks.py ROOT WORK
 
 Needs the Python package on PYTHONPATH and the library as BEMPD_LIBRARY. A page says what is printed in `code` of its text or in a
 block of ```text, and shows a picture FILE.png that a block writes as docs/FILE.png.
+The program of docs/index.md is that of README.md.
 """
 
 from __future__ import annotations
@@ -16,7 +17,7 @@ import shutil
 import subprocess
 import sys
 
-PAGES = ["README.md", "docs/tutorial.md"]
+PAGES = ["README.md", "docs/first_path.md", "docs/cookbook.md", "docs/tutorial.md"]
 PICTURE = re.compile(r"savefig\(\"([\w.]+)\"\)")
 
 
@@ -55,6 +56,10 @@ def main() -> None:
     root, work = pathlib.Path(sys.argv[1]).resolve(), pathlib.Path(sys.argv[2])
     for page in PAGES:
         print(run(root, page, work))
+    first, landing = ((root / page).read_text(encoding="utf-8") for page in ("README.md", "docs/index.md"))
+    for block in re.findall(r"^```python\n.*?^```$", landing, re.DOTALL | re.MULTILINE):
+        if block not in first:
+            raise SystemExit("docs/index.md: its program is not that of README.md")
 
 
 main()
