@@ -11,8 +11,9 @@ import re
 import sys
 
 MOST_WORDS = 30
-MOST_COLUMNS = 88  # of code in README.md and docs, which the site shows without scrolling
+MOST_COLUMNS = 88  # of code, which the site shows without scrolling
 PLACES = ["README.md", "CONTRIBUTING.md", "docs/*.md", "examples/*/README.md", "bindings/*/README.md"]
+CODED = ["docs/research/*.md", "benchmarks/*/README.md", "packaging/README.md"]  # whose lines of code are looked at too
 # Pages that list facts one by one, or are written by a program from the library's own texts.
 LEFT_OUT = {"options.md", "cracks.md", "directions.md", "mixed_cracks.md"}
 CODE = re.compile(r"^(```|~~~).*?^\1|\$\$.*?\$\$|^    .*?$|<!--.*?-->", re.DOTALL | re.MULTILINE)
@@ -58,13 +59,16 @@ def long_sentences(text: str) -> list[tuple[int, int, str]]:
 
 
 def wide_code(text: str) -> list[tuple[int, int]]:
-    """Line and length of every line of code that is too long."""
-    found, inside = [], False
+    """Line and length of every line of code that is too long; code that is set in by four columns loses them."""
+    found, inside, before = [], False, ""
     for number, line in enumerate(text.splitlines(), 1):
-        if line.startswith("```"):
+        if line.lstrip().startswith("```"):
             inside = not inside
-        elif inside and len(line) > MOST_COLUMNS:
-            found.append((number, len(line)))
+        columns = len(line) if inside else len(line) - 4 if line.startswith("    ") and not before else 0
+        if columns > MOST_COLUMNS:
+            found.append((number, columns))
+        if inside or not line.startswith("    ") or before:
+            before = line.strip()
     return found
 
 
@@ -74,7 +78,7 @@ def main() -> int:
     pages = [page for page in found_pages if page.name not in LEFT_OUT]
     found = [f"{page.relative_to(root)}:{number}: {count} words: {sentence}" for page in pages
              for number, count, sentence in long_sentences(page.read_text(encoding="utf-8"))]
-    coded = [root / "README.md", *sorted((root / "docs").glob("*.md"))]
+    coded = [page for place in [*PLACES, *CODED] for page in sorted(root.glob(place))]
     found += [f"{page.relative_to(root)}:{number}: code of {columns} columns" for page in coded
               for number, columns in wide_code(page.read_text(encoding="utf-8"))]
     print("\n".join(found) or f"no sentence of {len(pages)} pages has more than {MOST_WORDS} words")
