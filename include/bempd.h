@@ -136,6 +136,8 @@
  * Results
  *   bempd_load_factor               where the model is
  *   bempd_admissible_load_factors   between which load factors nothing breaks
+ *   bempd_explanation_init          prepares the struct that tells what comes next
+ *   bempd_explain                   what breaks or grows next, and what holds the rest back
  *   bempd_generation                changes when results change
  *   bempd_node_count                number of nodes of a region
  *   bempd_element_count             number of elements or cells of a region
@@ -1184,6 +1186,47 @@ BEMPD_API bempd_status bempd_load_factor(const bempd_model* model, double* load_
  * @param[in] model the model, which is prepared if needed @param[out] lowest [-] @param[out] highest [-]
  * @return status @since 0.3 */
 BEMPD_API bempd_status bempd_admissible_load_factors(bempd_model* model, double* lowest, double* highest);
+
+/** @brief What happens next. @since 0.3 */
+typedef enum bempd_next {
+  /** Nothing, however far the load factor goes. */
+  BEMPD_NEXT_NOTHING = 0,
+  /** A bond breaks by itself; with the option crack.rule = "line" a crack begins there. */
+  BEMPD_NEXT_BOND = 1,
+  /** A crack grows at its tip. */
+  BEMPD_NEXT_TIP = 2
+} bempd_next;
+
+/** @brief What breaks or grows next. Fill it with bempd_explanation_init(). @since 0.3 */
+typedef struct bempd_explanation {
+  int64_t struct_size; /**< sizeof(bempd_explanation), set by bempd_explanation_init() */
+  int32_t next;        /**< a bempd_next */
+  int32_t region;      /**< region of the bond; 0 for a tip or nothing */
+  int32_t crack;       /**< id of the crack that grows; 0 for a bond or nothing */
+  int32_t end;         /**< its end, a bempd_tip_end; 0 for a bond or nothing */
+  double x;            /**< place of the tip, or middle of the bond; NaN for nothing [m] */
+  double y;            /**< its other coordinate [m] */
+  double load_factor;  /**< load factor at which it happens; the present one where it is due now; NaN for nothing [-] */
+  double ratio;        /**< at the present load factor: stretch of the bond over its critical stretch, or equivalent K_I
+                          of the tip over its toughness; NaN for nothing [-] */
+} bempd_explanation;
+
+/** @brief Prepare a bempd_explanation. @param[out] explanation struct @param[in] struct_size sizeof(bempd_explanation)
+ * @return status @since 0.3 */
+BEMPD_API bempd_status bempd_explanation_init(bempd_explanation* explanation, int64_t struct_size);
+
+/** @brief Tell what breaks or grows next under the present loads, and what holds every other tip back: frozen tips,
+ * tips that ended, faces that are pressed together, materials without a fracture energy, loads that do not change.
+ *
+ * The scene is prepared and its equilibrium found if that was not done. Faces of cracks that close or open on the way
+ * are not foreseen.
+ * @param[in] model the model @param[in] rising 1 for a load factor that rises, 0 for one that falls
+ * @param[in,out] explanation struct_size in, the rest out; may be NULL
+ * @param[out] buffer shape [capacity], receives zero-terminated sentences; may be NULL when capacity is 0
+ * @param[in] capacity bytes in buffer
+ * @param[out] needed bytes that the sentences need, with the final zero; may be NULL @return status @since 0.3 */
+BEMPD_API bempd_status bempd_explain(bempd_model* model, int32_t rising, bempd_explanation* explanation, char* buffer,
+                                     int64_t capacity, int64_t* needed);
 
 /** @brief Number that changes whenever the model's fields may have changed. @param[in] model the model
  * @param[out] generation the number @return status @since 0.1 */

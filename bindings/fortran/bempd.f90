@@ -26,6 +26,7 @@ module bempd
     BEMPD_DISPLACEMENT, BEMPD_STRESS, BEMPD_DAMAGE, BEMPD_TRACTION, BEMPD_BOND_STRETCH, BEMPD_ELEMENT_STRESS, &
     BEMPD_STRESS_ORDER, BEMPD_COUNTER_CLOCKWISE, BEMPD_CLOCKWISE, BEMPD_FACE_LEFT, BEMPD_FACE_RIGHT, &
     BEMPD_SINGULAR_CORNER, BEMPD_SINGULAR_INTERFACE, BEMPD_SINGULAR_CRACK, BEMPD_SINGULAR_POINT, bempd_singularity, &
+    BEMPD_NEXT_NOTHING, BEMPD_NEXT_BOND, BEMPD_NEXT_TIP, bempd_explanation, &
     bempd_piece, &
     BEMPD_BOND_INTACT, BEMPD_BOND_BROKEN, BEMPD_BOND_CUT, BEMPD_PRESSURE, BEMPD_SHEAR, BEMPD_CRACK_START, &
     BEMPD_CRACK_END, BEMPD_TIP_ELEMENTS, BEMPD_TIP_CONTOURS, BEMPD_TIP_STRESS, bempd_path_vertex, &
@@ -59,7 +60,7 @@ module bempd
     procedure :: add_crack_traction, tips, tip_history, write_tips, crack_opening, grow_cracks, set_tip_frozen, extensions
     procedure :: set_progress, set_phase_progress, set_log, request_cancel, request_stop
     procedure :: prepare, step, step_to_next_event, run_to_separation, step_to_values, run_program
-    procedure :: load_factor, admissible_load_factors, generation, copy_field, fill_field, view_field
+    procedure :: load_factor, admissible_load_factors, explain, generation, copy_field, fill_field, view_field
     procedure :: copy_elements, copy_bonds, reaction, reaction_moment, edge_reaction, evaluate, evaluate_in, singularities
     procedure :: stress_orders
     procedure :: add_edge_forces, set_support_nodal_values, set_load_nodal_values, set_support_values_at
@@ -102,7 +103,7 @@ module bempd
     add_crack_pressure, add_body_force, add_rotation, add_temperature, add_temperature_function, set_load_values, &
     set_support_values, set_progress, set_phase_progress, set_log, request_cancel, request_stop, prepare, step, &
     step_to_next_event, run_to_separation, step_to_values, run_program, &
-    load_factor, admissible_load_factors, generation, copy_field, fill_field, view_field, copy_elements, copy_bonds, &
+    load_factor, admissible_load_factors, explain, generation, copy_field, fill_field, view_field, copy_elements, copy_bonds, &
     reaction, &
     reaction_moment, evaluate, &
     get_statistics, &
@@ -599,6 +600,15 @@ module bempd
       integer, intent(out), optional :: stat
       character(*), intent(inout), optional :: errmsg
     end subroutine admissible_load_factors
+    !> What breaks or grows next while the load factor rises or falls (.false.), and what holds other tips back.
+    module subroutine explain(self, text, rising, explanation, stat, errmsg)
+      class(bempd_model), intent(inout) :: self
+      character(:), allocatable, intent(out) :: text
+      logical, intent(in), optional :: rising
+      type(bempd_explanation), intent(out), optional :: explanation
+      integer, intent(out), optional :: stat
+      character(*), intent(inout), optional :: errmsg
+    end subroutine explain
     module subroutine generation(self, number, stat, errmsg)
       class(bempd_model), intent(inout) :: self
       integer(c_int64_t), intent(out) :: number

@@ -184,6 +184,17 @@ module bempd_c
   !> An initial crack has cut the bond.
   integer(c_int), parameter :: BEMPD_BOND_CUT = 2
 
+  !> What happens next.
+  !>
+  !> since: 0.3
+  integer, parameter :: bempd_next = c_int
+  !> Nothing, however far the load factor goes.
+  integer(c_int), parameter :: BEMPD_NEXT_NOTHING = 0
+  !> A bond breaks by itself; with the option crack.rule = "line" a crack begins there.
+  integer(c_int), parameter :: BEMPD_NEXT_BOND = 1
+  !> A crack grows at its tip.
+  integer(c_int), parameter :: BEMPD_NEXT_TIP = 2
+
   !> Face of a crack, seen from its first point.
   !>
   !> since: 0.3
@@ -412,6 +423,31 @@ module bempd_c
     !> crack begins at the bond with least number
     integer(c_int64_t) :: ties
   end type bempd_step_report
+
+  !> What breaks or grows next. Fill it with bempd_explanation_init().
+  !>
+  !> since: 0.3
+  type, bind(c) :: bempd_explanation
+    !> sizeof(bempd_explanation), set by bempd_explanation_init()
+    integer(c_int64_t) :: struct_size
+    !> a bempd_next
+    integer(c_int32_t) :: next
+    !> region of the bond; 0 for a tip or nothing
+    integer(c_int32_t) :: region
+    !> id of the crack that grows; 0 for a bond or nothing
+    integer(c_int32_t) :: crack
+    !> its end, a bempd_tip_end; 0 for a bond or nothing
+    integer(c_int32_t) :: end
+    !> place of the tip, or middle of the bond; NaN for nothing [m]
+    real(c_double) :: x
+    !> its other coordinate [m]
+    real(c_double) :: y
+    !> load factor at which it happens; the present one where it is due now; NaN for nothing [-]
+    real(c_double) :: load_factor
+    !> at the present load factor: stretch of the bond over its critical stretch, or equivalent K_I of the tip over its
+    !> toughness; NaN for nothing [-]
+    real(c_double) :: ratio
+  end type bempd_explanation
 
   !> A piece of the body. Fill it with bempd_piece_init().
   !>
@@ -2397,6 +2433,44 @@ module bempd_c
       real(c_double), intent(inout) :: highest
       integer(c_int) :: bempd_admissible_load_factors
     end function bempd_admissible_load_factors
+
+    !> Prepare a bempd_explanation.
+    !>
+    !> explanation [out]: struct
+    !> struct_size [in]: sizeof(bempd_explanation)
+    !> return: status
+    !> since: 0.3
+    function bempd_explanation_init(explanation, struct_size) bind(c, name="bempd_explanation_init")
+      import :: bempd_explanation, c_int, c_int64_t
+      type(bempd_explanation), intent(inout) :: explanation
+      integer(c_int64_t), value :: struct_size
+      integer(c_int) :: bempd_explanation_init
+    end function bempd_explanation_init
+
+    !> Tell what breaks or grows next under the present loads, and what holds every other tip back: frozen tips, tips
+    !> that ended, faces that are pressed together, materials without a fracture energy, loads that do not change.
+    !>
+    !> The scene is prepared and its equilibrium found if that was not done. Faces of cracks that close or open on the
+    !> way are not foreseen.
+    !>
+    !> model [in]: the model
+    !> rising [in]: 1 for a load factor that rises, 0 for one that falls
+    !> explanation [in,out]: struct_size in, the rest out; may be NULL
+    !> buffer [out]: shape [capacity], receives zero-terminated sentences; may be NULL when capacity is 0
+    !> capacity [in]: bytes in buffer
+    !> needed [out]: bytes that the sentences need, with the final zero; may be NULL
+    !> return: status
+    !> since: 0.3
+    function bempd_explain(model, rising, explanation, buffer, capacity, needed) bind(c, name="bempd_explain")
+      import :: c_int, c_int32_t, c_int64_t, c_ptr
+      type(c_ptr), value :: model
+      integer(c_int32_t), value :: rising
+      type(c_ptr), value :: explanation
+      type(c_ptr), value :: buffer
+      integer(c_int64_t), value :: capacity
+      type(c_ptr), value :: needed
+      integer(c_int) :: bempd_explain
+    end function bempd_explain
 
     !> Number that changes whenever the model's fields may have changed.
     !>

@@ -84,6 +84,28 @@ contains
     call finish(self, bempd_admissible_load_factors(self%handle, lowest, highest), stat, errmsg)
   end procedure admissible_load_factors
 
+  module procedure explain
+    character(kind=c_char), allocatable, target :: letters(:)
+    integer(c_int64_t), target :: needed
+    type(bempd_explanation), target :: found
+    integer(c_int) :: status, way
+
+    text = ""
+    needed = 0
+    way = 1
+    if (present(rising)) way = merge(1_c_int, 0_c_int, rising)
+    status = bempd_explanation_init(found, c_sizeof(found))
+    if (status == BEMPD_OK) &
+      status = bempd_explain(self%handle, way, c_loc(found), c_null_ptr, 0_c_int64_t, c_loc(needed))
+    if (status == BEMPD_OK) then
+      allocate (letters(needed))
+      status = bempd_explain(self%handle, way, c_null_ptr, c_loc(letters), needed, c_null_ptr)
+      if (status == BEMPD_OK) text = bempd_text(letters)
+    end if
+    if (present(explanation)) explanation = found
+    call finish(self, status, stat, errmsg)
+  end procedure explain
+
   module procedure generation
     number = 0
     call finish(self, bempd_generation(self%handle, number), stat, errmsg)

@@ -1,5 +1,6 @@
 #include "capi/guard.hpp"
 
+#include <cstring>
 #include <new>
 
 #include "linalg/blas_threads.hpp"
@@ -132,6 +133,15 @@ std::vector<Point> points_from(const double* values, std::int64_t count, const c
   std::vector<Point> points(static_cast<std::size_t>(count));
   for (std::int64_t i = 0; i < count; ++i) points[i] = Point(values[2 * i], values[2 * i + 1]);
   return points;
+}
+
+void write_text(const std::string& words, char* buffer, std::int64_t capacity, std::int64_t* needed) {
+  const auto size = static_cast<std::int64_t>(words.size()) + 1;
+  if (needed) *needed = size;
+  if (!buffer && capacity == 0) return;
+  require(buffer != nullptr, "buffer is NULL; give one, or capacity 0 to learn the size");
+  require(capacity >= size, "capacity is ", capacity, " bytes; ", size, " are needed");
+  std::memcpy(buffer, words.c_str(), static_cast<std::size_t>(size));
 }
 
 }  // namespace bempd::capi

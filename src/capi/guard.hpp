@@ -105,6 +105,9 @@ void write_struct(T* target, const T& values, const char* name) {
   target->struct_size = keep;
 }
 
+// Copies text to a caller's buffer and tells how many bytes it needs, with the final zero.
+void write_text(const std::string& words, char* buffer, std::int64_t capacity, std::int64_t* needed);
+
 // Fills a caller's struct of the size it was compiled with.
 template <class T>
 bempd_status init_struct(const char* function, const char* name, T* target, std::int64_t size, const T& defaults) {

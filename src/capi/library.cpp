@@ -125,11 +125,6 @@ bempd_status bempd_get_option_text(const bempd_model* model, const char* name, c
     require(name != nullptr, "name is NULL; give an option's name");
     scene::Options::require_known(name);
     const std::string& value = m.options().text_value(name);
-    const auto size = static_cast<int64_t>(value.size()) + 1;
-    if (needed) *needed = size;
-    if (!buffer && capacity == 0) return;
-    require(buffer != nullptr, "buffer is NULL; give one, or capacity 0 to learn the size");
-    require(capacity >= size, "capacity is ", capacity, " bytes; ", size, " are needed");
-    std::memcpy(buffer, value.c_str(), static_cast<std::size_t>(size));
+    write_text(value, buffer, capacity, needed);
   });
 }

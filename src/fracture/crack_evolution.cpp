@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "error.hpp"
+#include "fracture/event_choice.hpp"
 #include "fracture/resistance.hpp"
 #include "number_range.hpp"
 
@@ -197,6 +198,22 @@ bool CrackEvolution::perform(const Event& event, const SteppingOptions& options,
     sources_.refresh();
     return false;
   }
+}
+
+// Bonds around a tip are left to it.
+std::optional<NextBond> CrackEvolution::next_bond(bool upwards) {
+  look();
+  std::vector<char> intact = system_.intact();
+  if (const LineSteps* lines = sources_.line_steps()) {
+    if (!lines->laws().more_begin) return std::nullopt;
+    for (const GrowingTip& tip : state_.tips) lines->spare(tip, intact);
+  }
+  const BondList bonds{body_.ratios(), intact};
+  const std::optional<double> at = next_critical(bonds, {state_.load_factor, upwards});
+  if (!at) return std::nullopt;
+  const std::vector<int> most = most_critical(bonds, *at, 0, 0);
+  if (most.empty()) return std::nullopt;
+  return NextBond{most.front(), *at, body_.ratios().at(static_cast<std::size_t>(most.front()), state_.load_factor)};
 }
 
 void CrackEvolution::restore(EvolutionState state, std::optional<Continuation> continuation) noexcept {

@@ -24,6 +24,12 @@ struct Growth {
   int ties = 0;  // tips that would have grown as soon
 };
 
+// A bond that breaks by itself: at which load factor, and its stretch over the critical one at present.
+struct NextBond {
+  int term;
+  double load_factor, ratio;
+};
+
 enum class Goal { load_factor, next_event, separation };
 enum class StopReason {
   load_factor,
@@ -181,6 +187,8 @@ class CrackEvolution {
     look();
     return body_.admissible();
   }
+  // The bond that breaks next by itself, away from tips, while the load factor rises or falls; null if none does.
+  std::optional<NextBond> next_bond(bool upwards);
   double work() const;  // of loads and supports so far [J]
 
   // Whether displacements and forces have products beyond the range of numbers.

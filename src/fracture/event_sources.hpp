@@ -38,6 +38,8 @@ class EventSources {
     return &*lines_;
   }
 
+  const LineSteps* line_steps() const { return lines_ ? &lines_->steps() : nullptr; }
+
   // Displacements and forces in the body's state, which fall behind while events come from a window.
   void bring_up_to_date() { window_.bring_up_to_date(); }
   void show() { window_.show(); }  // for someone who looks: nothing later depends on it

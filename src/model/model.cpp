@@ -265,7 +265,7 @@ StepResult Model::run(double target, fracture::Goal goal, const scene::SceneValu
   result.seconds_solve = seconds.solve - run.seconds.solve;
   result.seconds_update = seconds.update - run.seconds.update;
   result.seconds_search = seconds.search - run.seconds.search;
-  say([&] { tell_of_step(result, end.fragments - fragments); });
+  say([&] { tell_of_step(result, end.fragments - fragments, target >= end.load_factor); });
   return result;
 }
 

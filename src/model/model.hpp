@@ -80,6 +80,7 @@ class Model {
   // the scene stays prepared. Throws Error if no tip can grow; then nothing has changed (crack_growth.cpp).
   GrowthResult grow_cracks(double length);
   void set_tip_frozen(int crack, int end, bool frozen);
+  bool is_frozen(const crack::TipId& tip) const { return frozen_tips_.contains(tip); }
   std::span<const fracture::CrackExtension> extensions() const;
 
   using Progress = std::function<bool(double load_factor, std::int64_t events, std::int64_t broken_bonds)>;
@@ -222,7 +223,7 @@ class Model {
     }
   }
   void tell_of_preparation() const;
-  void tell_of_step(const StepResult& result, std::int64_t new_fragments);
+  void tell_of_step(const StepResult& result, std::int64_t new_fragments, bool upwards);
   void tell_of_growth(const fracture::Growth& growth, const PreparedScene& before) const;
   void tell_of_whole_body();
 

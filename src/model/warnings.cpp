@@ -3,6 +3,7 @@
 
 #include "fracture/resistance.hpp"
 #include "linalg/blas.hpp"
+#include "model/explanation.hpp"
 #include "model/model.hpp"
 
 // Messages for the log.
@@ -134,7 +135,7 @@ void Model::tell_of_whole_body() {
       "cracks of boundary element regions grow beside lattices: events are found in the whole body, without windows");
 }
 
-void Model::tell_of_step(const StepResult& result, std::int64_t new_fragments) {
+void Model::tell_of_step(const StepResult& result, std::int64_t new_fragments, bool upwards) {
   const fracture::CrackEvolution& evolution = *prepared_->evolution;
   log(2, text("load factor ", evolution.progress().load_factor, ": ", result.events, " events, ", result.broken_bonds,
               " bonds broken"));
@@ -153,6 +154,8 @@ void Model::tell_of_step(const StepResult& result, std::int64_t new_fragments) {
     warned_of_hinge_ = true;
     tell_of_hinge();
   }
+  if (log_ && result.reason == fracture::StopReason::no_further_event)
+    log(state.events == 0 ? 1 : 2, explain(*this, upwards).text);
   if (new_fragments > 0)
     log(1, text(new_fragments, " pieces have come free of all supports; they stay where they are"));
 }

@@ -79,6 +79,7 @@ program fortran_runs
   call progress_cancels_and_the_step_returns_to_its_start()
   call long_parts_are_told()
   call log_lines_arrive()
+  call explanations_are_sentences_and_numbers()
   call boundary_functions_give_what_arrays_give()
   call boundary_function_can_cancel()
   call restored_state_repeats_a_step_bit_by_bit()
@@ -174,6 +175,19 @@ contains
     call model%run_to_separation(1e6_dp, report)
     call check(heard%calls == 3 .and. report%separated == 1, "without progress it runs to the end")
   end subroutine progress_cancels_and_the_step_returns_to_its_start
+
+  subroutine explanations_are_sentences_and_numbers()
+    type(bempd_model) :: model
+    type(bempd_explanation) :: next
+    character(:), allocatable :: text
+
+    call make_strip(model)
+    call model%explain(text, explanation=next)
+    call check(index(text, "While the load factor rises") == 1, "an explanation is sentences")
+    call check(next%load_factor > 0 .and. next%next /= BEMPD_NEXT_NOTHING, "it says what comes next")
+    call model%explain(text, rising=.false.)
+    call check(index(text, "While the load factor falls") == 1 .or. index(text, "Nothing") == 1, "and on the way back")
+  end subroutine explanations_are_sentences_and_numbers
 
   subroutine log_lines_arrive()
     type(bempd_model) :: model

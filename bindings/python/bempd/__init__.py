@@ -43,7 +43,9 @@ from .reports import (
     EdgeNodes,
     EdgePlaces,
     EdgeReaction,
+    Explanation,
     Growth,
+    NextEvent,
     PathVertex,
     Piece,
     PointValues,
@@ -65,7 +67,7 @@ __version__ = version()
 
 __all__ = [
     "ArgumentError", "BondState", "Bonds", "CancelledError", "Convergence", "ConvergenceError", "ConvergenceTable", "CrackExtension", "CrackOpening",
-    "CrackTip", "EdgeNodes", "EdgePlaces", "EdgeReaction", "Error", "FileError", "Growth", "InternalError", "Model", "OptionInfo", "Options", "OrderError",
+    "CrackTip", "EdgeNodes", "EdgePlaces", "EdgeReaction", "Error", "Explanation", "FileError", "Growth", "InternalError", "Model", "NextEvent", "OptionInfo", "Options", "OrderError",
     "OutOfMemoryError", "PathVertex", "Piece", "PointValues", "ProgressBar", "Rows", "Singularity", "SingularityKind", "State", "Statistics",
     "StepReport", "StopReason", "SupportHistory", "Table", "TipEnd", "TipMethod", "TipRecord", "TipState", "UnknownOptionError", "UnsolvableError",
     "build_info", "converge", "describe_options", "library_path", "outline", "progress_bar", "read_history", "rectangle", "table", "version",

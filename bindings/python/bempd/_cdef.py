@@ -282,6 +282,25 @@ typedef enum bempd_bond_state {
 } bempd_bond_state;
 bempd_status bempd_load_factor(const bempd_model *model, double *load_factor);
 bempd_status bempd_admissible_load_factors(bempd_model *model, double *lowest, double *highest);
+typedef enum bempd_next {
+  BEMPD_NEXT_NOTHING = 0,
+  BEMPD_NEXT_BOND = 1,
+  BEMPD_NEXT_TIP = 2
+} bempd_next;
+typedef struct bempd_explanation {
+  int64_t struct_size;
+  int32_t next;
+  int32_t region;
+  int32_t crack;
+  int32_t end;
+  double x;
+  double y;
+  double load_factor;
+  double ratio;
+} bempd_explanation;
+bempd_status bempd_explanation_init(bempd_explanation *explanation, int64_t struct_size);
+bempd_status bempd_explain(bempd_model *model, int32_t rising, bempd_explanation *explanation,
+    char *buffer, int64_t capacity, int64_t *needed);
 bempd_status bempd_generation(const bempd_model *model, int64_t *generation);
 bempd_status bempd_node_count(bempd_model *model, int32_t region, int64_t *count);
 bempd_status bempd_element_count(bempd_model *model, int32_t region, int64_t *count);
@@ -1746,6 +1765,50 @@ leave nothing: lowest > highest then. Where nothing bounds them they are -1.7976
 model [in]: the model, which is prepared if needed
 lowest [out]: [-]
 highest [out]: [-]
+return: status
+since: 0.3""",
+    "bempd_next": """What happens next.
+
+since: 0.3""",
+    "BEMPD_NEXT_NOTHING": """Nothing, however far the load factor goes.""",
+    "BEMPD_NEXT_BOND": """A bond breaks by itself; with the option crack.rule = "line" a crack begins there.""",
+    "BEMPD_NEXT_TIP": """A crack grows at its tip.""",
+    "bempd_explanation": """What breaks or grows next. Fill it with bempd_explanation_init().
+
+since: 0.3""",
+    "bempd_explanation.struct_size": """sizeof(bempd_explanation), set by bempd_explanation_init()""",
+    "bempd_explanation.next": """a bempd_next""",
+    "bempd_explanation.region": """region of the bond; 0 for a tip or nothing""",
+    "bempd_explanation.crack": """id of the crack that grows; 0 for a bond or nothing""",
+    "bempd_explanation.end": """its end, a bempd_tip_end; 0 for a bond or nothing""",
+    "bempd_explanation.x": """place of the tip, or middle of the bond; NaN for nothing [m]""",
+    "bempd_explanation.y": """its other coordinate [m]""",
+    "bempd_explanation.load_factor": """\
+load factor at which it happens; the present one where it is due now; NaN for nothing [-]""",
+    "bempd_explanation.ratio": """\
+at the present load factor: stretch of the bond over its critical stretch, or equivalent K_I of the
+tip over its toughness; NaN for nothing [-]""",
+    "bempd_explanation_init": """\
+Prepare a bempd_explanation.
+
+explanation [out]: struct
+struct_size [in]: sizeof(bempd_explanation)
+return: status
+since: 0.3""",
+    "bempd_explain": """\
+Tell what breaks or grows next under the present loads, and what holds every other tip back: frozen
+tips, tips that ended, faces that are pressed together, materials without a fracture energy, loads
+that do not change.
+
+The scene is prepared and its equilibrium found if that was not done. Faces of cracks that close or
+open on the way are not foreseen.
+
+model [in]: the model
+rising [in]: 1 for a load factor that rises, 0 for one that falls
+explanation [in,out]: struct_size in, the rest out; may be NULL
+buffer [out]: shape [capacity], receives zero-terminated sentences; may be NULL when capacity is 0
+capacity [in]: bytes in buffer
+needed [out]: bytes that the sentences need, with the final zero; may be NULL
 return: status
 since: 0.3""",
     "bempd_generation": """\

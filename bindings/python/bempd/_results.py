@@ -13,7 +13,7 @@ from ._arguments import FloatArray
 from ._edge_picture import write_edges
 from ._handle import Handle
 from ._names import Edge, Face, FieldName
-from ._library import call, ffi, lib, new_struct
+from ._library import call, ffi, lib, new_struct, string
 from ._sketch import Sketch
 from .errors import ArgumentError
 from .tables import Rows
@@ -23,6 +23,7 @@ from .reports import (
     CrackOpening,
     CrackTip,
     EdgeReaction,
+    Explanation,
     Growth,
     PathVertex,
     Piece,
@@ -34,6 +35,7 @@ from .reports import (
     TipRecord,
     crack_extension,
     crack_tip,
+    explained,
     path_vertex,
     rows,
     singularity,
@@ -173,6 +175,16 @@ class Results:
         lowest, highest = ffi.new("double *"), ffi.new("double *")
         self._open().call("bempd_admissible_load_factors", lowest, highest)
         return float(lowest[0]), float(highest[0])
+
+    def explain(self, rising: bool = True) -> Explanation:
+        """What breaks or grows next while the load factor rises or falls, and what holds other tips back. Printed, it is
+        sentences."""
+        explanation = new_struct("bempd_explanation", "bempd_explanation_init")
+        needed = ffi.new("int64_t *")
+        self._open().call("bempd_explain", int(rising), explanation, ffi.NULL, 0, needed)
+        buffer = ffi.new("char[]", needed[0])
+        self._open().call("bempd_explain", int(rising), explanation, buffer, needed[0], ffi.NULL)
+        return explained(explanation, string(buffer))
 
     def reaction_moment(self, support: int, about: Sequence[float] = (0.0, 0.0)) -> float:
         """Moment [N m] about a place of the forces of a support on the body, positive counter-clockwise."""

@@ -118,6 +118,32 @@ class TipRecord(NamedTuple):
     tip: CrackTip
 
 
+class NextEvent(enum.IntEnum):
+    """What happens next."""
+
+    NOTHING = 0  #: however far the load factor goes
+    BOND = 1  #: a bond breaks, or a crack begins there
+    TIP = 2  #: a crack grows
+
+
+@dataclasses.dataclass(frozen=True)
+class Explanation:
+    """What breaks or grows next, and what holds the rest back."""
+
+    next: NextEvent
+    region: int  #: of the bond; 0 for a tip or nothing
+    crack: int  #: that grows; 0 for a bond or nothing
+    end: Optional[TipEnd]  #: of the crack
+    x: float  #: place of the tip, or middle of the bond [m]
+    y: float
+    load_factor: float  #: at which it happens
+    ratio: float  #: at present: stretch over critical stretch, or equivalent K_I over toughness
+    text: str  #: sentences
+
+    def __str__(self) -> str:
+        return self.text
+
+
 @dataclasses.dataclass(frozen=True)
 class Growth:
     """What growth of cracks by a length did."""
@@ -330,6 +356,14 @@ def crack_tip(struct: Any) -> CrackTip:
     values["end"], values["method"] = TipEnd(values["end"]), TipMethod(values["method"])
     values["grown"], values["branched"] = bool(values["grown"]), bool(values["branched"])
     return CrackTip(**values)
+
+
+def explained(struct: Any, text: str) -> Explanation:
+    """An explanation as a value."""
+    values = values_of(struct, "bempd_explanation", Explanation)
+    values["next"] = NextEvent(values["next"])
+    values["end"] = TipEnd(values["end"]) if values["end"] else None
+    return Explanation(**values, text=text)
 
 
 def singularity(struct: Any) -> Singularity:

@@ -1902,6 +1902,80 @@ extern "C" {
         highest: *mut f64,
     ) -> bempd_status;
 }
+/// Nothing, however far the load factor goes.
+pub const BEMPD_NEXT_NOTHING: bempd_next = 0;
+/// A bond breaks by itself; with the option crack.rule = "line" a crack begins there.
+pub const BEMPD_NEXT_BOND: bempd_next = 1;
+/// A crack grows at its tip.
+pub const BEMPD_NEXT_TIP: bempd_next = 2;
+/// What happens next.
+///
+/// * since: 0.3
+pub type bempd_next = ::std::os::raw::c_uint;
+/// What breaks or grows next. Fill it with bempd_explanation_init().
+///
+/// * since: 0.3
+#[repr(C)]
+#[derive(Debug, Copy, Clone)]
+pub struct bempd_explanation {
+    /// sizeof(bempd_explanation), set by bempd_explanation_init()
+    pub struct_size: i64,
+    /// a bempd_next
+    pub next: i32,
+    /// region of the bond; 0 for a tip or nothing
+    pub region: i32,
+    /// id of the crack that grows; 0 for a bond or nothing
+    pub crack: i32,
+    /// its end, a bempd_tip_end; 0 for a bond or nothing
+    pub end: i32,
+    /// place of the tip, or middle of the bond; NaN for nothing \[m\]
+    pub x: f64,
+    /// its other coordinate \[m\]
+    pub y: f64,
+    /// load factor at which it happens; the present one where it is due now; NaN for nothing \[-\]
+    pub load_factor: f64,
+    /// at the present load factor: stretch of the bond over its critical stretch, or equivalent K_I
+    /// of the tip over its toughness; NaN for nothing \[-\]
+    pub ratio: f64,
+}
+extern "C" {
+    /// Prepare a bempd_explanation.
+    ///
+    /// * explanation \[out\]: struct
+    /// * struct_size \[in\]: sizeof(bempd_explanation)
+    /// * return: status
+    /// * since: 0.3
+    pub fn bempd_explanation_init(
+        explanation: *mut bempd_explanation,
+        struct_size: i64,
+    ) -> bempd_status;
+}
+extern "C" {
+    /// Tell what breaks or grows next under the present loads, and what holds every other tip back:
+    /// frozen tips, tips that ended, faces that are pressed together, materials without a fracture
+    /// energy, loads that do not change.
+    ///
+    /// The scene is prepared and its equilibrium found if that was not done. Faces of cracks that
+    /// close or open on the way are not foreseen.
+    ///
+    /// * model \[in\]: the model
+    /// * rising \[in\]: 1 for a load factor that rises, 0 for one that falls
+    /// * explanation \[in,out\]: struct_size in, the rest out; may be NULL
+    /// * buffer \[out\]: shape \[capacity\], receives zero-terminated sentences; may be NULL when
+    ///   capacity is 0
+    /// * capacity \[in\]: bytes in buffer
+    /// * needed \[out\]: bytes that the sentences need, with the final zero; may be NULL
+    /// * return: status
+    /// * since: 0.3
+    pub fn bempd_explain(
+        model: *mut bempd_model,
+        rising: i32,
+        explanation: *mut bempd_explanation,
+        buffer: *mut ::std::os::raw::c_char,
+        capacity: i64,
+        needed: *mut i64,
+    ) -> bempd_status;
+}
 extern "C" {
     /// Number that changes whenever the model's fields may have changed.
     ///

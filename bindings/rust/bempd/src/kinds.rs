@@ -91,6 +91,31 @@ pub enum Face {
     Right = sys::BEMPD_FACE_RIGHT as i32,
 }
 
+/// What breaks or grows next.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[non_exhaustive]
+pub enum NextEvent {
+    /// Nothing, however far the load factor goes.
+    Nothing,
+    /// A bond breaks by itself, or a crack begins there.
+    Bond,
+    /// A crack grows at its tip.
+    Tip,
+    /// One that this version of the crate does not know.
+    Other(i32),
+}
+
+impl NextEvent {
+    pub(crate) fn from_raw(next: i32) -> NextEvent {
+        match next as sys::bempd_next {
+            sys::BEMPD_NEXT_NOTHING => NextEvent::Nothing,
+            sys::BEMPD_NEXT_BOND => NextEvent::Bond,
+            sys::BEMPD_NEXT_TIP => NextEvent::Tip,
+            _ => NextEvent::Other(next),
+        }
+    }
+}
+
 /// Why stress is unbounded at a place.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[non_exhaustive]

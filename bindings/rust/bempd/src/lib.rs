@@ -57,7 +57,7 @@ pub use edges::{EdgeNode, EdgePlace, NodalValues};
 pub use error::{Error, Result};
 pub use ids::{CrackId, LoadId, MaterialId, RegionId, SupportId};
 pub use kinds::{
-    BondState, Component, Face, FaceComponent, Field, LogLevel, Plane, ProgramColumn, SingularityKind, StopReason,
+    BondState, Component, Face, FaceComponent, Field, LogLevel, NextEvent, Plane, ProgramColumn, SingularityKind, StopReason,
     TipEnd, TipMethod, Turn, Until,
 };
 pub use material::Material;
@@ -65,7 +65,7 @@ pub use model::Model;
 pub use options::{options, OptionInfo, OptionKind};
 pub use raw::{State, View};
 pub use reports::{
-    CrackExtension, CrackTip, Growth, HistoryEntry, PathVertex, PhaseProgress, Piece, Progress, Singularity,
+    CrackExtension, CrackTip, Explanation, Growth, HistoryEntry, PathVertex, PhaseProgress, Piece, Progress, Singularity,
     Statistics, StepReport, TipRecord,
 };
 pub use results::{Bond, CrackOpening, EdgeReaction, Elements, HistorySupport, PointValues};

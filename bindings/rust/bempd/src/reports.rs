@@ -1,6 +1,6 @@
 use bempd_sys as sys;
 
-use crate::{CrackId, RegionId, SingularityKind, StopReason, TipEnd, TipMethod};
+use crate::{CrackId, NextEvent, RegionId, SingularityKind, StopReason, TipEnd, TipMethod};
 
 /// Progress of a run, reported after every event.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -73,6 +73,12 @@ impl FromRaw<i32> for CrackId {
 impl FromRaw<i32> for RegionId {
     fn from_raw(raw: i32) -> RegionId {
         RegionId(raw)
+    }
+}
+
+impl FromRaw<i32> for NextEvent {
+    fn from_raw(raw: i32) -> NextEvent {
+        NextEvent::from_raw(raw)
     }
 }
 
@@ -155,6 +161,28 @@ mirror! {
         critical_kink_angle: f64,
         /// Load factor at which G of growth straight on is the fracture energy; a tip under shear grows earlier.
         straight_load_factor: f64,
+    }
+}
+
+mirror! {
+    /// What breaks or grows next. Numbers are NaN and ids 0 where there is nothing.
+    Explanation of bempd_explanation {
+        /// What it is.
+        next: NextEvent,
+        /// Region of the bond.
+        region: RegionId,
+        /// Crack that grows.
+        crack: CrackId,
+        /// Its end.
+        end: TipEnd,
+        /// Place of the tip, or middle of the bond [m].
+        x: f64,
+        /// Place of the tip, or middle of the bond [m].
+        y: f64,
+        /// Load factor at which it happens [-].
+        load_factor: f64,
+        /// At present: stretch over critical stretch, or equivalent K_I over toughness [-].
+        ratio: f64,
     }
 }
 

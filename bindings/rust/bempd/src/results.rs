@@ -1,6 +1,6 @@
 use crate::{
     BondState, CrackExtension, CrackId, CrackTip, Face, Field, Growth, HistoryEntry, LoadId, Model, PathVertex, Piece,
-    RegionId, Result, Singularity, Statistics, SupportId, TipEnd, TipRecord, View,
+    Explanation, RegionId, Result, Singularity, Statistics, SupportId, TipEnd, TipRecord, View,
 };
 
 /// Node indices, from 0, of the boundary elements or lattice cells of a region.
@@ -140,6 +140,12 @@ impl Model {
     /// there is none, and both are at the ends of the range of numbers where nothing bounds them.
     pub fn admissible_load_factors(&self) -> Result<(f64, f64)> {
         self.handle.admissible_load_factors()
+    }
+
+    /// What breaks or grows next while the load factor rises or falls, and what holds other tips back.
+    pub fn explain(&self, rising: bool) -> Result<(Explanation, String)> {
+        let (found, text) = self.handle.explain(rising)?;
+        Ok((Explanation::from_raw(&found), text))
     }
 
     /// Displacement and stress at places in the body [m]: by the interior identities in boundary element regions, by

@@ -119,6 +119,8 @@ fn the_path_of_equilibrium_costs_what_bonds_take() {
     let mut held = common::plate();
     let (lowest, highest) = held.model.admissible_load_factors().unwrap();
     assert!(lowest < 0.0 && highest > 0.0);
+    let (next, words) = held.model.explain(true).unwrap();
+    assert!(next.load_factor > 0.0 && next.ratio == 0.0 && words.contains("While the load factor rises"));
     let held = held.model.run_to_separation(1000.0).unwrap();
     let mut path = common::plate();
     path.model.set_option_text("stepping.control", "path").unwrap();

@@ -227,6 +227,22 @@ impl Handle {
         Ok(singularity)
     }
 
+    /// What comes next, and sentences.
+    pub(crate) fn explain(&self, rising: bool) -> Result<(sys::bempd_explanation, String)> {
+        let mut explanation = filled(sys::bempd_explanation_init)?;
+        let way = i32::from(rising);
+        let needed = self.output(|model, needed| unsafe {
+            sys::bempd_explain(model, way, &mut explanation, std::ptr::null_mut(), 0, needed)
+        })?;
+        let mut buffer = vec![0u8; needed as usize];
+        self.call(|model| unsafe {
+            let start = buffer.as_mut_ptr().cast();
+            sys::bempd_explain(model, way, std::ptr::null_mut(), start, needed, std::ptr::null_mut())
+        })?;
+        buffer.pop();
+        Ok((explanation, String::from_utf8_lossy(&buffer).into_owned()))
+    }
+
     pub(crate) fn tip_count(&self) -> Result<i64> {
         self.output(|model, count| unsafe { sys::bempd_tip_count(model, count) })
     }

@@ -1,0 +1,187 @@
+#include "model/explanation.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <set>
+#include <vector>
+
+#include "error.hpp"
+#include "model/element_growth.hpp"
+#include "model/model.hpp"
+
+namespace bempd::model {
+
+namespace {
+
+std::string name_of(const crack::TipId& tip) {
+  return text("crack ", tip.crack, " at its ", tip.end == 0 ? "start" : "end");
+}
+
+std::string place_of(const Point& place) { return text("(", place.x(), ", ", place.y(), ")"); }
+
+// Load factor at which a tip grows on this way; infinite if it never does, NaN if that is not known.
+double critical_load_factor(const regions::TipValues& tip, bool upwards) {
+  const double critical = upwards ? tip.critical_load_factor : tip.critical_load_factor_down;
+  return std::abs(critical) == std::numeric_limits<double>::max()
+             ? std::copysign(std::numeric_limits<double>::infinity(), critical)
+             : critical;
+}
+
+bool breaks(const scene::Material& material) {
+  return material.fracture_energy > 0 || (material.critical_stretch > 0 && std::isfinite(material.critical_stretch));
+}
+
+// Collects sentences, each of them once.
+class Reasons {
+ public:
+  void add(const std::string& sentence) {
+    if (known_.insert(sentence).second) text_ += (text_.empty() ? "" : " ") + sentence;
+  }
+  const std::string& text() const { return text_; }
+
+ private:
+  std::set<std::string> known_;
+  std::string text_;
+};
+
+class Explainer {
+ public:
+  Explainer(Model& model, bool upwards)
+      : model_(model), scene_(model.scene()), upwards_(upwards), evolution_(*model.in_equilibrium().evolution) {}
+
+  Explanation explain() {
+    find_tip();
+    find_bond();
+    Reasons reasons;
+    reasons.add(what_is_next());
+    tell_of_body(reasons);
+    for (const regions::TipValues& tip : model_.tips()) tell_of_tip(tip, reasons);
+    tell_of_ended(reasons);
+    found_.text = reasons.text();
+    return found_;
+  }
+
+ private:
+  bool is_before(double one, double other) const { return upwards_ ? one < other : one > other; }
+
+  // An overloaded tip grows where the load factor is.
+  void find_tip() {
+    for (const regions::TipValues& tip : model_.tips()) {
+      const crack::TipId id{tip.crack, tip.end};
+      const double critical = critical_load_factor(tip, upwards_);
+      if (!std::isfinite(critical) || model_.is_frozen(id)) continue;
+      const double present = model_.load_factor();
+      const double at = is_before(critical, present) ? present : critical;
+      if (found_.next == Explanation::Next::tip && !is_before(at, found_.load_factor)) continue;
+      found_.next = Explanation::Next::tip;
+      found_.tip = id, found_.place = tip.place, found_.load_factor = at;
+      found_.ratio = law_of(tip, model_.options()).ratio(factors_of(tip), present);
+    }
+  }
+
+  void find_bond() {
+    const std::optional<fracture::NextBond> bond = evolution_.next_bond(upwards_);
+    if (!bond) return;
+    if (found_.next == Explanation::Next::tip && !is_before(bond->load_factor, found_.load_factor)) return;
+    const auto term = static_cast<std::size_t>(bond->term);
+    const coupling::Terms& terms = model_.prepared().system->terms();
+    const std::vector<Point>& positions = model_.prepared().discretization.positions;
+    const int first = terms.first[term], second = terms.second[term];
+    found_ = {};
+    found_.next = Explanation::Next::bond;
+    found_.place = 0.5 * (positions[static_cast<std::size_t>(first)] + positions[static_cast<std::size_t>(second)]);
+    found_.load_factor = bond->load_factor, found_.ratio = bond->ratio;
+    for (const auto& region : model_.prepared().discretization.regions) {
+      const std::vector<int>& nodes = region->nodes();
+      const bool has_bonds = !scene_.region(region->id()).has_elements();
+      if (has_bonds && std::find(nodes.begin(), nodes.end(), first) != nodes.end()) found_.region = region->id();
+    }
+  }
+
+  std::string what_is_next() const {
+    const char* const way = upwards_ ? "rises" : "falls";
+    const double present = model_.load_factor();
+    switch (found_.next) {
+      case Explanation::Next::tip:
+        return text("While the load factor ", way, " from ", present, ", ", name_of(found_.tip), ", ",
+                    place_of(found_.place), ", grows next, at ", found_.load_factor, "; its load is ", found_.ratio,
+                    " of its toughness.");
+      case Explanation::Next::bond:
+        return text("While the load factor ", way, " from ", present, ", a bond of region ", found_.region, " at ",
+                    place_of(found_.place), " breaks next, at ", found_.load_factor, "; its stretch is ", found_.ratio,
+                    " of the critical one.");
+      case Explanation::Next::nothing:
+        break;
+    }
+    return text("Nothing breaks or grows while the load factor ", way, " from ", present, ", however far.");
+  }
+
+  void tell_of_body(Reasons& reasons) const {
+    if (evolution_.progress().separated) reasons.add("The body is separated.");
+    bool has_bonds = false;
+    for (const int id : scene_.region_ids()) {
+      if (scene_.region(id).has_elements()) continue;
+      has_bonds = true;
+      if (!breaks(scene_.material_of(id)))
+        reasons.add(text("Region ", id, " does not break: material ", scene_.region(id).material(),
+                         " has neither a fracture energy nor a critical stretch."));
+    }
+    if (!has_bonds && model_.crack_count() == 0)
+      reasons.add("The body is of boundary elements alone and has no crack: such a body does not break.");
+    const coupling::Affine& displacement = evolution_.state().displacement;
+    if (displacement.col(1).isZero(0))
+      reasons.add("No load and no support moves the body in proportion to the load factor.");
+  }
+
+  void tell_of_tip(const regions::TipValues& tip, Reasons& reasons) const {
+    const crack::TipId id{tip.crack, tip.end};
+    const std::string which = "The tip of " + name_of(id);
+    if (model_.is_frozen(id)) return reasons.add(which + " is frozen by bempd_set_tip_frozen().");
+    const double critical = critical_load_factor(tip, upwards_);
+    if (std::isfinite(critical)) return;
+    if (has_stopped(id, evolution_.progress())) return reasons.add(which + " has stopped before an interface.");
+    if (std::isnan(critical)) return reasons.add(which + " has stress intensity factors that are not known.");
+    if (!(tip.toughness > 0) || std::isinf(tip.toughness))
+      return reasons.add(which + " lies in a material without a fracture energy.");
+    if (tip.proportional_factors.isZero(0))
+      return reasons.add(which + " is not loaded in proportion to the load factor.");
+    if (tip.proportional_factors.x() * (upwards_ ? 1 : -1) <= 0)
+      return reasons.add(which + " is pressed shut on this way of the load factor.");
+    reasons.add(which + " does not reach its toughness on this way of the load factor.");
+  }
+
+  // A tip that ended is not among tips any more.
+  void tell_of_ended(Reasons& reasons) const {
+    for (const fracture::CrackExtension& e : model_.extensions()) {
+      const char* where = nullptr;
+      switch (e.state) {
+        case crack::TipState::at_edge:
+          where = "an edge of the body";
+          break;
+        case crack::TipState::at_hole:
+          where = "a hole";
+          break;
+        case crack::TipState::at_crack:
+          where = "another crack";
+          break;
+        default:
+          break;
+      }
+      if (where) reasons.add(text("The tip of ", name_of(e.tip()), " has ended at ", where, "."));
+    }
+  }
+
+  Model& model_;
+  const scene::Scene& scene_;
+  bool upwards_;
+  fracture::CrackEvolution& evolution_;
+  Explanation found_;
+};
+
+}  // namespace
+
+Explanation explain(Model& model, bool upwards) { return Explainer(model, upwards).explain(); }
+
+}  // namespace bempd::model

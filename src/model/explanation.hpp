@@ -1,0 +1,29 @@
+#pragma once
+
+#include <limits>
+#include <string>
+
+#include "crack/tip.hpp"
+#include "geometry/point.hpp"
+
+namespace bempd::model {
+
+class Model;
+
+// What breaks or grows next on the way of the load factor, and what holds the rest back.
+struct Explanation {
+  static constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+
+  enum class Next { nothing = 0, bond = 1, tip = 2 };
+  Next next = Next::nothing;
+  int region = 0;      // of the bond
+  crack::TipId tip{};  // crack 0: no tip
+  Point place{unknown, unknown};
+  double load_factor = unknown;  // at which it happens
+  double ratio = unknown;        // at present: stretch over critical stretch, or equivalent K_I over toughness
+  std::string text;              // sentences
+};
+
+Explanation explain(Model& model, bool upwards);
+
+}  // namespace bempd::model
