@@ -157,7 +157,75 @@ static void body_that_cannot_break_has_no_further_event(void) {
   bempd_model_free(model);
 }
 
+/** A disc under pressure, and a turned lattice that is pulled: their stress is uniform. */
+static void discs_and_turned_lattices_bear_uniform_stress(void) {
+  static const double square[8] = {0.0, 0.0, 8.0, 0.0, 8.0, 8.0, 0.0, 8.0};
+  const double minus_one = -1.0, one = 1.0, place[4] = {0.3, -0.2, 4.1, 3.7};
+  double stress[6];
+  int32_t edge;
+  bempd_model* model = new_model();
+  CHECK_OK(model, bempd_add_bem_disc(model, add_sound_material(model), 0.0, 0.0, 2.0, 0.5, NULL));
+  for (edge = 1; edge <= 4; ++edge)
+    CHECK_OK(model, bempd_add_pressure(model, 1, edge, 0.0, 1.0, 1, NULL, &minus_one, NULL));
+  CHECK_OK(model, bempd_fix_point(model, 2.0, 0.0, BEMPD_Y, NULL));
+  CHECK_OK(model, bempd_fix_point(model, -2.0, 0.0, BEMPD_BOTH, NULL));
+  CHECK_OK(model, bempd_step(model, 1.0, NULL));
+  CHECK_OK(model, bempd_evaluate(model, 1, place, NULL, stress, NULL));
+  CHECK_CLOSE(stress[0], 1.0, 1e-8);
+  CHECK_CLOSE(stress[1], 1.0, 1e-8);
+  CHECK_CLOSE(stress[2], 0.0, 1e-8);
+  bempd_model_free(model);
+
+  model = new_model();
+  CHECK_OK(model, bempd_add_turned_pd_region(model, add_sound_material(model), 4, square, NULL, 0.5, 4, 0.3, NULL));
+  CHECK_OK(model, bempd_fix_edge(model, 1, 4, BEMPD_X, NULL));
+  CHECK_OK(model, bempd_fix_point(model, 0.0, 0.0, BEMPD_Y, NULL));
+  CHECK_OK(model, bempd_add_traction(model, 1, 2, 0.0, 1.0, BEMPD_X, 1, NULL, &one, NULL));
+  CHECK_OK(model, bempd_step(model, 0.01, NULL));
+  CHECK_OK(model, bempd_evaluate(model, 1, place + 2, NULL, stress, NULL));
+  CHECK_CLOSE(stress[0], 0.01, 1e-10);
+  CHECK_CLOSE(stress[1], 0.0, 1e-10);
+  bempd_model_free(model);
+}
+
+/** The load factors that a lattice bears end where its first bond breaks; a support's moment is that of its force. */
+static void admissible_loads_end_at_the_first_event(void) {
+  bempd_model* model = pd_block();
+  bempd_step_report report;
+  double lowest = 1.0, highest = -1.0, force[2], moment = 0.0;
+  const double pull = 0.1;
+  int32_t held = 0;
+  CHECK_OK(model, bempd_fix_edge(model, 1, 4, BEMPD_BOTH, &held));
+  CHECK_OK(model, bempd_add_traction(model, 1, 2, 0.0, 1.0, BEMPD_X, 1, NULL, &pull, NULL));
+  CHECK_OK(model, bempd_admissible_load_factors(model, &lowest, &highest));
+  CHECK(lowest < 0.0 && highest > 0.0);
+  CHECK_OK(model, bempd_step(model, 0.5 * highest, NULL));
+  CHECK_OK(model, bempd_reaction(model, held, force));
+  CHECK_OK(model, bempd_reaction_moment(model, held, 0.0, 0.0, &moment));
+  CHECK_CLOSE(moment, -4.0 * force[0], 1e-9 * fabs(force[0])); /* at half of the height of 8 */
+  CHECK_OK(NULL, bempd_step_report_init(&report, sizeof report));
+  CHECK_OK(model, bempd_step_to_next_event(model, 1e6, &report));
+  CHECK_CLOSE(report.load_factor, highest, 1e-9 * highest);
+  bempd_model_free(model);
+}
+
+/** Stress is unbounded at a tip as one over the root of the distance, and bounded beside it. */
+static void stress_is_singular_at_a_tip(void) {
+  static const double crack[4] = {3.0, 4.0, 7.0, 4.0}, places[4] = {7.0, 4.0, 5.0, 6.0};
+  double orders[2];
+  bempd_model* model = bem_block();
+  CHECK_OK(model, bempd_add_crack(model, 2, crack, NULL));
+  CHECK_OK(model, bempd_fix_edge(model, 1, 4, BEMPD_BOTH, NULL));
+  CHECK_OK(model, bempd_stress_orders(model, 2, places, orders));
+  CHECK_CLOSE(orders[0], 0.5, 1e-9);
+  CHECK_CLOSE(orders[1], 0.0, 0.0);
+  bempd_model_free(model);
+}
+
 int main(void) {
+  discs_and_turned_lattices_bear_uniform_stress();
+  admissible_loads_end_at_the_first_event();
+  stress_is_singular_at_a_tip();
   tension_is_uniform(bem_block());
   tension_is_uniform(pd_block());
   new_load_values_act_from_the_next_step_on(bem_block());
