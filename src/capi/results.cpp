@@ -3,7 +3,6 @@
 #include <limits>
 
 #include "capi/guard.hpp"
-#include "model/explanation.hpp"
 
 using namespace bempd;
 using namespace bempd::capi;
@@ -67,35 +66,6 @@ bempd_status bempd_admissible_load_factors(bempd_model* model, double* lowest, d
     const fracture::LoadInterval admissible = m.admissible_load_factors();
     low = std::clamp(admissible.lowest, -largest, largest);
     high = std::clamp(admissible.highest, -largest, largest);
-  });
-}
-
-bempd_status bempd_explanation_init(bempd_explanation* explanation, int64_t struct_size) {
-  return init_struct(__func__, "explanation", explanation, struct_size, bempd_explanation{});
-}
-
-bempd_status bempd_explain(bempd_model* model, int32_t rising, bempd_explanation* explanation, char* buffer,
-                           int64_t capacity, int64_t* needed) {
-  return with_model(model, __func__, [&](model::Model& m) {
-    require(rising == 0 || rising == 1, "rising is ", rising, "; it must be 1 for a load factor that rises, else 0");
-    if (explanation) struct_bytes(explanation, "explanation", sizeof(int64_t));
-    const model::Explanation found = model::explain(m, rising == 1);
-    const int32_t end = found.tip.end == 0 ? BEMPD_CRACK_START : BEMPD_CRACK_END;
-    if (explanation)
-      write_struct(explanation,
-                   bempd_explanation{
-                       .struct_size = sizeof(bempd_explanation),
-                       .next = static_cast<int32_t>(found.next),
-                       .region = found.region,
-                       .crack = found.tip.crack,
-                       .end = found.tip.crack > 0 ? end : 0,
-                       .x = found.place.x(),
-                       .y = found.place.y(),
-                       .load_factor = found.load_factor,
-                       .ratio = found.ratio,
-                   },
-                   "explanation");
-    write_text(found.text, buffer, capacity, needed);
   });
 }
 

@@ -38,7 +38,7 @@ static void next_is_what_the_step_does(void) {
   bempd_model_free(model);
 }
 
-/** With the tip frozen a bond comes next; it says so. */
+/** A frozen tip is named, and a bond comes next. */
 static void frozen_tips_are_named(void) {
   const double pull = 1e-6;
   int32_t pulled = 0;

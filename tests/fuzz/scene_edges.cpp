@@ -130,6 +130,12 @@ void Scene::read_bounds() {
     require_finite("bempd_admissible_load_factors", &lowest, 1);
     require_finite("bempd_admissible_load_factors", &highest, 1);
   }
+  bempd_explanation next;
+  good("bempd_explanation_init", nullptr, bempd_explanation_init(&next, sizeof next));
+  std::array<char, 64> words{};
+  std::int64_t needed = 0;
+  FUZZ_CALL(bempd_explain, model_, bytes_.pick(3), &next, words.data(), static_cast<std::int64_t>(words.size()),
+            &needed);
   const bool known = FUZZ_CALL(bempd_generation, model_, &generation) && FUZZ_CALL(bempd_generation, model_, &again);
   require_true(known && generation == again, "bempd_generation", "asking for it changes it");
   bempd_history_entry line;

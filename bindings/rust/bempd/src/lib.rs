@@ -57,16 +57,16 @@ pub use edges::{EdgeNode, EdgePlace, NodalValues};
 pub use error::{Error, Result};
 pub use ids::{CrackId, LoadId, MaterialId, RegionId, SupportId};
 pub use kinds::{
-    BondState, Component, Face, FaceComponent, Field, LogLevel, NextEvent, Plane, ProgramColumn, SingularityKind, StopReason,
-    TipEnd, TipMethod, Turn, Until,
+    BondState, Component, Face, FaceComponent, Field, LogLevel, NextEvent, Plane, ProgramColumn, SingularityKind,
+    StopReason, TipEnd, TipMethod, Turn, Until,
 };
 pub use material::Material;
 pub use model::Model;
 pub use options::{options, OptionInfo, OptionKind};
 pub use raw::{State, View};
 pub use reports::{
-    CrackExtension, CrackTip, Explanation, Growth, HistoryEntry, PathVertex, PhaseProgress, Piece, Progress, Singularity,
-    Statistics, StepReport, TipRecord,
+    CrackExtension, CrackTip, Explanation, Growth, HistoryEntry, PathVertex, PhaseProgress, Piece, Progress,
+    Singularity, Statistics, StepReport, TipRecord,
 };
 pub use results::{Bond, CrackOpening, EdgeReaction, Elements, HistorySupport, PointValues};
 

@@ -173,7 +173,7 @@ mirror! {
         region: RegionId,
         /// Crack that grows.
         crack: CrackId,
-        /// Its end.
+        /// End of that crack.
         end: TipEnd,
         /// Place of the tip, or middle of the bond [m].
         x: f64,
@@ -181,7 +181,7 @@ mirror! {
         y: f64,
         /// Load factor at which it happens [-].
         load_factor: f64,
-        /// At present: stretch over critical stretch, or equivalent K_I over toughness [-].
+        /// Present stretch over critical stretch, or equivalent K_I over toughness [-].
         ratio: f64,
     }
 }

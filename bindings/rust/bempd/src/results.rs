@@ -1,6 +1,6 @@
 use crate::{
-    BondState, CrackExtension, CrackId, CrackTip, Face, Field, Growth, HistoryEntry, LoadId, Model, PathVertex, Piece,
-    Explanation, RegionId, Result, Singularity, Statistics, SupportId, TipEnd, TipRecord, View,
+    BondState, CrackExtension, CrackId, CrackTip, Explanation, Face, Field, Growth, HistoryEntry, LoadId, Model,
+    PathVertex, Piece, RegionId, Result, Singularity, Statistics, SupportId, TipEnd, TipRecord, View,
 };
 
 /// Node indices, from 0, of the boundary elements or lattice cells of a region.
