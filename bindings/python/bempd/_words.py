@@ -42,6 +42,7 @@ NAMES: dict[str, str] = {
     "bempd_crack_tip_init": "Model.tips",
     "bempd_tip_history_count": "Model.tip_history",
     "bempd_get_tip_history": "Model.tip_history",
+    "bempd_explanation_init": "Model.explain",
     "bempd_growth_init": "Model.grow_cracks",
     "bempd_copy_node_pieces": "Model.node_pieces",
     "bempd_get_piece": "Model.piece",
