@@ -47,7 +47,7 @@ def places_of_broken(model: bempd.Model, plate: int) -> np.ndarray:
     return middles @ np.array([[c, -s], [s, c]])
 
 
-def run(spacing: float, horizon_ratio: int, lattice_angle: float, rule: str) -> tuple[bempd.Model, int, list[str]]:
+def run(spacing: float, horizon_ratio: int, lattice_angle: float, rule: str) -> tuple[bempd.Model, list[str]]:
     model, plate = build(spacing, horizon_ratio, lattice_angle, rule)
     start, entered, left = None, None, None
     while left is None and model.step_to_next_event(10).stop_reason != bempd.StopReason.LOAD_FACTOR:
@@ -68,18 +68,20 @@ def run(spacing: float, horizon_ratio: int, lattice_angle: float, rule: str) -> 
     lines += [f"    {name:24s} load factor {value:.3f}" for name, value in names.items()]
     lines.append(f"    its way behind the hole, from the middle line of the plate: {tilt:.1f} degrees")
     lines.append(f"    bonds broken {report.total_broken_bonds}, energy balance error {report.energy_balance_error:.0e}")
-    return model, plate, lines
+    return model, lines
 
 
-def draw(models: list[tuple[bempd.Model, int]], path: pathlib.Path) -> None:
+def draw(models: list[tuple[str, bempd.Model]], path: pathlib.Path) -> None:
     import matplotlib
 
     matplotlib.use("Agg")
     import matplotlib.pyplot as plt
 
-    figure, axes = plt.subplots(2, 2, figsize=(10, 8), layout="constrained")
-    for (model, _), one in zip(models, axes.flat):
-        model.plot("damage", axes=one)
+    figure, axes = plt.subplots(2, 2, figsize=(9, 7.6), layout="constrained", sharex=True, sharey=True)
+    for (title, model), one in zip(models, axes.flat):
+        model.plot("damage", axes=one, limits=(0, 0.6), colour_bar=one in axes[:, 1])
+        one.set_title(f"{title}\nin two at load factor {model.load_factor:.3f}", fontsize=10)
+        one.label_outer()
     figure.savefig(path, dpi=110)
 
 
@@ -92,9 +94,10 @@ def main() -> None:
     models = []
     for rule in ("bond", "line"):
         for angle in (0.0, TURNED):
-            model, plate, lines = run(spacing, horizon_ratio, angle, rule)
+            model, lines = run(spacing, horizon_ratio, angle, rule)
             print("\n".join(lines))
-            models.append((model, plate))
+            rows = "along the plate" if angle else "along the axes"
+            models.append((f"{'bond by bond' if rule == 'bond' else 'as a line'}, rows {rows}", model))
     if not arguments.short:
         arguments.folder.mkdir(parents=True, exist_ok=True)
         draw(models, arguments.folder / "round_hole.png")
