@@ -59,6 +59,8 @@ REFERENCE = """## Reference
 | Rust | <a href="../rust/bempd/index.html">the crate</a>, <a href="../rust/bempd_sys/index.html">the raw calls</a> |
 | C++ | [`bempd.hpp`](cpp.md) |
 """
+# Parts of wide pictures that the gallery shows: left, upper, right and lower bound as shares of width and height.
+PARTS = {"centre_crack.png": (0.43, 0, 1, 1), "mixed_mode_crack.png": (0.43, 0, 1, 1)}
 THUMBNAIL = (640, 352)  # pixels: twice the place of a picture in the gallery, for fine screens
 PYTHON = """# Python reference
 
@@ -92,12 +94,15 @@ def contents(target: pathlib.Path) -> str:
     """What stands beside every page, by chapter; on a forge the pages' own links do that."""
     listed = {name for names in CHAPTERS.values() for name in names} | {"docs/index"}
     others = sorted(name for page in target.glob("docs/*.md") if (name := f"docs/{page.stem}") not in listed)
+    titles = {"README": "Read me", "docs/languages": "Languages and reference", "docs/reference/index": "Reference: C, Fortran, Rust",
+              "docs/cracks": "Cracks", "docs/mixed_cracks": "Cracks across regions", "docs/import": "Drawings and meshes",
+              "docs/converge": "Convergence", "docs/coupling": "Coupling", "docs/measured": "What is measured"}
     text = ""
     for title, names in CHAPTERS.items():
         names = names + others if title == "What is measured" else names
         pages = [page for name in names for page in (sorted(str(found.relative_to(target))[:-3]
                  for found in target.glob(name + ".md")) if "*" in name else [name])]
-        text += f"\n```{{toctree}}\n:hidden:\n:caption: {title}\n\n" + "\n".join("/" + page for page in pages) + "\n```\n"
+        text += f"\n```{{toctree}}\n:hidden:\n:caption: {title}\n\n" + "\n".join(f"{titles[page]} </{page}>" if page in titles else "/" + page for page in pages) + "\n```\n"
     return text
 
 
@@ -113,6 +118,8 @@ def shrink_gallery(target: pathlib.Path) -> None:
         with Image.open(target / "docs" / name) as picture:
             small = Image.new("RGBA", picture.size, "white")
             small.alpha_composite(picture.convert("RGBA"))
+            shares = zip(PARTS.get(name, (0, 0, 1, 1)), 2 * picture.size)
+            small = small.crop(tuple(round(share * pixels) for share, pixels in shares))
             small.thumbnail(THUMBNAIL, Image.LANCZOS)
             small.convert("RGB").quantize(128).save(folder / name, optimize=True)
     index.write_text(text[:start] + re.sub(r"(!\[[^\]]*\]\()([\w.]+\))", r"\1thumbnails/\2", gallery) + text[end:], encoding="utf-8")
