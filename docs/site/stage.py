@@ -102,7 +102,8 @@ def contents(target: pathlib.Path) -> str:
         names = names + others if title == "What is measured" else names
         pages = [page for name in names for page in (sorted(str(found.relative_to(target))[:-3]
                  for found in target.glob(name + ".md")) if "*" in name else [name])]
-        text += f"\n```{{toctree}}\n:hidden:\n:caption: {title}\n\n" + "\n".join(f"{titles[page]} </{page}>" if page in titles else "/" + page for page in pages) + "\n```\n"
+        entries = (f"{titles[page]} </{page}>" if page in titles else f"/{page}" for page in pages)
+        text += f"\n```{{toctree}}\n:hidden:\n:caption: {title}\n\n" + "\n".join(entries) + "\n```\n"
     return text
 
 
