@@ -130,6 +130,30 @@ def draw_strip_scene(folder: pathlib.Path) -> None:
     plt.close(figure)
 
 
+def draw_coupling_scene(folder: pathlib.Path) -> None:
+    """A host and the specimen that the library computes for it, with what they exchange."""
+    figure, axes = plt.subplots(figsize=(7.6, 2.6), layout="constrained")
+    for low, high, colour in ((0, 20, BODY), (20, 40, LATTICE), (40, 60, BODY)):
+        axes.add_patch(plt.Rectangle((low, 0), high - low, 20, facecolor=colour, edgecolor=GREY))
+    axes.plot([30.5, 30.5], [0, 10.5], color=RED, linewidth=2.5)
+    axes.text(31.5, 3, "crack", color=RED, fontsize=9)
+    clamp(axes, (0, 0), (0, 20), (-2, 0))
+    axes.plot([60, 60], [0, 20], color=BLUE, linewidth=3)
+    axes.text(59, 10, "edge that\nboth share", color=BLUE, fontsize=9, ha="right", va="center")
+    spring = np.linspace(84, 104, 13)
+    axes.plot([82, *spring, 106], [10, *(10 + 2.5 * np.array([0, *([1, -1] * 5), 1, 0])), 10], color="black", linewidth=1.2)
+    clamp(axes, (106, 3), (106, 17), (2, 0))
+    axes.text(94, 18, "machine: spring, crosshead", ha="center", fontsize=9)
+    arrow(axes, (80, 14), (61, 14), "displacement", ORANGE, at=(70.5, 15), ha="center")
+    arrow(axes, (61, 6), (80, 6), "force", BLUE, at=(70.5, 2.5), ha="center")
+    axes.text(30, 22, "bempd: the specimen that cracks", ha="center", fontsize=9.5, weight="bold")
+    axes.text(94, 22, "host: time, other bodies", ha="center", fontsize=9.5, weight="bold")
+    axes.set(xlim=(-3, 112), ylim=(-1, 25), aspect="equal")
+    axes.axis("off")
+    figure.savefig(folder / "coupling_scene.png", dpi=120)
+    plt.close(figure)
+
+
 def write_bracket(file: pathlib.Path) -> None:
     """A drawing in millimetres: an L of two arms with a round inner corner and a hole; two edges lie on layers of their own."""
     import ezdxf
@@ -182,6 +206,7 @@ def draw_import(folder: pathlib.Path) -> None:
 def draw_scenes(folder: pathlib.Path) -> None:
     draw_plate_scene(folder)
     draw_strip_scene(folder)
+    draw_coupling_scene(folder)
 
 
 # --------------------------------------------------------------------------- Theory: bonds

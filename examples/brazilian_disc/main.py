@@ -112,9 +112,12 @@ def main() -> None:
         import matplotlib.pyplot as plt
 
         figure, axes = plt.subplots(1, 2, figsize=(9, 4.2), layout="constrained")
-        for model, one, (criterion, *_) in zip(models, axes, table[1:]):
-            model.plot("damage", axes=one, magnification=60)
-            one.set_title(f"pd.criterion = {criterion}")
+        for model, one, (criterion, first, *_) in zip(models, axes, table[1:]):
+            model.plot("damage", axes=one, magnification=60, limits=(0, 0.6))
+            one.set_title(f"pd.criterion = {criterion}: first break at {first} N", fontsize=10)
+            one.set(xlim=(-28, 28), ylim=(-34, 34))
+            for y, way in ((33, -7), (-33, 7)):
+                one.annotate("", (0, y + way), (0, y), arrowprops={"arrowstyle": "-|>", "color": "#c05a00"})
         figure.savefig(arguments.folder / "brazilian_disc.png", dpi=110)
         print(f"written: {arguments.folder / 'brazilian_disc.png'}")
 

@@ -106,6 +106,7 @@ def main() -> None:
 
         figure, axes = plt.subplots(figsize=(9, 3.2), layout="constrained")
         model.plot("damage", axes=axes, magnification=40)
+        axes.set_title(f"damage {times[-1]:g} s after the lower edge was cooled, displacements x 40; lines: layers of one temperature", fontsize=10)
         figure.savefig(arguments.folder / "thermal_shock.png", dpi=110)
         print(f"written: {arguments.folder / 'thermal_shock.png'}")
 

@@ -134,9 +134,10 @@ def main() -> None:
         import matplotlib.pyplot as plt
 
         figure, axes = plt.subplots(1, 2, figsize=(9, 4.2), layout="constrained")
-        for model, one, (contact, *_) in zip(models, axes, table[1:]):
-            model.plot("damage", axes=one, magnification=20)
-            one.set_title(f"contact = {contact}")
+        for model, one, (contact, _, last, *_) in zip(models, axes, table[1:]):
+            model.plot("damage", axes=one, magnification=20, limits=(0, 0.6))
+            faces = "faces press on each other" if contact == "faces" else "faces pass through each other"
+            one.set_title(f"contact = {contact}: {faces}\npressure {last} MPa, displacements x 20", fontsize=10)
             one.set_xlim(-45, 45)
             one.set_ylim(-40, 40)
         figure.savefig(arguments.folder / "wing_cracks.png", dpi=110)
