@@ -14,7 +14,7 @@ EventSources::EventSources(LoadedBody& body, const std::vector<int>& cut)
 
 bool EventSources::may_use_window(double target, const SteppingOptions& options) const {
   return options.window && options.mode == SteppingMode::events && has_window_form(body_.system()) &&
-         !body_.has_fluid() && !options.elements && target >= body_.state().load_factor;
+         !body_.has_fluid() && target >= body_.state().load_factor;
 }
 
 void EventSources::grow_lines(pd::TipLaws laws) {
@@ -31,12 +31,20 @@ void EventSources::freeze(const std::set<crack::TipId>& tips) {
 
 const Event* EventSources::next(double target, const SteppingOptions& options) {
   const bool possible = may_use_window(target, options);
+  // Tips with elements ask for displacements of the whole body, which are found for each event of a window then.
+  const auto comes_first = [&](const Event* event) {
+    const double present = body_.state().load_factor;
+    return options.elements && event &&
+           first_with(*options.elements, event, {present, target >= present, options.control}) != event;
+  };
   if (window_.is_open() && !(possible && window_.suits(options))) settle();
   while (possible) {
     if (!window_.is_open()) open_window(target, options);
     if (!window_.is_open()) break;
     told_ = &window_;
-    if (const Event* event = window_.next(target, options)) return event;
+    const Event* breaks = window_.next(target, options);
+    const bool element_comes_first = comes_first(breaks);
+    if (breaks && !element_comes_first) return breaks;
     if (window_.events_performed() >= (lines_ ? WindowSettings::worthwhile_steps : 1)) {
       patience_ = 1;
       if (window_.needs_whole_body()) whole_body_events_ = 1;
@@ -45,6 +53,7 @@ const Event* EventSources::next(double target, const SteppingOptions& options) {
       be_patient();
     }
     settle();
+    if (element_comes_first) break;
   }
   EventSource& source = everywhere();
   const Event* event = source.next(target, options);
@@ -87,6 +96,10 @@ void EventSources::open_window(double target, const SteppingOptions& options) {
   if (body_.state().separated || whole_body_events_ > 0) return;
   const std::optional<double> next = next_in_window(target, options);
   if (!next || *next > target || contact_.is_before(*next)) return;
+  Event breaks;
+  breaks.load_factor = *next;
+  const LoadWay way{body_.state().load_factor, true, options.control};
+  if (options.elements && first_with(*options.elements, &breaks, way) != &breaks) return;
   if (!window_.open(*next, options)) be_patient();
 }
 

@@ -127,12 +127,13 @@ void Model::tell_of_growth(const fracture::Growth& growth, const PreparedScene& 
   }
 }
 
-// Tells once that a run uses no windows, because windows cannot follow tips with elements.
+// Tells once why windows save less in a run: tips with elements ask for displacements of the whole body at each event.
 void Model::tell_of_whole_body() {
   if (told_of_whole_body_ || prepared_->system->terms().size() == 0) return;
   told_of_whole_body_ = true;
   log(2,
-      "cracks of boundary element regions grow beside lattices: events are found in the whole body, without windows");
+      "cracks of boundary element regions grow beside lattices: each event in a window takes the displacements of the "
+      "whole body");
 }
 
 void Model::tell_of_step(const StepResult& result, std::int64_t new_fragments, bool upwards) {

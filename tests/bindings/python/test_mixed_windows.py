@@ -1,0 +1,47 @@
+"""Lattices in windows beside cracks of boundary element regions that may grow: the events of the whole body, at a lower cost."""
+
+from __future__ import annotations
+
+import pytest
+
+import bempd
+
+WIDTH = 24.0
+
+
+def plate(solver: str, rule: str, toughness: float) -> bempd.Model:
+    """An edge crack in a lattice, and one in boundary elements at its right, each between clamps that move apart."""
+    model = bempd.Model(options={"crack.rule": rule, "test.solver": solver})
+    weak = model.add_material(young_modulus=8 / 9, poisson_ratio=1 / 3, fracture_energy=1)
+    tough = model.add_material(young_modulus=8 / 9, poisson_ratio=1 / 3, fracture_energy=toughness)
+    lattice = model.add_pd_region(weak, bempd.rectangle(0, 0, WIDTH, WIDTH), 1.0, 3)
+    box = model.add_bem_region(tough, bempd.rectangle(WIDTH, 0, 2 * WIDTH, WIDTH), 4.0)
+    model.add_crack([(0, WIDTH / 2 + 0.013), (WIDTH / 4, WIDTH / 2 + 0.013)])
+    model.add_crack([(2 * WIDTH, WIDTH / 2 + 0.1), (1.8 * WIDTH, WIDTH / 2 + 0.1)])
+    for region in (lattice, box):
+        for edge, value in ((1, -1.0), (3, 1.0)):
+            model.prescribe_edge(region, edge, "y", value)
+            model.fix_edge(region, edge, "x")
+    return model
+
+
+# The crack in elements grows not at all, or first.
+@pytest.mark.parametrize(("rule", "toughness"), [("bond", 3.0), ("line", 3.0), ("bond", 1.4)])
+def test_events_and_loads_are_those_of_the_whole_body(rule: str, toughness: float) -> None:
+    windows, plain = plate("window", rule, toughness), plate("plain", rule, toughness)
+    for _ in range(12):
+        ahead, whole = windows.step_to_next_event(1e6), plain.step_to_next_event(1e6)
+        assert (ahead.total_broken_bonds, ahead.stop_reason) == (whole.total_broken_bonds, whole.stop_reason)
+        assert ahead.load_factor == pytest.approx(whole.load_factor, rel=1e-9)
+        assert ahead.work == pytest.approx(whole.work, rel=1e-9)
+        assert ahead.released_energy == pytest.approx(whole.released_energy, rel=1e-8)
+    assert [e.crack for e in windows.extensions()] == [e.crack for e in plain.extensions()]
+
+
+def test_breaks_change_no_factor_of_the_whole_body() -> None:
+    windows, plain = plate("window", "bond", 3.0), plate("plain", "bond", 3.0)
+    for model in (windows, plain):
+        for _ in range(12):
+            model.step_to_next_event(1e6)
+    assert plain.statistics().factor_updates >= 12
+    assert windows.statistics().factor_updates == 0
