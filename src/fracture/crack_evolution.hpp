@@ -123,8 +123,8 @@ class CrackEvolution {
   // A tip of a line goes no further: it has come to an interface, or its crack goes on in another carrier.
   void stop_line(const crack::TipId& tip, crack::TipState state = crack::TipState::at_interface);
 
-  // After StopReason::growth, where the tip cannot grow: it has stopped, and the step ends here.
-  void end_with_stopped(const crack::TipId& tip, const std::function<void()>& on_end);
+  // After StopReason::growth, where these tips cannot grow: they have stopped, and the step ends here.
+  void end_with_stopped(const std::vector<crack::TipId>& tips, const std::function<void()>& on_end);
 
   // Goes on with the run of another body whose cracks have grown since, at its load factor. `node_before` has of each
   // node the one that was there before, or one close by. book() has to follow.

@@ -48,8 +48,8 @@ void CrackEvolution::stop_line(const crack::TipId& tip, crack::TipState state) {
   if (last != state_.extensions.rend()) last->state = crack::TipState::at_interface;
 }
 
-void CrackEvolution::end_with_stopped(const crack::TipId& tip, const std::function<void()>& on_end) {
-  state_.stopped.push_back(tip);
+void CrackEvolution::end_with_stopped(const std::vector<crack::TipId>& tips, const std::function<void()>& on_end) {
+  state_.stopped.insert(state_.stopped.end(), tips.begin(), tips.end());
   end_step();
   if (on_end) on_end();
   start_.reset();

@@ -78,20 +78,48 @@ fracture::StopReason Model::with_stopped_lines(fracture::StopReason reason, cons
   return reason == StopReason::requested || reason == StopReason::event ? StopReason::crack_stopped : reason;
 }
 
-// False if the tip cannot grow: it stops, and the step ends.
+namespace {
+
+// One of several tips that were to grow together.
+Growing alone(const Growing& together, std::size_t number) {
+  Growing one = together;
+  one.tips = {together.tips[number]}, one.extensions = {together.extensions[number]};
+  one.lengths = {together.lengths[number]};
+  return one;
+}
+
+}  // namespace
+
+// False if the tip cannot grow: it stops, and the step ends. Of several that were to grow together those stop that
+// cannot grow alone either; the first one if each can.
 bool Model::grow_next(ElementTips& tips, DrivenRun& run) {
   const fracture::CrackEvolution::Due due = prepared_->evolution->due();
   Growing growing = growing_with(tips.values(), tips.number_of(due.tip), load_factor(), options_);
   growing.ties = due.ties;
   set_lengths(growing, chosen_length(scene_, growing, options_), options_);
   const std::vector<scene::Crack> before = scene_.cracks();
+  const auto cannot_grow_alone = [&](std::size_t number) {
+    Growing one = alone(growing, number);
+    bool cannot = false;
+    try {
+      extended_scene(before, one, run.on_way);
+    } catch (const crack::CannotGrow&) {
+      cannot = true;
+    }
+    scene_.set_cracks(before);
+    return cannot;
+  };
   Grown next;
   try {
-    next = grown(before, std::move(growing), true, run.on_way);
+    next = grown(before, growing, true, run.on_way);
   } catch (const crack::CannotGrow& error) {
     scene_.set_cracks(before);
     say([&] { log(1, error.what()); });
-    prepared_->evolution->end_with_stopped(due.tip, run.on_end);
+    std::vector<crack::TipId> stopped;
+    for (std::size_t k = 0; k < growing.tips.size() && growing.tips.size() > 1; ++k)
+      if (cannot_grow_alone(k)) stopped.push_back({growing.tips[k].crack, growing.tips[k].end});
+    if (stopped.empty()) stopped.push_back(due.tip);
+    prepared_->evolution->end_with_stopped(stopped, run.on_end);
     return false;
   }
   run.crack_stopped = std::any_of(next.growth.extensions.begin(), next.growth.extensions.end(),
