@@ -105,7 +105,7 @@ def draw_duel(axis: Any, best: Sequence[Row]) -> None:
                 axis.barh(place, 0, 0.18, color=COLOURS[program], label=label)
                 axis.text(0.45, place, f"{program}: not reached", va="center", fontsize=9, color=COLOURS[program])
     axis.set(xscale="log", xlim=(0.4, 3e4), yticks=range(len(PROBLEMS)), xlabel="milliseconds, one core, without meshing",
-             title=f"Time to a displacement within {TARGET:g}")
+             title=f"Time to an error of {TARGET:g} of a displacement")
     axis.set_yticklabels(list(PROBLEMS)[::-1])
     axis.legend(fontsize=10, loc="upper right", frameon=False)
 
@@ -130,10 +130,10 @@ def draw(path: Path, trials: Sequence[Row], best: Sequence[Row]) -> None:
         draw_duel(axes[0], best)
         draw_prices(axes[1], good, "seconds", 1e3)
         draw_prices(axes[2], good, "megabytes", 1)
-        axes[1].set(title="Error against time, every scene over its knobs", xlabel="milliseconds", ylabel="relative error",
+        axes[1].set(title="bempd: error against time, a line for each scene", xlabel="milliseconds, one core", ylabel="relative error",
                     xlim=(0.4, 5e4))
-        axes[2].set(title="Error against memory", xlabel="megabytes", xlim=(1.5, 3e3))
-        axes[1].legend(fontsize=10, frameon=False, loc="lower right")
+        axes[2].set(title="bempd: error against memory", xlabel="megabytes", xlim=(1.5, 3e3))
+        axes[2].legend(*axes[1].get_legend_handles_labels(), fontsize=10, frameon=False, loc="lower right")
         for axis in axes[1:]:
             axis.grid(color="#dddddd", linewidth=0.5)
             axis.set_ylim(1e-7, 1)
