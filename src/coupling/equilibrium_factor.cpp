@@ -30,7 +30,7 @@ Constraints constraints_on(const PlacesMet& places) {
 }  // namespace
 
 std::unique_ptr<StiffnessAssembly> EquilibriumSystem::assembly_with(const PlacesMet* places) const {
-  return std::make_unique<StiffnessAssembly>(unknowns_.unknown_of, terms_, ties_, operators_, is_symmetric(),
+  return std::make_unique<StiffnessAssembly>(unknowns_.unknown_of, terms_, ties_, operators_.list(), is_symmetric(),
                                              places ? constraints_on(*places) : Constraints());
 }
 

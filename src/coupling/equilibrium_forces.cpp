@@ -18,7 +18,7 @@ Eigen::VectorXd EquilibriumSystem::internal_force(const Eigen::VectorXd& displac
     terms_.add_forces(present_stiffness_, displacement.data(), force.data());
   }
   constraints_.add_penalty_forces(displacement.data(), force.data());
-  for (const OperatorSchurComplement& op : operators_) op.add_internal_force(displacement, load_factor, force);
+  for (const OperatorSchurComplement& op : operators_.list()) op.add_internal_force(displacement, load_factor, force);
   ties_.collect(force);
   return force;
 }
@@ -38,21 +38,13 @@ Eigen::VectorXd EquilibriumSystem::force_of_terms(std::span<const int> terms, co
   return force;
 }
 
-Eigen::VectorXd EquilibriumSystem::force_of_operator(const std::vector<int>& nodes, const Eigen::VectorXd& displacement,
-                                                     double load_factor) const {
-  Eigen::VectorXd force = Eigen::VectorXd::Zero(displacement.size());
-  for (const OperatorSchurComplement& op : operators_)
-    if (op.is_on(nodes)) op.add_internal_force(displacement, load_factor, force);
-  return force;
-}
-
 double EquilibriumSystem::energy(const Eigen::VectorXd& displacement, double load_factor) const {
   double sum = 0;
   for (std::size_t t = 0; t < terms_.size(); ++t) {
     if (intact_[t]) sum += terms_.energy(t, present_stiffness_[t], displacement.data(), load_factor);
   }
   sum += constraints_.penalty_energy(displacement.data());
-  for (const OperatorSchurComplement& op : operators_) sum += op.energy(displacement, load_factor);
+  for (const OperatorSchurComplement& op : operators_.list()) sum += op.energy(displacement, load_factor);
   return sum;
 }
 
@@ -63,7 +55,7 @@ double EquilibriumSystem::energy_slope(const Eigen::VectorXd& displacement, doub
     if (!intact_[t]) continue;
     sum -= present_stiffness_[t] * terms_.elastic_elongation(t, u, load_factor) * terms_.rest(t, 1);
   }
-  for (const OperatorSchurComplement& op : operators_) sum += op.energy_slope(displacement, load_factor);
+  for (const OperatorSchurComplement& op : operators_.list()) sum += op.energy_slope(displacement, load_factor);
   return sum;
 }
 
@@ -76,7 +68,7 @@ double EquilibriumSystem::unit_energy(const Eigen::VectorXd& proportional) const
     sum += 0.5 * present_stiffness_[t] * elastic * elastic;
   }
   sum += constraints_.penalty_energy(proportional.data());
-  for (const OperatorSchurComplement& op : operators_) sum += op.unit_energy(proportional);
+  for (const OperatorSchurComplement& op : operators_.list()) sum += op.unit_energy(proportional);
   return sum;
 }
 
@@ -86,7 +78,7 @@ Eigen::VectorXd EquilibriumSystem::apply(const Eigen::VectorXd& unknowns) const 
   terms_.add_forces(present_stiffness_, displacement.data(), force.data());
   constraints_.add_penalty_forces(displacement.data(), force.data());
   ties_.collect(force);
-  for (const OperatorSchurComplement& op : operators_) {
+  for (const OperatorSchurComplement& op : operators_.list()) {
     if (op.shared_dofs().empty()) continue;  // a BLAS complains on the terminal about a matrix without rows
     const Eigen::VectorXd local = op.schur_complement() * displacement(op.shared_dofs());
     force(op.shared_dofs()) += local;
@@ -100,8 +92,8 @@ Eigen::VectorXd EquilibriumSystem::apply(const Eigen::VectorXd& unknowns) const 
 }
 
 Affine EquilibriumSystem::right_hand_side() const {
-  Affine load = condensed_load_;
-  Affine support = prescribed_;
+  Affine load = operators_.load();
+  Affine support = prescribed();
   ties_.expand(support);
   add_supports(support, load);
   if (terms_.have_offsets()) add_offsets(load);

@@ -68,74 +68,32 @@ EquilibriumSystem::EquilibriumSystem(int node_count, std::vector<DenseOperator> 
       intact_(terms_.size(), 1),
       present_stiffness_(terms_.stiffness),
       unknowns_(classify(node_count, operators, terms_, ties_, prescribed_dofs)),
-      force_(Affine::Zero(2 * node_count, 2)),
-      prescribed_(Affine::Zero(2 * node_count, 2)),
+      load_(node_count),
       factor_(method_, unknowns_, counters_) {
   counters_.sparse_unknowns = unknowns_.count();
   collect_bodies(operators);
   collect_followers();
   for (std::size_t t = 0; t < terms_.law.size(); ++t) enter({static_cast<int>(t), 0});
-  Eigen::Index exact = 0;
-  for (const DenseOperator& op : operators)
-    if (op.constraints) exact += op.constraints->of_forces.rows();
-  constraints_ = Constraints(static_cast<std::size_t>(exact));
-  gap_offsets_ = Affine::Zero(exact, 2);
   const StiffnessRange range = stiffness_range(node_count, operators, terms_);
   largest_stiffness_ = range.largest;
   stiffness_ratio_ = range.largest > 0 ? range.smallest / range.largest : 1;
-  pending_ = std::move(operators);
-  collect_rest_motions();
+  operators_ = CondensedOperators(std::move(operators));
+  constraints_ = Constraints(static_cast<std::size_t>(operators_.constraint_count()));
+  measure_rests_of_terms();
 }
 
-template <class Visit>
-void EquilibriumSystem::for_each_operator_rest(const Visit& visit) {
-  std::size_t number = 0;
-  if (condensed_ == Condensed::nothing) {
-    for (DenseOperator& op : pending_) visit(op.rest, number++);
-  } else {
-    for (OperatorSchurComplement& op : operators_) {
-      Affine rest(0, 2);
-      op.exchange_rest(rest);
-      visit(rest, number++);
-      op.exchange_rest(rest);
-    }
-  }
-}
-
-void EquilibriumSystem::collect_rest_motions() noexcept {
+void EquilibriumSystem::measure_rests_of_terms() noexcept {
   for (int part = 0; part < 2; ++part) {
-    operators_have_rest_[part] = false;
-    rest_motion_[part] = 0;
-    for_each_operator_rest([&](const Affine& rest, std::size_t) {
-      operators_have_rest_[part] = operators_have_rest_[part] || !rest.col(part).isZero(0);
-      if (rest.rows() > 0) rest_motion_[part] = std::max(rest_motion_[part], rest.col(part).lpNorm<Eigen::Infinity>());
-    });
+    rest_of_terms_[part] = 0;
     for (const double rest : terms_.rest_elongation[part])
-      rest_motion_[part] = std::max(rest_motion_[part], std::abs(rest));
+      rest_of_terms_[part] = std::max(rest_of_terms_[part], std::abs(rest));
   }
-}
-
-Rests EquilibriumSystem::rests() const {
-  Rests all{terms_.rest_elongation, {}};
-  if (condensed_ == Condensed::nothing) {
-    for (const DenseOperator& op : pending_) all.of_operators.push_back(op.rest);
-  } else {
-    for (const OperatorSchurComplement& op : operators_) all.of_operators.push_back(op.rest());
-  }
-  return all;
 }
 
 void EquilibriumSystem::exchange_rests(Rests& others) noexcept {
   terms_.rest_elongation.swap(others.of_terms);
-  for_each_operator_rest([&](Affine& rest, std::size_t number) { rest.swap(others.of_operators[number]); });
-  collect_rest_motions();
-  if (condensed_ == Condensed::operators_and_load) condensed_ = Condensed::operators;
-}
-
-int EquilibriumSystem::operator_on(const std::vector<int>& nodes) const {
-  const auto found =
-      std::find_if(operators_.begin(), operators_.end(), [&](const auto& op) { return op.is_on(nodes); });
-  return found == operators_.end() ? -1 : static_cast<int>(found - operators_.begin());
+  operators_.exchange_rests(others.of_operators);
+  measure_rests_of_terms();
 }
 
 void EquilibriumSystem::collect_bodies(const std::vector<DenseOperator>& operators) {
@@ -161,82 +119,27 @@ void EquilibriumSystem::place_nodes(const std::vector<Point>& positions) {
 }
 
 void EquilibriumSystem::set_load(Affine force, Affine prescribed) {
-  force_ = std::move(force);
-  prescribed_ = std::move(prescribed);
-  for (int dof = 0; dof < 2 * node_count_; ++dof) {
-    if (!is_prescribed(dof)) prescribed_.row(dof).setZero();
-  }
-  collect_support_motions();
-  for (int part = 0; part < 2; ++part) force_parts_[part] = force_.col(part).lpNorm<Eigen::Infinity>();
-  ties_.collect(force_);
-  if (condensed_ == Condensed::operators_and_load) condensed_ = Condensed::operators;
+  load_.set(std::move(force), std::move(prescribed), unknowns_.kind, ties_);
+  operators_.forget_load();
   // Multipliers depend on the loads, so these are condensed anew.
   if (constraints_.closed_exact_count() > 0) condense_load();
 }
 
-// Collects the different motions of supports: edges and points move alike, which makes a few motions for thousands of
-// degrees of freedom.
-void EquilibriumSystem::collect_support_motions() {
-  support_motions_.clear();
-  for (int dof = 0; dof < 2 * node_count_; ++dof) {
-    const std::array<double, 2> motion{prescribed_(dof, 0), prescribed_(dof, 1)};
-    if (motion != std::array<double, 2>{}) support_motions_.push_back(motion);
-  }
-  std::sort(support_motions_.begin(), support_motions_.end());
-  support_motions_.erase(std::unique(support_motions_.begin(), support_motions_.end()), support_motions_.end());
-}
-
-double EquilibriumSystem::support_motion() const {
-  double largest = 0;
-  for (const auto& motion : support_motions_) largest = std::max(largest, std::abs(motion[1]));
-  return largest;
-}
-
-double EquilibriumSystem::support_motion(double load_factor) const {
-  double largest = 0;
-  for (const auto& motion : support_motions_)
-    largest = std::max(largest, std::abs(motion[0] + load_factor * motion[1]));
-  return largest;
-}
-
-double EquilibriumSystem::parts_of_support_motion(double load_factor) const {
-  double largest = 0;
-  for (const auto& motion : support_motions_)
-    largest = std::max(largest, std::abs(motion[0]) + std::abs(load_factor * motion[1]));
-  return largest;
-}
-
 void EquilibriumSystem::condense() {
-  if (condensed_ != Condensed::nothing) return;
+  if (operators_.are_condensed()) return;
   const Stopwatch watch(counters_.seconds_assembly);
-  operators_.clear();  // left by an attempt that failed
-  operators_.reserve(pending_.size());
-  for (const DenseOperator& op : pending_) {
-    check_cancelled();
-    operators_.emplace_back(op, unknowns_.kind, operators_);
-    counters_.dense_factorizations += operators_.back().has_factorized() ? 1 : 0;
-    counters_.reciprocal_condition = std::min(counters_.reciprocal_condition, operators_.back().reciprocal_condition());
-  }
-  pending_.clear();
+  operators_.condense(unknowns_.kind, counters_);
   if (stiffness_ratio_ < ordinary_stiffness_ratio) counters_.reciprocal_condition *= stiffness_ratio_;
-  condensed_ = Condensed::operators;
-  enter_exact_constraints();
+  operators_.set_closed(constraints_.closed_exact());
 }
 
 void EquilibriumSystem::condense_load() {
   condense();
-  if (condensed_ == Condensed::operators_and_load) return;
-  condensed_load_ = force_;
-  for (OperatorSchurComplement& op : operators_) {
-    check_cancelled();
-    op.condense_load(force_, prescribed_, condensed_load_);
-  }
-  condensed_ = Condensed::operators_and_load;
+  operators_.condense_load(force(), prescribed());
 }
 
 bool EquilibriumSystem::has_load(int part) const {
-  return !force_.col(part).isZero(0) || !prescribed_.col(part).isZero(0) || terms_.have_offsets(part) ||
-         operators_have_rest_[part];
+  return !load_.is_zero(part) || terms_.have_offsets(part) || operators_.have_rest(part);
 }
 
 Eigen::VectorXd EquilibriumSystem::displacement_of(const Eigen::VectorXd& unknowns) const {
@@ -253,12 +156,12 @@ Eigen::VectorXd EquilibriumSystem::solve_column(const Eigen::VectorXd& rhs) {
 }
 
 Affine EquilibriumSystem::solve() {
-  if (!has_load(0) && !has_load(1) && springs_.empty()) return prescribed_;
+  if (!has_load(0) && !has_load(1) && springs_.empty()) return prescribed();
   condense();
   if (unknowns_.count() > 0) factorize();
   const Stopwatch watch(counters_.seconds_solve);
   condense_load();
-  Affine displacement = prescribed_;
+  Affine displacement = prescribed();
   if (unknowns_.count() > 0) {
     const Affine rhs = right_hand_side();
     for (int column = 0; column < 2; ++column) {
@@ -273,7 +176,7 @@ Affine EquilibriumSystem::solve() {
     }
   }
   for (int column = 0; column < 2; ++column) counters_.solves += has_load(column) ? 1 : 0;
-  for (const OperatorSchurComplement& op : operators_) op.recover(displacement);
+  for (const OperatorSchurComplement& op : operators_.list()) op.recover(displacement);
   ties_.expand(displacement);
   return displacement;
 }
@@ -284,8 +187,8 @@ FactorizedSystem EquilibriumSystem::factorized() {
   factorize();
   const Stopwatch watch(counters_.seconds_solve);
   condense_load();
-  return {factor_.cholesky(), unknowns_.dof_of,  factor_.kept(), operators_, ties_,
-          prescribed_,        right_hand_side(), counters_};
+  return {factor_.cholesky(), unknowns_.dof_of,  factor_.kept(), operators_.list(), ties_,
+          prescribed(),       right_hand_side(), counters_};
 }
 
 }  // namespace bempd::coupling

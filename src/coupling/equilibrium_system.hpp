@@ -11,10 +11,11 @@
 #include <vector>
 
 #include "coupling/affine.hpp"
+#include "coupling/applied_load.hpp"
+#include "coupling/condensed_operators.hpp"
 #include "coupling/constraints.hpp"
 #include "coupling/factor_origin.hpp"
 #include "coupling/node_ties.hpp"
-#include "coupling/operator_schur_complement.hpp"
 #include "coupling/operators.hpp"
 #include "coupling/solver_counters.hpp"
 #include "coupling/stiffness_assembly.hpp"
@@ -78,7 +79,7 @@ class EquilibriumSystem {
   const std::vector<double>& present_stiffness() const { return present_stiffness_; }
   // Whether terms or operators have forces without displacements.
   bool has_offsets() const {
-    return terms_.have_offsets() || operators_have_rest_[0] || operators_have_rest_[1] ||
+    return terms_.have_offsets() || operators_.have_rest(0) || operators_.have_rest(1) ||
            constraints_.closed_exact_count() > 0;
   }
   // Stage change of a term that reaches the critical elongation of its stage.
@@ -98,25 +99,19 @@ class EquilibriumSystem {
 
   // Sets forces on free degrees of freedom [N] and displacements of prescribed ones [m], 2 * node + component.
   void set_load(Affine force, Affine prescribed);
-  const Affine& force() const { return force_; }
-  const Affine& prescribed() const { return prescribed_; }
-  // Largest motion of a support: of the proportional part, and at a load factor [m]. Every event asks for it.
-  double support_motion() const;
-  double support_motion(double load_factor) const;
-  // Sums of magnitudes of the constant and proportional parts, which may nearly cancel: of support motions [m], then of
-  // forces [N].
-  double parts_of_support_motion(double load_factor) const;
-  double parts_of_force(double load_factor) const { return force_parts_[0] + std::abs(load_factor) * force_parts_[1]; }
-  // Largest displacement that free swelling of terms and operators (heat, for instance) would cause, likewise [m].
-  double rest_motion() const { return rest_motion_[1]; }
-  double rest_motion(double load_factor) const { return rest_motion_[0] + std::abs(load_factor) * rest_motion_[1]; }
+  const AppliedLoad& load() const { return load_; }
+  const Affine& force() const { return load_.force(); }
+  const Affine& prescribed() const { return load_.prescribed(); }
+  // Largest displacement that free swelling of terms and operators (heat, for instance) would cause [m]: of the
+  // proportional part; and the sum of the magnitudes of both parts.
+  double rest_motion() const { return rest_motion_of(1); }
+  double rest_motion(double load_factor) const { return rest_motion_of(0) + std::abs(load_factor) * rest_motion_of(1); }
   const NodeTies& ties() const { return ties_; }
 
   // Rest elongations and displacements, and their exchange for as many others; set_load() has to follow.
-  Rests rests() const;
+  Rests rests() const { return {terms_.rest_elongation, operators_.rests()}; }
   void exchange_rests(Rests& others) noexcept;
-  // Number of the operator on these nodes, -1 if there is none; only once operators are condensed.
-  int operator_on(const std::vector<int>& nodes) const;
+  const CondensedOperators& operators() const { return operators_; }
 
   // Changes the stages of terms in two calls, so that fragments can be found in between and held before the matrix
   // loses their resistance: mark() marks the terms, commit() changes the matrix (rank-one changes of the factor, by the
@@ -143,17 +138,9 @@ class EquilibriumSystem {
   // while its faces press.
   Affine gaps(const Affine& displacement) const;
   // Weights of the gap of an open constraint as a function of displacements, 2 * node + component, none on tied nodes.
-  // The gap of an exact one is this and its offset: the gap that loads inside its operator cause.
+  // The gap of an exact one is this and its offset, which loads inside its operator cause.
   Eigen::VectorXd gap_function(std::size_t number) const;
-  const Affine& gap_offsets() const { return gap_offsets_; }
-  void exchange_gap_offsets(Affine& others) noexcept;  // set_load() has to follow
-  // Gaps of exact constraints without multipliers; their multipliers, which are contact forces [N]; and the work that
-  // loads inside operators do on the displacements due to these.
-  Eigen::VectorXd exact_gaps(const Eigen::VectorXd& displacement, double load_factor) const;
-  Eigen::VectorXd multipliers(const Eigen::VectorXd& displacement, double load_factor) const;
-  double work_due_to_multipliers(const Eigen::VectorXd& displacement, double load_factor) const;
-  // Flags of the exact constraints of the operator on these nodes: 1 if closed.
-  std::vector<char> closed_on(const std::vector<int>& nodes) const;
+  void exchange_gap_offsets(Affine& others) noexcept { operators_.exchange_gap_offsets(others); }  // then set_load()
 
   // Puts terms into other stages without touching the factor, which then belongs to another matrix.
   void set_stages(std::span<const StageChange> changes);
@@ -203,11 +190,9 @@ class EquilibriumSystem {
   // masters.
   Eigen::VectorXd internal_force(const Eigen::VectorXd& displacement, double load_factor = 0) const;
 
-  // Nodal forces of some terms, or of the dense operator on these nodes if there is one; tied nodes keep their forces.
+  // Nodal forces of some terms; tied nodes keep their forces.
   Eigen::VectorXd force_of_terms(std::span<const int> terms, const Eigen::VectorXd& displacement,
                                  double load_factor) const;
-  Eigen::VectorXd force_of_operator(const std::vector<int>& nodes, const Eigen::VectorXd& displacement,
-                                    double load_factor) const;
 
   // Energy of operators and terms at a displacement and a load factor; and its derivative by the load factor alone,
   // from the proportional parts of rest elongations and rest displacements.
@@ -230,15 +215,10 @@ class EquilibriumSystem {
   }
 
  private:
-  enum class Condensed : char { nothing, operators, operators_and_load };
-
-  void enter_exact_constraints();
   void eliminate_exact_constraints();
   void collect_bodies(const std::vector<DenseOperator>& operators);
-  void collect_support_motions();
-  void collect_rest_motions() noexcept;
-  template <class Visit>
-  void for_each_operator_rest(const Visit& visit);
+  void measure_rests_of_terms() noexcept;
+  double rest_motion_of(int part) const { return std::max(rest_of_terms_[part], operators_.rest_motion(part)); }
   void collect_followers();
   void condense_load();
   void factorize();
@@ -264,10 +244,8 @@ class EquilibriumSystem {
   int node_count_;
   double largest_stiffness_ = 0, stiffness_ratio_ = 1;  // of single degrees of freedom
   const SolutionMethod& method_;
-  bool operators_have_rest_[2] = {false, false};              // in its two parts
-  double rest_motion_[2] = {0, 0}, force_parts_[2] = {0, 0};  // largest in each part
-  std::vector<DenseOperator> pending_;                        // until condensed
-  std::vector<OperatorSchurComplement> operators_;
+  double rest_of_terms_[2] = {0, 0};  // largest rest elongation in each part
+  CondensedOperators operators_;
   std::vector<std::vector<int>> bodies_;
   std::vector<char> in_body_;  // per node
   Terms terms_;
@@ -278,11 +256,8 @@ class EquilibriumSystem {
   std::vector<double> present_stiffness_;
   std::vector<HoldingSpring> springs_;
   Constraints constraints_;
-  Affine gap_offsets_{0, 2};  // of exact constraints
   Unknowns unknowns_;
-  Affine force_, prescribed_, condensed_load_;
-  std::vector<std::array<double, 2>> support_motions_;  // each once, of the prescribed ones that are not 0
-  Condensed condensed_ = Condensed::nothing;
+  AppliedLoad load_;
   mutable std::unique_ptr<StiffnessAssembly> assembly_;  // once condensed
   mutable std::shared_ptr<const PlacesMet> places_met_;  // null: none
   SolverCounters counters_;

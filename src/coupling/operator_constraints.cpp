@@ -53,6 +53,12 @@ void OperatorSchurComplement::set_closed(const std::vector<char>& closed) {
   schur_with_active_ += by_shared.transpose() * active_compliance_.solve(by_shared);
 }
 
+std::vector<char> OperatorSchurComplement::closed() const {
+  std::vector<char> closed(constraint_count(), 0);
+  for (const Eigen::Index i : active_) closed[static_cast<std::size_t>(i)] = 1;
+  return closed;
+}
+
 void OperatorSchurComplement::find_gaps_at_rest(const Affine& support) {
   gaps_at_rest_ = gap_offsets_ + constraints_->of_displacements * support;
   if (!private_.empty())

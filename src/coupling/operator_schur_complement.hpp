@@ -58,6 +58,7 @@ class OperatorSchurComplement {
   // Sets the gaps that loads inside the body cause; condense_load() has to follow, as it has to after set_closed().
   void set_gap_offsets(const Eigen::Ref<const Affine>& offsets) { gap_offsets_ = offsets; }
   void set_closed(const std::vector<char>& closed);
+  std::vector<char> closed() const;
   // Gaps of open constraints. A closed one has the overlap that it would have without its multiplier, negative while
   // its faces press.
   Affine gaps(const Affine& displacement) const;

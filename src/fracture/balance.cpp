@@ -35,20 +35,20 @@ constexpr char causes_of_rounding[] =
 
 // How far supports, and springs that hold what came free, have moved the body.
 double moved_by_holds(const coupling::EquilibriumSystem& system, double load_factor) {
-  double largest = std::max(system.support_motion(load_factor), system.rest_motion(load_factor));
+  double largest = std::max(system.load().support_motion(load_factor), system.rest_motion(load_factor));
   for (const coupling::HoldingSpring& spring : system.springs()) largest = std::max(largest, std::abs(spring.anchor));
   return largest;
 }
 
 double force_of_parts(const coupling::EquilibriumSystem& system, double load_factor) {
-  const double by_supports = system.largest_stiffness() * system.parts_of_support_motion(load_factor);
-  return scale_of_parts * (system.parts_of_force(load_factor) + by_supports);
+  const double by_supports = system.largest_stiffness() * system.load().parts_of_support_motion(load_factor);
+  return scale_of_parts * (system.load().parts_of_force(load_factor) + by_supports);
 }
 
 }  // namespace
 
 bool is_separated(const coupling::EquilibriumSystem& system, double unit_energy, double first_unit_energy) {
-  const double moved = std::max(system.support_motion(), system.rest_motion());
+  const double moved = std::max(system.load().support_motion(), system.rest_motion());
   const double rounding = energy_rounding * system.largest_stiffness() * moved * moved;
   return unit_energy < std::max(separated_energy_ratio * first_unit_energy, std::min(rounding, first_unit_energy));
 }

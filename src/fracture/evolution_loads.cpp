@@ -83,7 +83,8 @@ double CrackEvolution::within(double load_factor) const {
   const Eigen::Vector2d loads(1, load_factor);
   const double open = 0.5 * loads.dot(work_within_ * loads);
   if (system_.constraints().closed_exact_count() == 0) return open;
-  return open + system_.work_due_to_multipliers(coupling::evaluate(state_.displacement, load_factor), load_factor);
+  const Eigen::VectorXd u = coupling::evaluate(state_.displacement, load_factor);
+  return open + system_.operators().work_due_to_multipliers(u, load_factor);
 }
 
 double CrackEvolution::least_scale_within(double load_factor) const {

@@ -60,14 +60,16 @@ std::vector<double> WholeBody::released_by_constraints(const Eigen::VectorXd& be
   }
   if (constraints.closed_exact_count() == 0 && multipliers_before_.isZero(0)) return {by_penalties};
   const double f = body_.state().load_factor;
-  const double gained = system_.multipliers(after, f).dot(system_.exact_gaps(before, f));
-  return {by_penalties, 0.5 * (gained - multipliers_before_.dot(system_.exact_gaps(after, f)))};
+  const coupling::CondensedOperators& exact = system_.operators();
+  const double gained = exact.multipliers(after, f).dot(exact.gaps_without_multipliers(before, f));
+  const double lost = multipliers_before_.dot(exact.gaps_without_multipliers(after, f));
+  return {by_penalties, 0.5 * (gained - lost)};
 }
 
 void WholeBody::remember_constraints() {
   const BodyState& state = body_.state();
   closed_before_ = system_.constraints().closed();
-  multipliers_before_ = system_.multipliers(state.total_displacement, state.load_factor);
+  multipliers_before_ = system_.operators().multipliers(state.total_displacement, state.load_factor);
 }
 
 std::optional<BodyChange> WholeBody::change(const Event& event, std::span<const ChangingTerm> terms, Outcome& outcome) {

@@ -45,7 +45,7 @@ Eigen::VectorXd EdgeResults::forces_from_outside(const std::vector<int>& body) {
   for (const int id : body) {
     const std::vector<int> own = d.region(id).terms();
     terms.insert(terms.end(), own.begin(), own.end());
-    force += system.force_of_operator(d.region(id).nodes(), state.total_displacement, state.load_factor);
+    force += system.operators().force_on(d.region(id).nodes(), state.total_displacement, state.load_factor);
   }
   if (body.size() > 1) {  // regions share terms
     std::sort(terms.begin(), terms.end());

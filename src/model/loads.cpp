@@ -27,13 +27,13 @@ std::optional<fracture::CrackEvolution::Heat> Model::heat(const regions::DofCond
   rests.of_terms = regions::swell_again(prepared_->discretization, conditions.swelling, system.terms());
   for (const auto& region : prepared_->discretization.regions)
     if (const coupling::Affine* rest = region->rest_of_operator())
-      rests.of_operators[static_cast<std::size_t>(system.operator_on(region->nodes()))] = *rest;
+      rests.of_operators[static_cast<std::size_t>(system.operators().number_on(region->nodes()))] = *rest;
   if (rests == system.rests()) return std::nullopt;
   return prepared_->evolution->heat(std::move(rests));
 }
 
 std::optional<fracture::CrackEvolution::FaceLoads> Model::load_faces(const regions::DofConditions& conditions) {
-  if (conditions.face_offsets == prepared_->system->gap_offsets()) return std::nullopt;
+  if (conditions.face_offsets == prepared_->system->operators().gap_offsets()) return std::nullopt;
   return prepared_->evolution->load_faces(conditions.face_offsets);
 }
 

@@ -23,7 +23,7 @@ regions::Solution solution_of(const PreparedScene& prepared) {
   std::vector<std::vector<char>> closed(prepared.conditions.body_force.rows() / 3);
   if (prepared.system->constraints().closed_exact_count() > 0)
     for (const auto& region : prepared.discretization.regions)
-      closed[static_cast<std::size_t>(region->id()) - 1] = prepared.system->closed_on(region->nodes());
+      closed[static_cast<std::size_t>(region->id()) - 1] = prepared.system->operators().closed_on(region->nodes());
   return {
       .displacement = state.total_displacement,
       .bonds = prepared.system->terms(),

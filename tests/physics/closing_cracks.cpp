@@ -108,7 +108,7 @@ Eigen::VectorXd openings(model::Model& model) {
                                    &p.conditions.crack_loads,
                                    state.load_factor,
                                    &p.system->stages(),
-                                   {p.system->closed_on(model.results().region(1).nodes())}};
+                                   {p.system->operators().closed_on(model.results().region(1).nodes())}};
   // Pictures have the nodes of elements one after another, crack by crack.
   const auto& region = static_cast<const regions::BoundaryRegion&>(model.results().region(1));
   const std::vector<regions::CrackPicture> pictures = region.crack_pictures(solution);

@@ -156,8 +156,8 @@ class CrackFaces::PresentPlaces final : public FacePlaces {
   void renew(std::size_t place, const GrownFace& face, Constraint constraint) override {
     GrownFace& known = state_.grown[place - faces_.first_grown()];
     if (face.normal_x == known.normal_x && face.normal_y == known.normal_y) return;
-    const double zero = gap_rounding(constraint, displacement_.lpNorm<Eigen::Infinity>());
-    if (passed_zero(false, constraint.gap(displacement_.data())) > zero) return;
+    const double largest = displacement_.lpNorm<Eigen::Infinity>();
+    if (is_wrong(constraint, false, constraint.gap(displacement_.data()), largest)) return;
     known = face;
     faces_.system_.replace_open_constraint(place, std::move(constraint));
   }

@@ -26,6 +26,9 @@ double rounding_of(const Constraint& constraint) {
   return constraint.is_exact() ? rounding_of_exact : rounding_of_penalties;
 }
 
+// Distance of a gap on the wrong side of zero.
+double passed_zero(bool closed, double gap) { return closed ? gap : -gap; }
+
 // Gap of a constraint as it follows the load factor, and the share of the largest ones that counts as zero.
 struct GapLine {
   double gap, rate;
@@ -66,8 +69,8 @@ void for_each_line(const Constraints& constraints, const Affine& gaps, const Aff
 
 }  // namespace
 
-double gap_rounding(const Constraint& constraint, double largest_displacement) {
-  return rounding_of(constraint) * largest_displacement;
+bool is_wrong(const Constraint& constraint, bool closed, double gap, double largest_displacement) {
+  return passed_zero(closed, gap) > rounding_of(constraint) * largest_displacement;
 }
 
 std::vector<int> wrong_constraints(const Constraints& constraints, const Affine& gaps, const Affine& displacement,

@@ -10,12 +10,9 @@ namespace bempd::fracture {
 
 // Rules by which unilateral constraints close and open, the same in whole bodies and in windows.
 
-// Largest gap that counts as zero, where displacements are known as numbers.
-double gap_rounding(const coupling::Constraint& constraint, double largest_displacement);
-
-// Distance of a gap on the wrong side of zero: an opening at a closed constraint, or an overlap at an open one. The
-// constraint switches if that is more than rounding.
-inline double passed_zero(bool closed, double gap) { return closed ? gap : -gap; }
+// Whether a gap is on the wrong side of zero by more than rounding: an opening at a closed constraint, or an overlap at
+// an open one.
+bool is_wrong(const coupling::Constraint& constraint, bool closed, double gap, double largest_displacement);
 
 // Constraints that are not as their gaps ask for at a load factor. Where a gap is zero the next one in a direction
 // counts: 1 or -1. Direction 0: constraints with a penalty stay as they are there, and exact ones take loads as

@@ -23,11 +23,11 @@ FaceCertificate::FaceCertificate(const std::vector<WatchedConstraint>& constrain
 bool FaceCertificate::holds(const WatchedConstraint& one, int state, double gap, double rate,
                             const std::array<double, 2>& largest) const {
   if (state < one.since || state >= one.until) return true;
-  for (const double load_factor : load_factors_[static_cast<std::size_t>(state)]) {
-    const double zero = gap_rounding(one.constraint, largest[0] + std::abs(load_factor) * largest[1]);
-    if (passed_zero(one.closed, gap + load_factor * rate) > zero) return false;
-  }
-  return true;
+  const std::array<double, 2>& at = load_factors_[static_cast<std::size_t>(state)];
+  return std::none_of(at.begin(), at.end(), [&](double load_factor) {
+    const double largest_displacement = largest[0] + std::abs(load_factor) * largest[1];
+    return is_wrong(one.constraint, one.closed, gap + load_factor * rate, largest_displacement);
+  });
 }
 
 int FaceCertificate::events_before_change(const std::vector<coupling::Affine>& kept, const std::vector<int>& dofs,

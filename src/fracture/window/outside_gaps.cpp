@@ -16,6 +16,7 @@ OutsideGaps::OutsideGaps(const coupling::EquilibriumSystem& system, const coupli
   const auto is_known = [&](int dof) { return known[dof] != 0; };
   for (std::size_t i = 0; i < all.size(); ++i)
     if (!all.is_barred(i) && !all[i].is_on(is_known)) constraints_.push_back(i);
+  const coupling::Affine& offsets = system.operators().gap_offsets();
   const auto count = static_cast<Eigen::Index>(constraints_.size());
   weights_.resize(static_cast<Eigen::Index>(condensation.dofs().size()), count);
   constant_.resize(count, 2);
@@ -32,7 +33,7 @@ OutsideGaps::OutsideGaps(const coupling::EquilibriumSystem& system, const coupli
       const std::size_t number = constraints_[static_cast<std::size_t>(k)];
       weights_.col(k) = f.weights;
       constant_.row(k) = f.constant;
-      if (all[number].is_exact()) constant_.row(k) += system.gap_offsets().row(static_cast<Eigen::Index>(number));
+      if (all[number].is_exact()) constant_.row(k) += offsets.row(static_cast<Eigen::Index>(number));
       ++k;
     }
   }

@@ -47,8 +47,7 @@ std::vector<std::size_t> WindowBody::wrong_constraints(double f) const {
   for (const std::size_t i : face_forecast_.last()) {
     const WatchedConstraint& one = face_forecast_.constraints()[i];
     if (!window_.follows(one.constraint)) continue;
-    const double zero = gap_rounding(one.constraint, largest);
-    if (passed_zero(one.closed, window_.gap(one.constraint, f)) > zero) wrong.push_back(i);
+    if (is_wrong(one.constraint, one.closed, window_.gap(one.constraint, f), largest)) wrong.push_back(i);
   }
   return wrong;
 }

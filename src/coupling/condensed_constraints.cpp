@@ -1,0 +1,79 @@
+// Exact unilateral constraints of all dense operators.
+#include "coupling/condensed_operators.hpp"
+
+namespace bempd::coupling {
+
+namespace {
+
+// Calls visit(operator, number of its first constraint, how many it has) for the operators with constraints.
+template <class Operators, class Visit>
+void for_each_constrained(Operators& operators, const Visit& visit) {
+  Eigen::Index first = 0;
+  for (auto& op : operators) {
+    const auto count = static_cast<Eigen::Index>(op.constraint_count());
+    if (count > 0) visit(op, first, count);
+    first += count;
+  }
+}
+
+}  // namespace
+
+void CondensedOperators::set_closed(const std::vector<char>& closed) {
+  for_each_constrained(list_, [&](OperatorSchurComplement& op, Eigen::Index first, Eigen::Index count) {
+    op.set_gap_offsets(gap_offsets_.middleRows(first, count));
+    op.set_closed({closed.begin() + first, closed.begin() + first + count});
+  });
+  forget_load();
+}
+
+void CondensedOperators::exchange_gap_offsets(Affine& others) noexcept {
+  gap_offsets_.swap(others);
+  for_each_constrained(list_, [&](OperatorSchurComplement& op, Eigen::Index first, Eigen::Index count) {
+    op.set_gap_offsets(gap_offsets_.middleRows(first, count));
+  });
+  forget_load();
+}
+
+Affine CondensedOperators::gaps(const Affine& displacement) const {
+  Affine gaps = Affine::Zero(constraint_count(), 2);
+  for_each_constrained(list_, [&](const OperatorSchurComplement& op, Eigen::Index first, Eigen::Index count) {
+    gaps.middleRows(first, count) = op.gaps(displacement);
+  });
+  return gaps;
+}
+
+Eigen::VectorXd CondensedOperators::gaps_without_multipliers(const Eigen::VectorXd& displacement,
+                                                             double load_factor) const {
+  Eigen::VectorXd gaps = Eigen::VectorXd::Zero(constraint_count());
+  for_each_constrained(list_, [&](const OperatorSchurComplement& op, Eigen::Index first, Eigen::Index count) {
+    gaps.segment(first, count) = op.gaps_without_multipliers(displacement, load_factor);
+  });
+  return gaps;
+}
+
+Eigen::VectorXd CondensedOperators::multipliers(const Eigen::VectorXd& displacement, double load_factor) const {
+  Eigen::VectorXd forces = Eigen::VectorXd::Zero(constraint_count());
+  for_each_constrained(list_, [&](const OperatorSchurComplement& op, Eigen::Index first, Eigen::Index count) {
+    forces.segment(first, count) = op.multipliers(displacement, load_factor);
+  });
+  return forces;
+}
+
+double CondensedOperators::work_due_to_multipliers(const Eigen::VectorXd& displacement, double load_factor) const {
+  double sum = 0;
+  for (const OperatorSchurComplement& op : list_) sum += op.work_due_to_multipliers(displacement, load_factor);
+  return sum;
+}
+
+void CondensedOperators::add_gap_function(Eigen::Index constraint, Eigen::VectorXd& weights) const {
+  for_each_constrained(list_, [&](const OperatorSchurComplement& op, Eigen::Index first, Eigen::Index count) {
+    if (constraint >= first && constraint < first + count) op.add_gap_function(constraint - first, weights);
+  });
+}
+
+std::vector<char> CondensedOperators::closed_on(const std::vector<int>& nodes) const {
+  const int number = number_on(nodes);
+  return number < 0 ? std::vector<char>() : list_[static_cast<std::size_t>(number)].closed();
+}
+
+}  // namespace bempd::coupling
