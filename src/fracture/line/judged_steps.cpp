@@ -5,6 +5,7 @@
 
 #include "elasticity/kinked_tip.hpp"
 #include "fracture/line/line_steps.hpp"
+#include "fracture/line/on_limits.hpp"
 #include "geometry/turning.hpp"
 
 namespace bempd::fracture {
@@ -79,16 +80,19 @@ void LineSteps::judge_fit(const std::vector<GrowingTip>& tips, const WilliamsFit
   step.is_shut = is_shut(tip, fit);
   step.residual = fit.residual(step.load_factor);
   step.error = error_of_fit + error_by_residual * std::max(step.residual - least_residual, 0.0);
-  const double clear = clear_horizons * law.horizon;
+  // Less by rounding, so that a distance that is just as large is clear however the scene is turned.
+  const double horizon = (1 - rounding_of_places) * law.horizon, clear = clear_horizons * horizon;
   const bool beside_tip = std::ranges::any_of(tips, [&](const GrowingTip& other) {
-    const double reach = other.id.crack == tip.id.crack ? shortest_crack * law.horizon : clear;
+    const double reach = other.id.crack == tip.id.crack ? shortest_crack * horizon : clear;
     return &other != &tip && (other.place - tip.place).norm() < reach;
   });
   // An initial crack acts longer than it is where all bonds across it are cut, which beside an edge counts more in the
-  // energy than in the fit.
-  const bool is_crowded = !tip.energy_ratios.empty() && stress_.is_crowded(tip, law, clear);
-  step.fit_holds = laws_.criterion == KinkCriterion::hoop_stress && step.residual < largest_residual(law) &&
-                   !is_sheared && !beside_tip && !faces_press_at(tip) && !is_crowded &&
+  // energy than in the fit, and most under shear.
+  const bool is_first = tip.energy_ratios.empty();
+  const bool is_crowded = (!is_first || is_sheared) && stress_.is_crowded(tip, law, clear);
+  const bool is_told = is_sheared ? is_first && is_crowded && step.residual < residual_with_shape
+                                  : !is_crowded && step.residual < largest_residual(law);
+  step.fit_holds = laws_.criterion == KinkCriterion::hoop_stress && is_told && !beside_tip && !faces_press_at(tip) &&
                    !stress_.meets_other_material(tip, law, clear);
 }
 
@@ -100,12 +104,13 @@ bool LineSteps::need_body(const std::vector<LineStep>& steps, const LoadWay& way
   });
 }
 
-// The fit tells how the rate of a kink begins, the less the worse it is.
+// The fit tells how the rate of a kink begins, the less the worse it is. Of pressed faces it does not: its series is
+// that of free ones.
 KinkShape LineSteps::shape_of(const GrowingTip& tip, const coupling::Affine& displacement, const LineStep& step) const {
   const pd::TipLaw& law = law_of(tip);
   const double share = std::clamp(
       (residual_without_direction - step.residual) / (residual_without_direction - residual_with_shape), 0.0, 1.0);
-  if (share == 0) return {};
+  if (share == 0 || step.is_shut) return {};
   const WilliamsFit fit = stress_.fitted(tip, law, displacement, body_.pressure_in(tip.id.crack));
   return {stress_.as_read(fit.factors(law.horizon)), share * fit.t_stress(), step.angle,
           laws_.criterion == KinkCriterion::hoop_stress};
@@ -113,9 +118,9 @@ KinkShape LineSteps::shape_of(const GrowingTip& tip, const coupling::Affine& dis
 
 // The fit has told that the tip opens and where to. Of pressed cracks fluid follows into the step, which the energy
 // without it does not know.
-bool LineSteps::try_step(const GrowingTip& tip, const coupling::Affine& displacement, const LoadWay& way,
+void LineSteps::try_step(const GrowingTip& tip, const coupling::Affine& displacement, const LoadWay& way,
                          TrialBody& body, LineStep& step) const {
-  if (!body_.pressure_in(tip.id.crack).isZero(0) || body_.has_fluid()) return true;
+  if (!body_.pressure_in(tip.id.crack).isZero(0) || body_.has_fluid()) return;
   const pd::TipLaw& law = law_of(tip);
   if (step.residual > residual_without_direction && !has_begun(tip)) {
     const Point better = trials_.best_direction(tip, law, step.direction, step.load_factor, displacement, body);
@@ -126,15 +131,18 @@ bool LineSteps::try_step(const GrowingTip& tip, const coupling::Affine& displace
     }
   }
   std::optional<TrialGrowth> growth = trials_.along(tip, law, step.direction, displacement, body);
-  if (!growth) return true;
+  if (!growth) return;
   growth->shape(shape_of(tip, displacement, step));
   const std::optional<LineLoad> load = growth->load(step.load_factor, way.sense(), displacement.col(0).isZero(0));
-  if (!load) return !step.is_shut;
+  if (!load) return;
   step.by_energy = true, step.taken_energy = growth->first_energy();
-  step.load_factor = load->load_factor, step.constant = load->constant, step.growing = load->growing;
-  step.after_step = growth->ratio_after(load->load_factor) / growth->ratio(load->load_factor);
-  step.error = error_by_energy + growth->error(load->load_factor);
-  return true;
+  // A tip that is overloaded at the start of the way is due there, although less would be enough further on.
+  const bool is_due = way.control == Control::load && way.ahead(load->load_factor) > way.ahead(way.present) &&
+                      growth->opens(way.present) && growth->ratio(way.present) >= 1 + ratio_rounding;
+  step.load_factor = is_due ? way.present : load->load_factor;
+  step.constant = load->constant, step.growing = load->growing;
+  step.after_step = growth->ratio_after(step.load_factor) / growth->ratio(step.load_factor);
+  step.error = error_by_energy + growth->error(step.load_factor);
 }
 
 }  // namespace bempd::fracture

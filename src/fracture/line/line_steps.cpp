@@ -117,9 +117,8 @@ std::vector<LineStep> LineSteps::all(const std::vector<GrowingTip>& tips, const 
     if (std::optional<LineStep> step = next(tips, k, displacement, way)) steps.push_back(std::move(*step));
   }
   if (body && need_body(steps, way))
-    std::erase_if(steps, [&](LineStep& step) {
-      return !step.fit_holds && !try_step(tips[step.tip], displacement, way, *body, step);
-    });
+    for (LineStep& step : steps)
+      if (!step.fit_holds) try_step(tips[step.tip], displacement, way, *body, step);
   return steps;
 }
 

@@ -22,8 +22,14 @@ constexpr int longest_trial = 4;
 constexpr int trials_aside = 2;
 constexpr double between_trials = 10 * std::numbers::pi / 180;
 
+constexpr double ratio_of_ties = 1e-9;
+
 constexpr int rounds_for_load = 30;
 constexpr double load_rounding = 1e-12;
+
+// How much of a tip's opening hangs on its last bonds, for what weakened ones count: measured on straight cracks with
+// tips at seven places between points, horizons of 3, 4 and 5 spacings.
+constexpr double weakened_follows = 0.5;
 
 // Bond vectors that agree to this share of a spacing are the same.
 constexpr double same_vector = 1e-6;
@@ -85,19 +91,31 @@ CutStiffness::CutStiffness(const coupling::Terms& terms, const std::vector<Point
     for (std::size_t node = 0; node < is_of.size(); ++node)
       is_of[node] =
           laws.of_node[node] >= 0 && are_alike(laws.laws[static_cast<std::size_t>(laws.of_node[node])], laws.laws[law]);
-    const std::vector<int> deep = deep_points(is_of, neighbours);
-    std::map<std::pair<long, long>, Bond> family;
-    for (const int node : deep)
-      for (const int bond : bonds_at.of(node)) {
-        const auto t = static_cast<std::size_t>(bond);
-        const Point vector = terms.length[t] * Point(terms.cosine[t], terms.sine[t]);
-        const Point rounded = vector / (same_vector * laws.laws[law].spacing);
-        Bond& of_all =
-            family.try_emplace({std::lround(rounded.x()), std::lround(rounded.y())}, vector, 0.0).first->second;
-        of_all.stiffness += terms.stiffness[t] / static_cast<double>(deep.size());
-      }
-    for (const auto& [key, bond] : family) family_[law].push_back(bond);
+    family_[law] = family_of(terms, deep_points(is_of, neighbours), bonds_at, same_vector * laws.laws[law].spacing);
   }
+}
+
+// Of every bond vector the median of its stiffness: in a low lattice corrections at edges reach some of these points.
+std::vector<CutStiffness::Bond> CutStiffness::family_of(const coupling::Terms& terms, const std::vector<int>& points,
+                                                        const linalg::Adjacency& bonds_at, double same) {
+  std::map<std::pair<long, long>, std::pair<Point, std::vector<double>>> found;
+  for (const int node : points)
+    for (const int bond : bonds_at.of(node)) {
+      const auto t = static_cast<std::size_t>(bond);
+      const Point way = Point(terms.cosine[t], terms.sine[t]) * (terms.first[t] == node ? 1 : -1);
+      const Point vector = terms.length[t] * way, rounded = vector / same;
+      const std::pair key(std::lround(rounded.x()), std::lround(rounded.y()));
+      found.try_emplace(key, vector, std::vector<double>()).first->second.second.push_back(terms.stiffness[t]);
+    }
+  std::vector<Bond> family;
+  for (auto& [key, bond] : found) {
+    auto& [vector, stiffness] = bond;
+    const auto middle = stiffness.begin() + static_cast<std::ptrdiff_t>(stiffness.size() / 2);
+    std::nth_element(stiffness.begin(), middle, stiffness.end());
+    // A vector of few points that rounding tells apart from its like counts for these.
+    family.push_back({vector, *middle * static_cast<double>(stiffness.size()) / static_cast<double>(points.size())});
+  }
+  return family;
 }
 
 // Half of every bond of a point belongs to it.
@@ -109,6 +127,18 @@ double CutStiffness::per_length(int law, const Point& normal) const {
   }
   const double spacing = laws_.laws[static_cast<std::size_t>(law)].spacing;
   return sum / (spacing * spacing);
+}
+
+double CutStiffness::left_of_weakened(std::size_t bond, double stiffness) const {
+  const Point vector = terms_.length[bond] * Point(terms_.cosine[bond], terms_.sine[bond]);
+  const int law = laws_.of_node[static_cast<std::size_t>(terms_.first[bond])];
+  if (law < 0) return stiffness;
+  const double same = 2 * same_vector * laws_.laws[static_cast<std::size_t>(law)].spacing;
+  const std::vector<Bond>& family = family_[static_cast<std::size_t>(law)];
+  const auto whole = std::ranges::find_if(family, [&](const Bond& b) { return (b.vector - vector).norm() < same; });
+  if (whole == family.end() || !(stiffness < whole->stiffness)) return stiffness;
+  const double gone = 1 - stiffness / whole->stiffness;
+  return whole->stiffness * (1 - gone * (1 - weakened_follows) / (1 - weakened_follows * gone));
 }
 
 CutStiffness::Counted CutStiffness::of(std::size_t bond, double stiffness, const Point& normal) const {
@@ -129,12 +159,13 @@ CutStiffness::Counted CutStiffness::of(std::size_t bond, double stiffness, const
   return counted;
 }
 
-// The rate goes like g exp(c x) along the way x, times the shape of a kink, so that its mean over a length s is about
-// g exp(c s / 2) times the mean of the shape.
+// What growth takes is that of the first length: farther on it may be another. The rate goes like g exp(c x) along the
+// way x, times the shape of a kink, so that its mean over a length s is about g exp(c s / 2) times the mean of the
+// shape.
 TrialGrowth::AtTip TrialGrowth::at_tip(double load_factor) const {
   double weights = 0, x_mean = 0, y_mean = 0, xx = 0, xy = 0;
   const auto rate = [&](const Length& l) {
-    return std::log(energy_.released(l.terms, load_factor) / (l.energy * kink_.mean(l.length, load_factor)));
+    return std::log(energy_.released(l.terms, load_factor) / (l.length * kink_.mean(l.length, load_factor)));
   };
   for (const Length& l : lengths_) weights += l.length, x_mean += l.length * l.length / 2, y_mean += l.length * rate(l);
   x_mean /= weights, y_mean /= weights;
@@ -146,7 +177,8 @@ TrialGrowth::AtTip TrialGrowth::at_tip(double load_factor) const {
   const double logarithm = y_mean - slope * x_mean, first = lengths_.front().length;
   double off = 0;
   for (const Length& l : lengths_) off += l.length * std::pow(rate(l) - logarithm - slope * l.length / 2, 2) / weights;
-  const double here = std::exp(logarithm / 2) * kink_.of_criterion(load_factor);
+  const double taken = lengths_.front().energy / lengths_.front().length;
+  const double here = std::sqrt(std::exp(logarithm) / taken) * kink_.of_criterion(load_factor);
   return {here, here * std::sqrt(kink_.at(first, load_factor) * std::exp(slope * first)), std::sqrt(off) / 2};
 }
 
@@ -155,7 +187,6 @@ double TrialGrowth::mean_ratio(double load_factor) const {
   return std::sqrt(energy_.released(all.terms, load_factor) / all.energy);
 }
 
-// Whether bonds across the whole step get longer rather than shorter once it is made.
 bool TrialGrowth::opens(double load_factor) const {
   const Eigen::Index terms = lengths_.back().terms;
   return opening_.head(terms).dot(energy_.elongations_without(terms, load_factor)) > 0;
@@ -197,6 +228,7 @@ std::optional<TrialGrowth> TrialSteps::along(const GrowingTip& tip, const pd::Ti
   const int lengths =
       std::clamp(way_.clear_spacings(tip.place, direction, law, 2 * longest_trial) / 2, 1, longest_trial);
   const Point normal = left_of(direction);
+  const bool is_first = tip.energy_ratios.empty();
   std::vector<int> order;
   std::vector<char> taken;
   std::vector<TrialGrowth::Length> found;
@@ -206,7 +238,8 @@ std::optional<TrialGrowth> TrialSteps::along(const GrowingTip& tip, const pd::Ti
     for (const int bond : way_.across(tip.place, tip.place + k * law.spacing * direction, law.horizon)) {
       if (std::find(order.begin(), order.end(), bond) != order.end()) continue;
       const auto b = static_cast<std::size_t>(bond);
-      const CutStiffness::Counted own = cut_.of(b, system_.present_stiffness()[b], normal);
+      const double present = system_.present_stiffness()[b];
+      const CutStiffness::Counted own = cut_.of(b, is_first ? cut_.left_of_weakened(b, present) : present, normal);
       counted.length += own.length, counted.energy += own.energy;
       changes.push_back(terms.breaking(bond));
     }
@@ -243,7 +276,11 @@ Point TrialSteps::best_direction(const GrowingTip& tip, const pd::TipLaw& law, c
     const auto growth = along(tip, law, turned(around, k * between_trials), displacement, body);
     ratio[static_cast<std::size_t>(k + trials_aside)] = growth ? growth->mean_ratio(load_factor) : 0;
   }
-  const auto best = static_cast<int>(std::ranges::max_element(ratio) - ratio.begin());
+  // Of directions that are alike but for rounding the one nearest to the middle.
+  int best = trials_aside;
+  for (const int k : {-1, 1, -2, 2})
+    if (ratio[static_cast<std::size_t>(trials_aside + k)] > (1 + ratio_of_ties) * ratio[static_cast<std::size_t>(best)])
+      best = trials_aside + k;
   double aside = best - trials_aside;
   if (best > 0 && best < 2 * trials_aside) {
     const auto b = static_cast<std::size_t>(best);

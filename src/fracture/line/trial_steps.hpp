@@ -6,6 +6,7 @@
 #include "fracture/line/line_load.hpp"
 #include "fracture/line/line_way.hpp"
 #include "fracture/line/trial_energy.hpp"
+#include "linalg/adjacency.hpp"
 #include "pd/tip_law.hpp"
 
 namespace bempd::fracture {
@@ -22,16 +23,22 @@ class CutStiffness {
   };
   Counted of(std::size_t bond, double stiffness, const Point& normal) const;
 
+  // Stiffness that a bond counts by which is weakened at the end of an initial crack. Half a bond that is taken away
+  // releases less than half of what the whole bond does.
+  double left_of_weakened(std::size_t bond, double stiffness) const;
+
  private:
   struct Bond {
     Point vector;  // between its points
     double stiffness;
   };
+  static std::vector<Bond> family_of(const coupling::Terms& terms, const std::vector<int>& points,
+                                     const linalg::Adjacency& bonds_at, double same);
   double per_length(int law, const Point& normal) const;
 
   const coupling::Terms& terms_;
   const pd::TipLaws& laws_;
-  std::vector<std::vector<Bond>> family_;  // of the points deep inside in the mean, for every law
+  std::vector<std::vector<Bond>> family_;  // of a point deep inside, for every law
 };
 
 // What growth straight on in one direction would release, over what it would take: for one to some spacings, and from
@@ -54,6 +61,8 @@ class TrialGrowth {
   double error(double load_factor) const { return at_tip(load_factor).error; }
   // Mean of the ratio over all lengths; longer lengths depend less on single bonds.
   double mean_ratio(double load_factor) const;
+  // Whether bonds across the whole step get longer rather than shorter once it is made.
+  bool opens(double load_factor) const;
   // What the first length takes [J].
   double first_energy() const { return lengths_.front().energy; }
   // From now on with the rate's shape behind a kink.
@@ -68,7 +77,6 @@ class TrialGrowth {
     double ratio, ratio_after, error;
   };
   AtTip at_tip(double load_factor) const;
-  bool opens(double load_factor) const;
 
   TrialEnergy energy_;
   std::vector<Length> lengths_;
