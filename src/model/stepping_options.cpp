@@ -12,14 +12,14 @@ const scene::OptionGroup stepping_group(scene::OptionPlace::stepping, [] {
   return std::vector<scene::OptionDescription>{
       scene::text_option(
           "stepping.control",
-          "What is held while bonds break: load, the load factor, so that where growth is unstable events "
-          "follow each other at one load factor, out of equilibrium; path, the equilibrium: the load "
-          "factor falls where growth is unstable, and each event is at exactly its critical load.",
+          "What is held while bonds break and cracks grow. load: the load factor, so that where growth is unstable "
+          "events follow each other at one load factor, out of equilibrium. path: equilibrium; the load factor falls "
+          "where growth is unstable, and each event is at exactly its critical load.",
           "load | path", "load"),
       scene::number_option("stepping.max_events", "Events in one step after which it gives up.", 1e7, 1, 1e15, true),
       scene::number_option("stepping.separation_share",
-                           "The body is separated once it bears less than this share of the largest force that it has "
-                           "borne, and bonds that are left break under larger loads only; 0: once nothing is borne.",
+                           "Share of the largest force so far below which a body counts as separated, if the bonds "
+                           "that are left break under larger loads only. 0: once the body bears nothing.",
                            0.02, 0, 0.5, false),
       scene::number_option("tips.record",
                            "Tips of cracks are recorded at every event whose number this divides and at the ends of "
@@ -31,8 +31,8 @@ const scene::OptionGroup increment_group(scene::OptionPlace::schemes, [] {
   return std::vector<scene::OptionDescription>{
       scene::text_option(
           "paper.mode",
-          "How bonds break: event, the most stretched first at the load factor they reach, until none is "
-          "overstretched; paper, fixed increments with one solution each in which every overstretched bond breaks.",
+          "How bonds break. event: the most stretched bond first, at the load factor at which it reaches its critical "
+          "stretch. paper: in fixed increments, with one solution for each, in which every overstretched bond breaks.",
           "event | paper", "event"),
       scene::number_option(
           "paper.increment",

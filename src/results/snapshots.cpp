@@ -24,8 +24,8 @@ const scene::OptionGroup snapshot_group(scene::OptionPlace::results, [] {
   return std::vector<scene::OptionDescription>{
       scene::text_option("snapshots.existing",
                          "What the first snapshot of a model with some prefix does with files of another run that have "
-                         "this prefix: refuse, an error; continue, go on behind their last one, as a run that was "
-                         "restored from a state wants it; replace, begin anew over them.",
+                         "this prefix. refuse: the call fails. continue: snapshots go on behind the last file, as for "
+                         "a run that was restored from a state. replace: the files are written anew.",
                          "refuse | continue | replace", "refuse"),
       scene::number_option("snapshots.inside",
                            "Snapshots show the inside of BEM regions on triangles whose sides are the root of the "

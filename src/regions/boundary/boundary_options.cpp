@@ -12,9 +12,9 @@ const scene::OptionGroup boundary_group(scene::OptionPlace::boundaries, [] {
           false)),
       scene::shaping(scene::text_option(
           "bem.grading",
-          "Boundary elements of scheme symmetric near places where stress is singular: auto, smaller and smaller "
-          "towards re-entrant corners and ends of supports on edges without bempd_set_edge_mesh(), on others near "
-          "cracks; none.",
+          "Length of boundary elements near places where stress is singular, in scheme symmetric. auto: shorter and "
+          "shorter towards re-entrant corners and ends of supports, on edges without bempd_set_edge_mesh(); on other "
+          "edges near cracks only. none: as bempd_set_edge_mesh() or the region says.",
           "auto | none", "auto"))};
 });
 

@@ -16,46 +16,44 @@ std::string crack_rule_in_effect(const scene::Options& options) {
 }
 
 scene::OptionDescription crack_rule() {
-  scene::OptionDescription option = scene::shaping(scene::text_option(
-      "crack.rule",
-      "How cracks in peridynamic regions grow: line, by a spacing at a time towards the largest hoop stress, all "
-      "bonds across it at once, from initial cracks and from places where a bond reaches its critical stretch; "
-      "tips, the same from initial cracks only, and nothing else breaks; bond, bonds break one by one by their own "
-      "stretch and the path prefers rows of the lattice, as with paper.mode = paper always.",
-      "line | bond | tips", "line"));
+  scene::OptionDescription option = scene::shaping(
+      scene::text_option("crack.rule",
+                         "How cracks in peridynamic regions grow. line: by a spacing at a time towards the largest "
+                         "hoop stress; all bonds across this step break at once. Such cracks grow from initial cracks "
+                         "and from places where a bond reaches its critical stretch. tips: the same from initial "
+                         "cracks only, and nothing else breaks. bond: each bond breaks by its own stretch; the path "
+                         "prefers rows of the lattice. The rule is bond in scheme paper and with paper.mode = paper.",
+                         "line | bond | tips", "line"));
   option.in_effect = crack_rule_in_effect;
   return option;
 }
 
 const scene::OptionGroup lattice_group(scene::OptionPlace::lattices, [] {
   return std::vector<scene::OptionDescription>{
-      scene::shaping(scene::text_option(
-          "critical_stretch",
-          "Constant that turns a fracture energy into a critical stretch: exact, what parts a plane at once takes it; "
-          "running, a crack that grows bond by bond takes it for its length, within 10 % in all directions of lattices "
-          "with horizons of 3 to 5 spacings, and starts earlier by as much; or as printed by Yang and Liu 2021, Eq. 15 "
-          "(plane stress only).",
-          "exact | running | printed", "exact")),
-      scene::shaping(scene::text_option("pd.crack_tip",
-                                        "Where tips of initial cracks in peridynamic regions are felt by a load that "
-                                        "opens them: ahead, all bonds that meet the crack are cut, so that it acts as "
-                                        "if its tip were up to 0.6 spacings ahead, by its place between points; "
-                                        "stated, fewer are, and the last ones are weaker, so that it acts as if its "
-                                        "tip were where it is, within 0.15 spacings; auto, stated where cracks grow as "
-                                        "lines, but for tips within 1.5 spacings of another lattice, else ahead.",
-                                        "auto | ahead | stated", "ahead")),
       scene::shaping(
-          scene::text_option("pd.criterion",
-                             "What counts of a bond's stretch in peridynamic regions: stretch, all of it; opening, all "
-                             "but what compression "
-                             "across the bond adds by Poisson's effect, so that pressure does not crush a sound body.",
-                             "stretch | opening", "stretch")),
+          scene::text_option("critical_stretch",
+                             "Constant that turns a fracture energy into a critical stretch. exact: what parts a plane "
+                             "at once takes the fracture energy. running: a crack that grows bond by bond takes it for "
+                             "its length, within 10 % in lattices with horizons of 3 to 5 spacings; the crack starts "
+                             "earlier by as much. printed: Eq. 15 of Yang and Liu 2021, plane stress only.",
+                             "exact | running | printed", "exact")),
+      scene::shaping(scene::text_option(
+          "pd.crack_tip",
+          "Where tips of initial cracks in peridynamic regions act under a load that opens them. ahead: all bonds that "
+          "meet the crack are cut, and the tip acts up to 0.6 spacings ahead, by its place between points. stated: "
+          "fewer bonds are cut and the last ones are weakened, so that the tip acts where it is, within 0.15 spacings. "
+          "auto: stated where cracks grow as lines, but for tips within 1.5 spacings of another lattice; else ahead.",
+          "auto | ahead | stated", "ahead")),
+      scene::shaping(scene::text_option(
+          "pd.criterion",
+          "What counts of the stretch of a bond in peridynamic regions. stretch: all of it. opening: all but what "
+          "compression across the bond adds by Poisson's effect, so that pressure does not crush a sound body.",
+          "stretch | opening", "stretch")),
       crack_rule(),
       scene::shaping(scene::text_option(
           "contact",
-          "What faces of cracks do where they meet, in regions of scheme symmetric: faces, they press on each other "
-          "without friction; none, they pass through each other, and a warning tells where BEM regions have such "
-          "cracks.",
+          "What faces of cracks do where they meet, in regions of scheme symmetric. faces: they press on each other "
+          "without friction. none: they pass through each other, and a warning says where cracks of BEM regions do.",
           "faces | none", "faces"))};
 });
 
