@@ -1,12 +1,12 @@
 # Recipe of Spack. It is parsed by a test and was not tested with Spack. There is no archive to download yet:
-# `spack dev-build bempd@0.2.0` builds the source tree at hand.
+# `spack dev-build bempd@0.3.0` builds the source tree at hand.
 from spack.package import *
 
 
 class Bempd(CMakePackage):
     """Cracks in two-dimensional elastic bodies: boundary elements coupled with peridynamics."""
 
-    version("0.2.0")
+    version("0.3.0")
 
     license("MIT")  # the library alone; a build with SuiteSparse is distributed under GPL-2.0-or-later
 
