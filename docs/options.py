@@ -10,6 +10,7 @@ from __future__ import annotations
 
 import difflib
 import pathlib
+import re
 import sys
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
@@ -47,6 +48,8 @@ def row(option: bempd.options.OptionInfo) -> str:
         if option.unit != "-":
             legal += f" {option.unit}"
     summary = option.summary.replace("|", "\\\\|")
+    for word in [*(option.choices or []), "0"]:
+        summary = re.sub(rf"(?<=[.] ){re.escape(word)}: ", f"`{word}`: ", summary)
     return f"| `{option.name}` | {default} | {legal} | {summary} |"
 
 

@@ -34,8 +34,8 @@ const scene::OptionGroup lattice_group(scene::OptionPlace::lattices, [] {
           scene::text_option("critical_stretch",
                              "Constant that turns a fracture energy into a critical stretch. exact: what parts a plane "
                              "at once takes the fracture energy. running: a crack that grows bond by bond takes it for "
-                             "its length, within 10 % in lattices with horizons of 3 to 5 spacings; the crack starts "
-                             "earlier by as much. printed: Eq. 15 of Yang and Liu 2021, plane stress only.",
+                             "its length, within 10 % in lattices with horizons of 3 to 5 spacings. Such a crack "
+                             "starts earlier by as much. printed: Eq. 15 of Yang and Liu 2021, plane stress only.",
                              "exact | running | printed", "exact")),
       scene::shaping(scene::text_option(
           "pd.crack_tip",
