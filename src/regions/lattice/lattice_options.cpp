@@ -16,14 +16,13 @@ std::string crack_rule_in_effect(const scene::Options& options) {
 }
 
 scene::OptionDescription crack_rule() {
-  scene::OptionDescription option = scene::shaping(
-      scene::text_option("crack.rule",
-                         "How cracks in peridynamic regions grow. line: by a spacing at a time towards the largest "
-                         "hoop stress; all bonds across this step break at once. Such cracks grow from initial cracks "
-                         "and from places where a bond reaches its critical stretch. tips: the same from initial "
-                         "cracks only, and nothing else breaks. bond: each bond breaks by its own stretch; the path "
-                         "prefers rows of the lattice. The rule is bond in scheme paper and with paper.mode = paper.",
-                         "line | bond | tips", "line"));
+  scene::OptionDescription option = scene::shaping(scene::text_option(
+      "crack.rule",
+      "How cracks in peridynamic regions grow. line: by a spacing at a time towards the largest hoop stress; all bonds "
+      "across this step break at once. Such cracks grow from initial cracks and from places where a bond reaches its "
+      "critical stretch. tips: the same from initial cracks only, and nothing else breaks. bond: each bond breaks by "
+      "its own stretch; the path prefers rows of the lattice. With paper.mode = paper the rule is always bond.",
+      "line | bond | tips", "line"));
   option.in_effect = crack_rule_in_effect;
   return option;
 }
