@@ -88,6 +88,9 @@ def check() -> int:
 
 def main() -> int:
     task = sys.argv[1] if len(sys.argv) > 1 else "print"
+    if task != "run" and not TABLE.exists():
+        print("no table is stored yet; coverage.py run makes one")
+        return 1
     if task == "run":
         counts = measure()
         rows = {file: counts.get(file, (0, 0)) for file in files()}
