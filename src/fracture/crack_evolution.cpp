@@ -200,8 +200,8 @@ bool CrackEvolution::perform(const Event& event, const SteppingOptions& options,
   }
 }
 
-// Bonds around a tip are left to it.
-std::optional<NextBond> CrackEvolution::next_bond(bool upwards) {
+// Bonds around the tip of a line are left to it.
+std::optional<NextBond> CrackEvolution::next_bond(bool upwards, Control control) {
   look();
   std::vector<char> intact = system_.intact();
   if (const LineSteps* lines = sources_.line_steps()) {
@@ -209,7 +209,7 @@ std::optional<NextBond> CrackEvolution::next_bond(bool upwards) {
     for (const GrowingTip& tip : state_.tips) lines->spare(tip, intact);
   }
   const BondList bonds{body_.ratios(), intact};
-  const std::optional<double> at = next_critical(bonds, {state_.load_factor, upwards});
+  const std::optional<double> at = next_critical(bonds, {state_.load_factor, upwards, control});
   if (!at) return std::nullopt;
   const std::vector<int> most = most_critical(bonds, *at, 0, 0);
   if (most.empty()) return std::nullopt;

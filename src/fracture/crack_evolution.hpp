@@ -187,8 +187,8 @@ class CrackEvolution {
     look();
     return body_.admissible();
   }
-  // The bond that breaks next by itself, away from tips, while the load factor rises or falls; null if none does.
-  std::optional<NextBond> next_bond(bool upwards);
+  // The bond that breaks next by itself, away from tips of lines, on the way of the load factor; null if none does.
+  std::optional<NextBond> next_bond(bool upwards, Control control);
   double work() const;  // of loads and supports so far [J]
 
   // Whether displacements and forces have products beyond the range of numbers.

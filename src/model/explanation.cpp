@@ -10,6 +10,7 @@
 #include "error.hpp"
 #include "model/element_growth.hpp"
 #include "model/model.hpp"
+#include "model/stepping_options.hpp"
 
 namespace bempd::model {
 
@@ -49,7 +50,11 @@ class Reasons {
 class Explainer {
  public:
   Explainer(Model& model, bool upwards)
-      : model_(model), scene_(model.scene()), upwards_(upwards), evolution_(*model.in_equilibrium().evolution) {}
+      : model_(model),
+        scene_(model.scene()),
+        upwards_(upwards),
+        evolution_(*model.in_equilibrium().evolution),
+        stepping_(stepping_options(model.options())) {}
 
   Explanation explain() {
     find_tip();
@@ -66,14 +71,22 @@ class Explainer {
  private:
   bool is_before(double one, double other) const { return upwards_ ? one < other : one > other; }
 
-  // An overloaded tip grows where the load factor is.
+  // Bond by bond tips in lattices are found among broken bonds and do not grow themselves; in increments none does.
+  bool grows(const regions::TipValues& tip) const {
+    if (stepping_.mode != fracture::SteppingMode::events) return false;
+    return tip.method == regions::TipMethod::elements || evolution_.grows_lines();
+  }
+
+  // Under a held load factor an overloaded tip grows where that is.
   void find_tip() {
+    const bool is_held = stepping_.control == fracture::Control::load;
     for (const regions::TipValues& tip : model_.tips()) {
+      if (!grows(tip)) continue;
       const crack::TipId id{tip.crack, tip.end};
       const double critical = critical_load_factor(tip, upwards_);
       if (!std::isfinite(critical) || model_.is_frozen(id)) continue;
       const double present = model_.load_factor();
-      const double at = is_before(critical, present) ? present : critical;
+      const double at = is_held && is_before(critical, present) ? present : critical;
       if (found_.next == Explanation::Next::tip && !is_before(at, found_.load_factor)) continue;
       found_.next = Explanation::Next::tip;
       found_.tip = id, found_.place = tip.place, found_.load_factor = at;
@@ -82,7 +95,7 @@ class Explainer {
   }
 
   void find_bond() {
-    const std::optional<fracture::NextBond> bond = evolution_.next_bond(upwards_);
+    const std::optional<fracture::NextBond> bond = evolution_.next_bond(upwards_, stepping_.control);
     if (!bond) return;
     if (found_.next == Explanation::Next::tip && !is_before(bond->load_factor, found_.load_factor)) return;
     const auto term = static_cast<std::size_t>(bond->term);
@@ -136,6 +149,7 @@ class Explainer {
   }
 
   void tell_of_tip(const regions::TipValues& tip, Reasons& reasons) const {
+    if (!grows(tip)) return;
     const crack::TipId id{tip.crack, tip.end};
     const std::string which = "The tip of " + name_of(id);
     if (model_.is_frozen(id)) return reasons.add(which + " is frozen by bempd_set_tip_frozen().");
@@ -177,6 +191,7 @@ class Explainer {
   const scene::Scene& scene_;
   bool upwards_;
   fracture::CrackEvolution& evolution_;
+  fracture::SteppingOptions stepping_;
   Explanation found_;
 };
 

@@ -38,6 +38,27 @@ static void next_is_what_the_step_does(void) {
   bempd_model_free(model);
 }
 
+/** Bond by bond, and on the path of equilibrium behind a first event, the next step does what was told as well. */
+static void other_rules_are_told(void) {
+  static const char* const options[2][2] = {{"crack.rule", "bond"}, {"stepping.control", "path"}};
+  const double pull = 1e-6;
+  int32_t pulled = 0;
+  int which, event;
+  for (which = 0; which < 2; ++which) {
+    bempd_model* model = strip_with_crack(0.0045, 1, NULL, &pull, &pulled);
+    CHECK_OK(model, bempd_set_option_text(model, options[which][0], options[which][1]));
+    for (event = 0; event < 4; ++event) {
+      bempd_step_report report;
+      const explained e = explain(model, 1);
+      CHECK(e.next.next == (which == 0 ? BEMPD_NEXT_BOND : BEMPD_NEXT_TIP));
+      CHECK_OK(NULL, bempd_step_report_init(&report, sizeof report));
+      CHECK_OK(model, bempd_step_to_next_event(model, 1e4, &report));
+      CHECK_CLOSE(report.load_factor, e.next.load_factor, 1e-9 * e.next.load_factor);
+    }
+    bempd_model_free(model);
+  }
+}
+
 /** A frozen tip is named, and a bond comes next. */
 static void frozen_tips_are_named(void) {
   const double pull = 1e-6;
@@ -98,6 +119,7 @@ static void misuse(void) {
 int main(void) {
   misuse();
   next_is_what_the_step_does();
+  other_rules_are_told();
   frozen_tips_are_named();
   reasons_are_told();
   return check_finish();

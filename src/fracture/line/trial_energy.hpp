@@ -48,7 +48,7 @@ class WholeBodyTrials final : public TrialBody {
 // Energy that is released where terms are taken away, for every number of the first ones at once. With f = k e the
 // pulls of the terms and F the body's flexibility along them, all of them release 1/2 f^T (k - k F k)^-1 f: half the
 // sum of squares of y, where L y = e and L L^T = k^-1 - F, and the first n of them half the sum of the first n squares.
-// That holds for dead loads and for supports alike.
+// The formula holds for dead loads and for supports alike.
 class TrialEnergy {
  public:
   // The elongations are elastic ones, their constant and proportional part.

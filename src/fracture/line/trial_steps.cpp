@@ -95,7 +95,8 @@ CutStiffness::CutStiffness(const coupling::Terms& terms, const std::vector<Point
   }
 }
 
-// Of every bond vector the median of its stiffness: in a low lattice corrections at edges reach some of these points.
+// The family has the median stiffness of every bond vector: in a low lattice corrections at edges reach some of these
+// points.
 std::vector<CutStiffness::Bond> CutStiffness::family_of(const coupling::Terms& terms, const std::vector<int>& points,
                                                         const linalg::Adjacency& bonds_at, double same) {
   std::map<std::pair<long, long>, std::pair<Point, std::vector<double>>> found;
@@ -276,7 +277,7 @@ Point TrialSteps::best_direction(const GrowingTip& tip, const pd::TipLaw& law, c
     const auto growth = along(tip, law, turned(around, k * between_trials), displacement, body);
     ratio[static_cast<std::size_t>(k + trials_aside)] = growth ? growth->mean_ratio(load_factor) : 0;
   }
-  // Of directions that are alike but for rounding the one nearest to the middle.
+  // Among directions that are alike but for rounding the one nearest to the middle is chosen.
   int best = trials_aside;
   for (const int k : {-1, 1, -2, 2})
     if (ratio[static_cast<std::size_t>(trials_aside + k)] > (1 + ratio_of_ties) * ratio[static_cast<std::size_t>(best)])
