@@ -21,6 +21,8 @@ function(bempd_add_python_test name)
 endfunction()
 
 bempd_add_python_test(bindings.python -m pytest -q -p no:cacheprovider "${CMAKE_CURRENT_SOURCE_DIR}/python")
+# Processes, Open MPI and Dask; fails where Debian's python3-mpi4py or python3-distributed is missing.
+bempd_add_python_test(bindings.ensembles -m pytest -q -p no:cacheprovider "${CMAKE_CURRENT_SOURCE_DIR}/ensembles")
 # Needs Debian's python3-vtk9.
 bempd_add_python_test(bindings.paraview "${CMAKE_CURRENT_SOURCE_DIR}/paraview_test.py")
 set_tests_properties(bindings.paraview PROPERTIES SKIP_RETURN_CODE 77)

@@ -14,6 +14,7 @@ Any consistent set of units; comments show SI. Build a Model, step, ask:
 """
 
 from . import outline
+from ._ensemble import Ensemble, ensemble, read_ensemble
 from ._library import build_info, library_path, version
 from ._results import read_history
 from ._scene import rectangle
@@ -67,8 +68,8 @@ __version__ = version()
 
 __all__ = [
     "ArgumentError", "BondState", "Bonds", "CancelledError", "Convergence", "ConvergenceError", "ConvergenceTable", "CrackExtension", "CrackOpening",
-    "CrackTip", "EdgeNodes", "EdgePlaces", "EdgeReaction", "Error", "Explanation", "FileError", "Growth", "InternalError", "Model", "NextEvent", "OptionInfo", "Options", "OrderError",
+    "CrackTip", "EdgeNodes", "EdgePlaces", "EdgeReaction", "Ensemble", "Error", "Explanation", "FileError", "Growth", "InternalError", "Model", "NextEvent", "OptionInfo", "Options", "OrderError",
     "OutOfMemoryError", "PathVertex", "Piece", "PointValues", "ProgressBar", "Rows", "Singularity", "SingularityKind", "State", "Statistics",
     "StepReport", "StopReason", "SupportHistory", "Table", "TipEnd", "TipMethod", "TipRecord", "TipState", "UnknownOptionError", "UnsolvableError",
-    "build_info", "converge", "describe_options", "library_path", "outline", "progress_bar", "read_history", "rectangle", "table", "version",
+    "build_info", "converge", "describe_options", "ensemble", "library_path", "outline", "progress_bar", "read_ensemble", "read_history", "rectangle", "table", "version",
 ]

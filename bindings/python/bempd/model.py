@@ -13,6 +13,7 @@ import numpy.typing as npt
 from . import _arguments as arguments
 from ._arguments import real_array
 from ._edges import Edges
+from ._ensemble_worker import model_options
 from ._handle import Handle
 from ._help import complete
 from ._library import check, ffi, invoke, lib, new_struct
@@ -61,6 +62,7 @@ class Model(Scene, Edges, Results):
         self.progress = progress
         self.phase_progress = None
         self.log = log
+        self.options.update(model_options.get())
         self.options.update(options or {})
 
     def __repr__(self) -> str:
