@@ -16,7 +16,7 @@
  *
  * Arrays. A pointer and a count; points are interleaved, shape [n][2] in C, (2,n) in Fortran. Inputs are copied.
  * Indices into arrays start at 0; ids of materials, regions, edges, cracks, supports and loads start at 1. Messages
- * count vertices and points as they do edges, from 1.
+ * count vertices, points, values, rows and columns as they do edges, from 1.
  *
  * Ownership. What a `_create`, `_save` or `_from_bytes` function gave you, you free with the matching `_free`; all else
  * belongs to the model and lives until the model changes (field views) or is freed (strings).

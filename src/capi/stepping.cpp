@@ -105,7 +105,7 @@ scene::LoadTable table_of(std::int64_t row_count, const double* times, std::int6
   table.times.assign(times, times + row_count);
   table.factors.assign(factors, factors + row_count * std::max<std::int64_t>(1, column_count));
   for (std::int64_t c = 0; c < column_count; ++c) {
-    require(kinds[c] == BEMPD_COLUMN_SUPPORT || kinds[c] == BEMPD_COLUMN_LOAD, "kind ", c, " is ", kinds[c],
+    require(kinds[c] == BEMPD_COLUMN_SUPPORT || kinds[c] == BEMPD_COLUMN_LOAD, "kind ", c + 1, " is ", kinds[c],
             "; it must be BEMPD_COLUMN_SUPPORT (1) or BEMPD_COLUMN_LOAD (2)");
     table.columns.push_back({kinds[c] == BEMPD_COLUMN_SUPPORT, ids[c]});
   }

@@ -52,13 +52,14 @@ double extent(const std::vector<Point>& positions, const std::vector<int>& nodes
 }
 
 // Supports on a very small part of a body prevent its rotation on paper, but not within the digits of a number.
-[[noreturn]] void fail_free(const std::string& regions, const std::string& motion, double held, double size) {
+[[noreturn]] void fail_free(const std::string& regions, const std::string& motion, double held, double size,
+                            const std::string& gap) {
   constexpr double small_part = 1e-5;
   if (motion == "rotate" && held > 0 && held < small_part * size)
     fail(Failure::unsolvable, "supports hold ", regions, " along ", held, " only, of a size of ", size,
          ", which does not keep it from rotating within the digits of a number: hold it at another place as well, or "
          "make it thicker there");
-  fail(Failure::unsolvable, regions, " can ", motion,
+  fail(Failure::unsolvable, regions, " can ", motion, gap.empty() ? "" : ": ", gap, gap.empty() ? "" : "; if not",
        "; add supports that prevent this, for example with bempd_fix_point()");
 }
 
@@ -117,7 +118,7 @@ void Model::check_mechanism(const PreparedScene& p) const {
     const coupling::RigidMotion motion(positions, nodes, held_directions(p, nodes));
     if (motion.free_count() == 0 || is_island(scene_, p.discretization, nodes)) continue;
     fail_free(p.discretization.regions_with(nodes), motion.describe(), extent(positions, held),
-              extent(positions, nodes));
+              extent(positions, nodes), p.discretization.gap);
   }
 }
 

@@ -5,6 +5,7 @@
 #include "linalg/blas.hpp"
 #include "model/explanation.hpp"
 #include "model/model.hpp"
+#include "model/scene_advice.hpp"
 
 // Messages for the log.
 namespace bempd::model {
@@ -28,6 +29,11 @@ void Model::log(int level, const std::string& message) const {
 
 void Model::tell_of_preparation() const {
   for (const std::string& warning : prepared_->discretization.warnings) log(1, warning);
+  if (log_) {
+    const Advice advice = advice_on(scene_, prepared_->discretization);
+    for (const std::string& warning : advice.warnings) log(1, warning);
+    for (const std::string& fact : advice.facts) log(2, fact);
+  }
   log(2, text("prepared: ", prepared_->discretization.positions.size(), " nodes, ",
               prepared_->system->terms().bond_count(), " bonds, ", prepared_->cut_bonds.size(),
               " of them cut by initial cracks"));

@@ -24,10 +24,11 @@ void warn_of_gaps(const scene::Scene& scene, const std::vector<Outline>& outline
   const Gap& gap = *std::min_element(gaps.begin(), gaps.end(), narrower);
   const std::string others = gaps.size() > 1 ? text(" (and ", gaps.size() - 1, " more such pairs)") : "";
   const std::vector<int> ids = scene.region_ids();
-  d.warnings.push_back(text("regions ", ids[gap.region_a], " and ", ids[gap.region_b], " lie ", gap.width,
-                            " apart at (", gap.where.x(), ", ", gap.where.y(), "), less than a tenth of their elements",
-                            others, "; they are not bonded there, as places count as one up to ", d.tolerance,
-                            " only: let them share vertices if they belong together"));
+  d.gap = text("regions ", ids[gap.region_a], " and ", ids[gap.region_b], " lie ", gap.width, " apart at (",
+               gap.where.x(), ", ", gap.where.y(), "), less than a tenth of their elements", others,
+               "; they are not bonded there, as places count as one up to ", d.tolerance,
+               " only: let them share vertices if they belong together");
+  d.warnings.push_back(d.gap);
 }
 
 // Numbers regions by ids - 1, with gaps for removed ones; an arrangement numbers the outlines that it was given.

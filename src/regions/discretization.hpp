@@ -23,6 +23,7 @@ struct Discretization {
   coupling::NodeTies ties;               // of nodes that follow the elements of an interface that do not match
   std::vector<double> critical_stretch;  // per term of `bonds`
   std::vector<std::string> warnings;
+  std::string gap;                  // narrowest gap between regions that nearly touch, in words; empty if there is none
   std::vector<PartedCrack> cracks;  // by the regions that have elements on them or bonds that they cut
 
   const Region& region(int id) const;  // one that the scene has

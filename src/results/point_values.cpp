@@ -25,10 +25,10 @@ int region_for(const scene::Scene& scene, const regions::Discretization& d, cons
                int wanted) {
   if (wanted == 0) {
     const int region = region_at(scene, d, place);
-    require(region > 0, "point ", number, ", (", place.x(), ", ", place.y(), "), lies outside the body");
+    require(region > 0, "point ", number + 1, ", (", place.x(), ", ", place.y(), "), lies outside the body");
     return region;
   }
-  require(locate(scene.region(wanted).outline(), place, d.tolerance) != Location::outside, "point ", number, ", (",
+  require(locate(scene.region(wanted).outline(), place, d.tolerance) != Location::outside, "point ", number + 1, ", (",
           place.x(), ", ", place.y(), "), lies outside region ", wanted,
           "; ask the region that has it, or let bempd_evaluate() choose");
   return wanted;
@@ -44,7 +44,7 @@ PointValues evaluate(const scene::Scene& scene, const regions::Discretization& d
   for (std::size_t i = 0; i < places.size(); ++i) {
     check_cancelled();
     const Point& place = places[i];
-    require(place.allFinite(), "point ", i, " is (", place.x(), ", ", place.y(),
+    require(place.allFinite(), "point ", i + 1, " is (", place.x(), ", ", place.y(),
             "); coordinates must be finite numbers");
     const int region = region_for(scene, d, place, i, side.region);
     std::unique_ptr<regions::Evaluator>& evaluator = evaluators[region];
@@ -57,7 +57,7 @@ PointValues evaluate(const scene::Scene& scene, const regions::Discretization& d
     }
     const regions::PointValue value = evaluator->at(place);
     if (!value.displacement.allFinite() || !value.stress.allFinite()) {
-      fail(Failure::unsolvable, "the displacement or stress at point ", i, ", (", place.x(), ", ", place.y(),
+      fail(Failure::unsolvable, "the displacement or stress at point ", i + 1, ", (", place.x(), ", ", place.y(),
            "), is beyond the range of numbers; choose other units, or smaller loads");
     }
     result.values.push_back(value);

@@ -19,7 +19,8 @@ double sample(const std::vector<double>& values, double fraction) {
 
 void require_finite(const std::vector<double>& values, const char* part) {
   for (std::size_t i = 0; i < values.size(); ++i) {
-    require(std::isfinite(values[i]), "the ", part, " value ", i, " is ", values[i], "; it must be a finite number");
+    require(std::isfinite(values[i]), "the ", part, " value ", i + 1, " is ", values[i],
+            "; it must be a finite number");
   }
 }
 
@@ -50,9 +51,9 @@ BoundaryValue PlacedValues::at(double fraction) const {
 
 void PlacedValues::check() const {
   for (std::size_t i = 0; i < fractions.size(); ++i) {
-    require(fractions[i] >= 0 && fractions[i] <= 1, "fraction ", i, " is ", fractions[i],
+    require(fractions[i] >= 0 && fractions[i] <= 1, "fraction ", i + 1, " is ", fractions[i],
             "; places lie between 0, the start of the part, and 1, its end");
-    require(i == 0 || fractions[i] > fractions[i - 1], "fraction ", i, " is ", fractions[i], " after ",
+    require(i == 0 || fractions[i] > fractions[i - 1], "fraction ", i + 1, " is ", fractions[i], " after ",
             i == 0 ? 0 : fractions[i - 1], "; give places in order along the part, each once");
   }
   require_finite(constant, "constant");

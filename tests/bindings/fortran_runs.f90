@@ -506,7 +506,7 @@ contains
     call check(abs(stress(1, 1) - 10) < 1e-7_dp, "the region has its stress on its boundary")
     call model%evaluate_in(disc, reshape([1._dp, .5_dp], [2, 1]), stress=stress, face=BEMPD_FACE_RIGHT, stat=stat, &
       errmsg=message)
-    call check_error(stat, BEMPD_ERROR_ARGUMENT, message, "bempd_evaluate_in: point 0")
+    call check_error(stat, BEMPD_ERROR_ARGUMENT, message, "bempd_evaluate_in: point 1")
     call model%singularities(singular)
     call check(count(singular%region == disc .and. singular%kind == BEMPD_SINGULAR_CORNER) == 2, "a clamp has two ends")
     call check(all(singular%exponent < 1), "stress is unbounded there")

@@ -185,11 +185,11 @@ static void tables_that_cannot_be_meant_are_refused(void) {
   REFUSED("ids is NULL", 2, times, 1, kinds, NULL, factors, BEMPD_UNTIL_VALUES, NULL);
   REFUSED("increase", 2, same, 0, NULL, NULL, factors, BEMPD_UNTIL_VALUES, NULL);
   REFUSED("increase", 2, back, 0, NULL, NULL, factors, BEMPD_UNTIL_VALUES, NULL);
-  REFUSED("time 1 is", 2, lost, 0, NULL, NULL, factors, BEMPD_UNTIL_VALUES, NULL);
-  REFUSED("time 1 is", 2, far, 0, NULL, NULL, factors, BEMPD_UNTIL_VALUES, NULL);
-  REFUSED("row 1, column 0", 2, times, 0, NULL, NULL, lost, BEMPD_UNTIL_VALUES, NULL);
+  REFUSED("time 2 is", 2, lost, 0, NULL, NULL, factors, BEMPD_UNTIL_VALUES, NULL);
+  REFUSED("time 2 is", 2, far, 0, NULL, NULL, factors, BEMPD_UNTIL_VALUES, NULL);
+  REFUSED("row 2, column 1", 2, times, 0, NULL, NULL, lost, BEMPD_UNTIL_VALUES, NULL);
   REFUSED("already", 2, past, 0, NULL, NULL, factors, BEMPD_UNTIL_VALUES, NULL);
-  REFUSED("kind 0 is 3", 2, times, 1, odd, ids, factors, BEMPD_UNTIL_VALUES, NULL);
+  REFUSED("kind 1 is 3", 2, times, 1, odd, ids, factors, BEMPD_UNTIL_VALUES, NULL);
   REFUSED("support 0", 2, times, 1, kinds, none, factors, BEMPD_UNTIL_VALUES, NULL);
   REFUSED("support 99", 2, times, 1, kinds, many, factors, BEMPD_UNTIL_VALUES, NULL);
   REFUSED("load 1", 2, times, 1, load, ids, factors, BEMPD_UNTIL_VALUES, NULL);

@@ -1,0 +1,19 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "regions/discretization.hpp"
+#include "scene/scene.hpp"
+
+namespace bempd::model {
+
+// Sentences about a scene that is sound, but whose results a host may not expect.
+struct Advice {
+  std::vector<std::string> warnings;  // scenes that are too coarse, tips right before an edge, numbers of mixed units
+  std::vector<std::string> facts;  // of each material that breaks: toughness, internal length, strain at first growth
+};
+
+Advice advice_on(const scene::Scene& scene, const regions::Discretization& d);
+
+}  // namespace bempd::model
