@@ -97,7 +97,7 @@ static void a_gap_is_named_before_supports(void) {
   bempd_model_free(model);
 }
 
-/** Of many tips that are alike three are named and the rest is counted. */
+/** Three of many tips that are alike are named, and the rest is counted. */
 static void many_tips_are_told_in_few_sentences(void) {
   bempd_model* model = pd_block();
   told all = {"", ""};
