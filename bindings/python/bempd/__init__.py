@@ -18,7 +18,7 @@ from ._ensemble import Ensemble, ensemble, read_ensemble
 from ._library import build_info, library_path, version
 from ._results import read_history
 from ._scene import rectangle
-from .callbacks import ProgressBar, progress_bar
+from ._bar import ProgressBar, progress_bar
 from .convergence import Convergence, ConvergenceTable, converge
 from .errors import (
     ArgumentError,

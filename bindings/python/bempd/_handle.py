@@ -5,6 +5,7 @@ from __future__ import annotations
 import threading
 from typing import Any, Callable
 
+from ._interrupts import Heard
 from ._library import call, check, ffi, invoke, lib
 from ._words import name_of
 from .callbacks import Interrupts
@@ -30,6 +31,7 @@ class Handle:
         self.interrupts = Interrupts(self.raised, self.pointer)
         self.with_names: Callable[[str], str] = str  # a sentence with the names that the host gave to what it speaks of
         self._lock = threading.Lock()
+        self.interrupts.is_running = self._lock.locked
         self._views: set[object] = set()
 
     def call(self, name: str, *arguments: Any, changes: bool = False) -> None:
@@ -44,7 +46,8 @@ class Handle:
                                  "fields; drop them before the model changes, or use field()")
             self.raised.clear()
             self.interrupts.events_told = False
-            status = invoke(name, self.pointer, *arguments)
+            with Heard(self.interrupts):
+                status = invoke(name, self.pointer, *arguments)
             if self.raised:
                 raise self.raised.pop(0)
             try:

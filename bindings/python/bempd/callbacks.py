@@ -5,9 +5,8 @@ from __future__ import annotations
 import logging
 import pathlib
 import sys
-import time
 import warnings
-from typing import Any, Callable, List, Literal, Optional, TextIO, Tuple, Union
+from typing import Any, Callable, List, Literal, Optional, Tuple, Union
 
 import numpy as np
 
@@ -62,15 +61,17 @@ class Interrupts:
 
     def __init__(self, raised: List[BaseException], model: Any) -> None:
         self._raised = raised
-        self._model = model
+        self.model = model
         self.events_told = False  # in the present call
+        self.is_running: Callable[[], bool] = lambda: False  # whether the model is in a call
+        self.follower: Optional[PhaseProgress] = None  # that shows phases beside the user's own function
 
     def __call__(self, kind: Any, error: BaseException, traceback: Any) -> Optional[int]:
         again = any(isinstance(before, KeyboardInterrupt) for before in self._raised)
         self._raised.append(error)
         if not isinstance(error, KeyboardInterrupt) or again or not self.events_told:
             return None  # the call is cancelled
-        lib.bempd_request_stop(self._model)
+        lib.bempd_request_stop(self.model)
         return 0
 
 
@@ -91,8 +92,9 @@ def phase_callback(interrupts: Interrupts, progress: Optional[PhaseProgress]) ->
     """The same inside long parts of calls."""
 
     def told(phase: Any, share: float, seconds: float, expected: float, _: Any) -> int:
-        if progress is not None:
-            progress(string(phase), share, seconds, expected)
+        for each in (progress, interrupts.follower):
+            if each is not None:
+                each(string(phase), share, seconds, expected)
         return 0
 
     return ffi.callback("bempd_phase_function", told, error=1, onerror=interrupts)
@@ -135,65 +137,3 @@ def boundary_callback(raised: List[BaseException], function: BoundaryFunction) -
         return 0
 
     return ffi.callback("bempd_boundary_function", asked, error=1, onerror=_keeper(raised))
-
-
-class ProgressBar:
-    """One line on stderr that follows a run; made by progress_bar()."""
-
-    def __init__(self, stream: Optional[TextIO] = None, interval: float = 0.1) -> None:
-        self._stream = stream
-        self._interval = interval
-        self._start, self._goal = 0.0, None  # type: float, Optional[float]
-        self._began = self._shown = time.monotonic()
-        self._events = self._first_events = 0
-        self._line = ""
-
-    def start(self, load_factor: float, goal: Optional[float]) -> None:
-        """A run begins at a load factor; `goal` is where it will end, if that is known."""
-        self._start, self._goal = load_factor, goal
-        self._began, self._shown = time.monotonic(), 0.0
-        self._first_events = -1
-        self._line = ""
-
-    def __call__(self, load_factor: float, events: int, broken_bonds: int) -> None:
-        if self._first_events < 0:
-            self._first_events = events - 1
-        now = time.monotonic()
-        seconds = now - self._began
-        done = events - self._first_events
-        rate = f", {done / seconds:.0f} events/s" if seconds > 0 else ""
-        self._line = (f"{self._bar(load_factor)}load factor {load_factor:.6g}, "
-                      f"{events} events, {broken_bonds} bonds [{seconds:.1f} s{rate}]")
-        if now - self._shown >= self._interval and self._out().isatty():
-            self._shown = now
-            self._write("\r" + self._line + "\x1b[K")
-
-    def finish(self) -> None:
-        """The run has ended: leave its last line."""
-        if self._line:
-            self._write(("\r" + self._line + "\x1b[K\n") if self._out().isatty() else self._line + "\n")
-            self._line = ""
-
-    def _bar(self, load_factor: float) -> str:
-        if self._goal is None or self._goal == self._start:
-            return ""
-        share = min(max((load_factor - self._start) / (self._goal - self._start), 0.0), 1.0)
-        full = int(round(24 * share))
-        return f"{100 * share:3.0f}% |{'█' * full}{' ' * (24 - full)}| "
-
-    def _out(self) -> TextIO:
-        # Looked up late: a host may replace sys.stderr.
-        return self._stream if self._stream is not None else sys.stderr
-
-    def _write(self, text: str) -> None:
-        out = self._out()
-        out.write(text)
-        out.flush()
-
-
-def progress_bar(stream: Optional[TextIO] = None) -> ProgressBar:
-    """A progress function that shows one line on stderr: `model.progress = bempd.progress_bar()`.
-
-    On a terminal the line is renewed ten times a second; elsewhere only the last one of each run is written.
-    """
-    return ProgressBar(stream)

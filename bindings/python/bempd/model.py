@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
+import contextlib
 import logging
 import os
 from types import TracebackType
-from typing import Any, Mapping, NoReturn, Optional, Type, Union
+from typing import Any, Iterator, Mapping, NoReturn, Optional, Type, Union
 
 import numpy as np
 import numpy.typing as npt
@@ -108,8 +109,9 @@ class Model(Scene, Edges, Results):
 
         An exception cancels the step, which returns to its start, and is raised again. KeyboardInterrupt (Ctrl-C), with a
         function or without, ends the step after its present event and is raised with the events before kept; a second
-        one, or one before the first event, cancels. If the function has methods start(load_factor, goal) and finish(), they are called around
-        every run; progress_bar() makes such a one.
+        Ctrl-C in the same call ends the process (where somebody types at the interpreter it cancels the call), and one before the
+        first event cancels. If the function has methods start(load_factor, goal) and finish(), they are called around every run,
+        and a method phase() as `phase_progress`; progress_bar() makes such a one.
         """
         return self._progress
 
@@ -119,6 +121,7 @@ class Model(Scene, Edges, Results):
         callback = progress_callback(handle.interrupts, callable_or_none("progress", function))
         handle.call("bempd_set_progress", callback, ffi.NULL)
         handle.progress, self._progress = callback, function
+        handle.interrupts.follower = getattr(function, "phase", None)
 
     @property
     def phase_progress(self) -> Optional[PhaseProgress]:
@@ -180,7 +183,8 @@ class Model(Scene, Edges, Results):
     def prepare(self) -> None:
         """Check the scene and build its operators; nothing can be added afterwards. The first step does it if you do
         not."""
-        self._open().call("bempd_prepare")
+        with self._followed(None):
+            self._open().call("bempd_prepare")
 
     def step(self, load_factor: float) -> StepReport:
         """Move the load factor, breaking what reaches its critical load on the way."""
@@ -318,15 +322,21 @@ class Model(Scene, Edges, Results):
 
     def _run(self, name: str, *given: Any, goal: Optional[float] = None) -> StepReport:
         report = new_struct("bempd_step_report", "bempd_step_report_init")
+        with self._followed(goal):
+            self._open().call(name, *given, report, changes=True)
+        return step_report(report)
+
+    @contextlib.contextmanager
+    def _followed(self, goal: Optional[float]) -> Iterator[None]:
+        """Tells a progress function that wants to know it where a run begins and ends."""
         start, finish = (getattr(self._progress, part, None) for part in ("start", "finish"))
         if start is not None:
             start(self.load_factor, goal)
         try:
-            self._open().call(name, *given, report, changes=True)
+            yield
         finally:
             if finish is not None:
                 finish()
-        return step_report(report)
 
     def _set_log(self, callback: Any) -> None:
         self._open().call("bempd_set_log", callback, ffi.NULL)
