@@ -2,10 +2,10 @@
 # Builds and tests everything; installs missing Debian packages first.
 #   tests/run.sh        both sparse backends, then clang's sanitizers and fuzz targets in a host that fetches the library
 #   tests/run.sh quick  the default backend only
-#   tests/run.sh long   all of it, the site of documents looked at in Chromium, the library without the scheme paper, then
-#                       unit and physics tests under the sanitizers, threads, clang, and searches of an hour and more (BEMPD_FUZZ_SECONDS, 1800 for each fuzz target,
-#                       BEMPD_SCENES, 20000, and BEMPD_ALLOCATIONS that fail in each call, 2000, 0 for all, shorten or
-#                       lengthen them)
+#   tests/run.sh long   all of it, tests and cases that take long, the site of documents looked at in Chromium, the library
+#                       without the scheme paper, then unit and physics tests under the sanitizers, threads, clang, and
+#                       searches of an hour and more (BEMPD_FUZZ_SECONDS, 1800 for each fuzz target, BEMPD_SCENES, 20000,
+#                       and BEMPD_ALLOCATIONS that fail in each call, 2000, 0 for all, shorten or lengthen them)
 set -euo pipefail
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 cd "$root"
@@ -13,7 +13,7 @@ cd "$root"
 case "${1:-all}" in
   all) stages=(ci ci-eigen fetch-sanitize) ;;
   quick) stages=(ci) ;;
-  long) stages=(ci site scenes backends memory ci-symmetric eigen fetch-sanitize sanitize tsan clang fuzz) ;;
+  long) stages=(ci cases site scenes backends memory ci-symmetric eigen fetch-sanitize sanitize tsan clang fuzz) ;;
   *) echo "usage: tests/run.sh [quick | long]" >&2; exit 2 ;;
 esac
 
@@ -59,6 +59,7 @@ run_stage() {
   case "$1" in
     ci) run_presets ci && cmake --build --preset ci --target format-check ;;
     fetch-sanitize) (cd tests/package/consumer && run_presets fetch-sanitize) ;;
+    cases) ctest --preset long -j "$jobs" ;;
     site) BEMPD_LIBRARY="$root/build/ci/src/capi/libbempd.so" docs/build.sh look ;;
     scenes) with_library ci python3 tests/differential/random_scenes.py --count "$scenes" &&
       with_library ci python3 tests/differential/random_scenes.py --lines --count "$((scenes / 10))" &&

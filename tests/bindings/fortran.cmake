@@ -40,7 +40,7 @@ if(TARGET example_first_crack_fortran)
     foreach(program example_first_crack_fortran fortran_misuse)
       add_test(NAME bindings.${program}_leaks_nothing COMMAND "${BEMPD_VALGRIND}" --leak-check=full
         --errors-for-leak-kinds=definite,indirect --error-exitcode=1 $<TARGET_FILE:${program}>)
-      set_tests_properties(bindings.${program}_leaks_nothing PROPERTIES LABELS delivery TIMEOUT 900 COST 200)
+      set_tests_properties(bindings.${program}_leaks_nothing PROPERTIES LABELS long TIMEOUT 900 COST 200)
     endforeach()
   endif()
 endif()

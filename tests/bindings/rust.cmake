@@ -39,7 +39,7 @@ if(TARGET example_first_crack)
   if(BEMPD_VALGRIND)
     bempd_add_rust_test(bindings.rust_valgrind "${BEMPD_VALGRIND}" --leak-check=full
       --errors-for-leak-kinds=definite,indirect --error-exitcode=1 "${rust_build}/target/debug/examples/first_crack")
-    set_tests_properties(bindings.rust_valgrind PROPERTIES LABELS delivery FIXTURES_REQUIRED rust_first_crack)
+    set_tests_properties(bindings.rust_valgrind PROPERTIES LABELS long FIXTURES_REQUIRED rust_first_crack)
   endif()
 endif()
 

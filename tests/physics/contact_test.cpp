@@ -14,6 +14,7 @@
 #include "fracture/contact/gap_rule.hpp"
 #include "regions/lattice/lattice_description.hpp"
 #include "regions/places/edge_part.hpp"
+#include "thorough.hpp"
 
 namespace contact_test {
 namespace {
@@ -32,7 +33,7 @@ TEST(Contact, random_bodies_agree_with_a_quadratic_programme) {
   double worst = 0, balance = 0;
   int bodies = 0, closed = 0, places = 0;
   std::int64_t switches = 0;
-  for (int attempt = 0; bodies < 48; ++attempt) {
+  for (int attempt = 0; bodies < bempd_tests::cases(16, 48); ++attempt) {
     ASSERT_LT(attempt, 200);
     const auto model = random_plate(random);
     if (!model) continue;
@@ -48,8 +49,8 @@ TEST(Contact, random_bodies_agree_with_a_quadratic_programme) {
     balance = std::max(balance, state.worst_energy_balance_error);
     switches += state.contact_switches;
   }
-  std::printf("48 bodies at 6 load factors: %d of %d places closed, %lld switches, energy balance %.1e; ", closed,
-              places, static_cast<long long>(switches), balance);
+  std::printf("%d bodies at 6 load factors: %d of %d places closed, %lld switches, energy balance %.1e; ", bodies,
+              closed, places, static_cast<long long>(switches), balance);
   std::printf("displacements differ by %.1e (reference: quadratic programme, 0)\n", worst);
   EXPECT_GT(closed, places / 10);
   EXPECT_LT(closed, places * 9 / 10);

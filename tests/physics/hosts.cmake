@@ -2,7 +2,7 @@
 function(bempd_add_host_tests name)
   add_executable(${name} ${ARGN})
   target_link_libraries(${name} PRIVATE bempd bempd_claims bempd_test_main bempd_warnings GTest::gtest)
-  target_include_directories(${name} PRIVATE "${CMAKE_CURRENT_SOURCE_DIR}")
+  target_include_directories(${name} PRIVATE "${CMAKE_CURRENT_SOURCE_DIR}" "${PROJECT_SOURCE_DIR}/tests")
   target_precompile_headers(${name} REUSE_FROM bempd_host_test_headers)
   bempd_compile_together(${name} ${ARGN})
   bempd_add_tests_of_files(${name} ${ARGN} LABEL host)
