@@ -14,11 +14,11 @@ namespace bempd::fracture {
 
 namespace {
 
-// Of faces at one load factor, each of which leaves all as they should be.
+// The most events of crack faces at one load factor; each leaves every face as it should be.
 constexpr int most_events = 1000;
 
-// Where faces close or open a path of equilibrium may turn. Where it turns back again at the same load factor the way
-// on leads down with the faces as they are above it, and up with those below: there is none.
+// A path of equilibrium may turn where faces close or open. If it turns back again at the same load factor, it leads
+// down with the faces as they are above, and up with those below: the path ends.
 class Turns {
  public:
   // False if the path ends at this event of faces.
@@ -154,7 +154,7 @@ std::optional<StopReason> CrackEvolution::why_there_is_none(Goal goal, const Ste
 // under larger loads only, if at all.
 bool CrackEvolution::has_come_apart(const Event* next, double target, const SteppingOptions& options) {
   if (state_.separated || !is_lost(state_.resistance, options.separation_share)) return false;
-  // In increments what is stretched too far waits for the end of the next one.
+  // Bonds that an increment stretches too far wait for the end of the next one.
   if (options.mode == SteppingMode::increments &&
       !body_.ratios().overstretched(system_.intact(), state_.load_factor).empty()) {
     return false;
@@ -162,7 +162,7 @@ bool CrackEvolution::has_come_apart(const Event* next, double target, const Step
   if (next) {
     const double direction = target >= state_.load_factor ? 1 : -1;
     double farthest = direction * state_.load_factor;
-    // On a path of equilibrium the load factor has fallen since.
+    // The load factor of a path of equilibrium may have been larger before.
     if (options.control == Control::path) {
       for (const HistoryEntry& line : state_.history) farthest = std::max(farthest, direction * line.load_factor);
     }

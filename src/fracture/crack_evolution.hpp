@@ -56,10 +56,10 @@ class CrackEvolution {
                  std::vector<double> critical_stretch, const std::vector<int>& cut,
                  std::vector<std::vector<int>> reaction_dofs, ContactPlan contact = {});
 
-  // Before the first step: cracks grow as lines from these tips, by the laws that they name.
+  // Makes cracks grow as lines from these tips, by the laws that they name; called before the first step.
   void grow_lines(pd::TipLaws laws, std::vector<GrowingTip> tips);
 
-  // Before the first loads: what pressures in cracks among bonds act by.
+  // Adds the fluid by which pressures in cracks among bonds act; called before the first loads.
   void add_crack_fluid(CrackFluid fluid) { body_.add_crack_fluid(std::move(fluid)); }
 
   // `work_within`: what loads do beside the work of the nodal forces, half of (1, f) within (1, f) at the load factor
@@ -67,7 +67,7 @@ class CrackEvolution {
   void set_load(const coupling::Affine& force, const coupling::Affine& prescribed,
                 const Eigen::Matrix2d& work_within = Eigen::Matrix2d::Zero(), const CrackPressures& pressures = {});
 
-  // The same with loads that are the present ones at this load factor: nothing moves.
+  // Replaces the loads by others that equal the present ones at this load factor: nothing moves.
   void take_over(const coupling::Affine& force, const coupling::Affine& prescribed, const Eigen::Matrix2d& work_within,
                  const CrackPressures& pressures = {});
 
@@ -110,20 +110,20 @@ class CrackEvolution {
   // Makes the state consistent with the present loads, at the present load factor.
   void find_equilibrium();
 
-  // After StopReason::growth: which tip grows next, and how many others would grow as soon.
+  // The tip that grows next after StopReason::growth, and how many others would grow as soon.
   struct Due {
     crack::TipId tip;
     int ties = 0;
   };
   const Due& due() const { return due_; }
 
-  // After StopReason::growth, as long as nothing else was done: the run is where it was before that advance().
+  // Puts the run back to where it was before the advance() that ended with StopReason::growth; called next after it.
   void take_back() noexcept;
 
   // A tip of a line goes no further: it has come to an interface, or its crack goes on in another carrier.
   void stop_line(const crack::TipId& tip, crack::TipState state = crack::TipState::at_interface);
 
-  // After StopReason::growth, where these tips cannot grow: they have stopped, and the step ends here.
+  // Ends the step after StopReason::growth, because these tips cannot grow: they have stopped.
   void end_with_stopped(const std::vector<crack::TipId>& tips, const std::function<void()>& on_end);
 
   // Goes on with the run of another body whose cracks have grown since, at its load factor. `node_before` has of each
@@ -150,12 +150,13 @@ class CrackEvolution {
     look();
     return sources_.continuation();
   }
-  // The same without: numbers, bonds and history are right, displacements and forces may be those of an earlier event.
+  // The state without its solution: numbers, bonds and history are right, displacements and forces may be those of an
+  // earlier event.
   const EvolutionState& progress() const { return state_; }
   void restore(EvolutionState state, std::optional<Continuation> continuation = std::nullopt) noexcept;
   // The system's terms are in their present stages, also after a failure or another state.
   void bring_terms_up_to_date() { sources_.refresh(); }
-  // From here on the run is the same, bit for bit, as one restored from a copy of the present state alone.
+  // Makes the run go on bit for bit as one that is restored from a copy of the present state alone.
   void synchronize();
 
   Eigen::Vector2d reaction(std::size_t support) {
@@ -170,7 +171,8 @@ class CrackEvolution {
     look();
     return body_.reaction_at(dof);
   }
-  // Of places where faces of cracks meet: those on initial cracks, and whether a bond and normal make a grown one.
+  // The places where crack faces meet come first for initial cracks, from this number on for grown ones; can_have()
+  // says whether a bond and normal make a grown one.
   std::size_t first_grown_constraint() const { return body_.faces().first_grown(); }
   bool can_have(const GrownFace& face) const { return body_.faces().can_have(face); }
   double seconds_search() { return body_.seconds_search(); }
@@ -182,7 +184,7 @@ class CrackEvolution {
     return sources_.lines() ? sources_.lines()->tips() : std::vector<crack::Tip>();
   }
 
-  // In the present state of the bonds, under the present loads.
+  // The load factors at which nothing breaks, in the present state of the bonds and under the present loads.
   LoadInterval admissible_load_factors() {
     look();
     return body_.admissible();
@@ -222,8 +224,8 @@ class CrackEvolution {
   void forget_lines(const Start& start) noexcept;  // of the history, and what was added to the sums
   void return_to(const Start& start) noexcept;
   double within(double load_factor) const;
-  // Where both parts of the loads cancel these energies are known to a share of those of the parts only, by which they
-  // are measured at least.
+  // The least energy by which those within are measured: where both parts of the loads cancel, they are known to a
+  // share of the energies of the parts only.
   double least_scale_within(double load_factor) const;
   double work_that_moves(const Event& event, const Outcome& outcome, const SteppingOptions& options);
   void book(const Event& event, const Outcome& outcome, const SteppingOptions& options);

@@ -64,8 +64,8 @@ const Event* EventSources::next(double target, const SteppingOptions& options) {
   return first_of(source, event, target);
 }
 
-// Of an event among bonds, which may be the step of a line, and the growth of tips with elements the one that comes
-// first, by the order of all tips.
+// The first of two events by the order of all tips: one among bonds, which may be the step of a line, and the growth of
+// tips with elements.
 const Event* EventSources::first_with(crack::Carrier& elements, const Event* event, const crack::LoadWay& way) {
   std::vector<crack::Candidate> candidates = elements.candidates(way);
   if (event) {
@@ -157,7 +157,7 @@ void EventSources::refresh() {
   if (!body_.state().in_equilibrium) close_awaited();  // other loads act since
 }
 
-// Without a window the first search for an event may change the system's factor; with an open one nothing changes
+// The first search for an event may change the system's factor if no window is open; with an open one nothing changes
 // before the first mark.
 void EventSources::begin_call() {
   call_.emplace();

@@ -54,12 +54,12 @@ void CrackEvolution::book(const Event& event, const Outcome& outcome, const Step
   write_line(line, outcome.energy_scale, outcome.reactions_before, outcome.reactions);
 }
 
-// On the way between two events, where nothing breaks.
+// Books what happens between two events, where nothing breaks.
 void CrackEvolution::pass(const Outcome& outcome) {
   state_.work = in_range(state_.work + outcome.work_before);
   measure_work();
   state_.contact_switches += outcome.switches;
-  // Where faces are all that holds the undamaged scene.
+  // Faces may be all that holds the undamaged scene: its energy is larger after they close.
   if (state_.events == 0) state_.first_unit_energy = std::max(state_.first_unit_energy, body_.unit_energy());
   if (!outcome.comes_free) return;
   state_.work = in_range(state_.work + outcome.work);

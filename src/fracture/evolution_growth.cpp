@@ -133,7 +133,7 @@ void CrackEvolution::take_over_body(const BodyState& old, const std::vector<int>
 LoadedBody::FirstEquilibrium CrackEvolution::find_equilibrium_of_pieces() {
   constexpr double balanced = 1e-8;
   BodyState given = state_;
-  // Where bonds are broken as well, rounding above that looks like a motion that no spring holds, and finding fails.
+  // Rounding above `balanced` looks like a motion that no spring holds where bonds are broken as well: finding fails.
   try {
     const LoadedBody::FirstEquilibrium found = body_.find_equilibrium();
     if (found.held.empty() || body_.residual() <= balanced) return found;
@@ -147,8 +147,8 @@ LoadedBody::FirstEquilibrium CrackEvolution::find_equilibrium_of_pieces() {
   return body_.find_equilibrium();
 }
 
-// At constant loads a body's potential energy falls by what its cracks take; what the loads do follows from where they
-// have come to.
+// A body's potential energy falls by what its cracks take at constant loads; the work of the loads follows from where
+// they have come to.
 void CrackEvolution::go_on_after_growth(CrackEvolution& before, const std::vector<int>& node_before,
                                         const std::vector<crack::TipId>& entering) {
   const EvolutionState& old = before.state();

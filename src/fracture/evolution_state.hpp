@@ -23,8 +23,8 @@ struct HistoryEntry {
   double work = 0;
   double energy_balance_error = 0;
   double residual = 0;
-  // On the equilibrium path: where the bonds of the event just reach their critical stretch, and the energy stored
-  // there after it; at the end of a step the same as above.
+  // The load factor of the equilibrium path at which the bonds of the event just reach their critical stretch, and the
+  // energy stored there after it; at the end of a step the same as above.
   double critical_load_factor = 0;
   double critical_stored_energy = 0;
   double bond_energy = 0;  // released by then, had each event happened there
@@ -85,8 +85,9 @@ struct Sums {
 // Everything that a run changes. Copying it saves the run; what it goes on with by the same digits is a Continuation.
 struct EvolutionState : BodyState, Sums {
   std::vector<HistoryEntry> history;
-  // Per line of the history x and y of every support: what it exerts at the line and just before its event [N], and how
-  // far it moves the body, which an event does not change: the mean over its nodes, NaN where it does not say [m].
+  // Each support has an x and a y per line of the history: what it exerts at the line and just before its event [N],
+  // and how far it moves the body, which an event does not change: the mean over its nodes, NaN where it does not say
+  // [m].
   std::vector<double> reactions, reactions_before, support_displacements;
   std::vector<CrackExtension> extensions;
 };

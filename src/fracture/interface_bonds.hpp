@@ -11,7 +11,7 @@ namespace bempd::fracture {
 // body, and can only run along it.
 class InterfaceBonds {
  public:
-  // Those that are there now.
+  // Finds the bonds that are there now.
   InterfaceBonds(const coupling::EquilibriumSystem& system, const std::vector<Point>& positions);
 
   // Node of the body at which one of them has broken since.

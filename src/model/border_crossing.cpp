@@ -44,8 +44,8 @@ bool is_at_border(const scene::Scene& scene, const fracture::CrackExtension& e, 
   return any(false, from) && any(true, ahead);
 }
 
-// On the straight way of a line, where it leaves its lattice within so many spacings into elements of the same
-// material: the place so far behind the interface that it becomes a tip there.
+// The place behind an interface at which a line becomes a tip of elements: the line leaves its lattice on its straight
+// way within so many spacings, into elements of the same material.
 std::optional<Point> tip_behind_border(const scene::Scene& scene, const fracture::CrackExtension& e, double spacings,
                                        double tolerance) {
   const Point from(e.from_x, e.from_y), to(e.x, e.y), along = (to - from).normalized();

@@ -77,7 +77,7 @@ class Explainer {
     return tip.method == regions::TipMethod::elements || evolution_.grows_lines();
   }
 
-  // Under a held load factor an overloaded tip grows where that is.
+  // Finds the tip that grows next; an overloaded one grows where the load factor is, if that is held.
   void find_tip() {
     const bool is_held = stepping_.control == fracture::Control::load;
     for (const regions::TipValues& tip : model_.tips()) {

@@ -24,8 +24,8 @@ struct Middle {
   int lattice;  // id of its region
 };
 
-// Of the places half way between two material points on interfaces of a boundary region with lattices the one nearest
-// to a crossing; of two as near the one on the crack's right.
+// The middle between two material points that is nearest to a crossing, on interfaces of a boundary region with
+// lattices; of two as near the one on the crack's right.
 Middle nearest_middle(const Preparation& p, int crack, int boundary, const CrackCrossing& crossing) {
   Middle nearest{Point::Zero(), 0, 0};
   double least = std::numeric_limits<double>::infinity();
@@ -73,7 +73,7 @@ class Bending {
 
   double length() const { return vertices_.back().way; }
 
-  // To a place; between two ways at most.
+  // Bends the crack to the place of a crossing, between two ways at most.
   void bend(const CrackCrossing& c, double low, double high) {
     const Vertex at = at_way(c.way);
     double from = c.way, to = c.way;

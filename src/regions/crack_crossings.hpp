@@ -40,8 +40,8 @@ struct BentCrack {
 // Vertices closer than `same` to each other are one.
 BentCrack bent_to(const scene::Crack& crack, const std::vector<CrackCrossing>& crossings, double same);
 
-// Where a crack passes from one region with elements to another: both have two nodes there, one on each face, which
-// they share. `before` and `behind` are next to the place on the crack.
+// The mouth of a crack that passes from one region with elements to another: both have two nodes there, one on each
+// face, which they share. `before` and `behind` are next to the place on the crack.
 struct SharedMouth {
   Point place, before, behind;
 

@@ -14,7 +14,7 @@ using scene::Scene;
 
 namespace {
 
-// Where a segment may pass from one region to another: crossings with edges, and vertices and ends that touch.
+// The places where a segment may pass from one region to another: crossings with edges, vertices and ends that touch.
 std::vector<double> stations_on(const Scene& scene, const Segment& segment, double tolerance) {
   std::vector<double> fractions{0.0, 1.0};
   for (int id : scene.region_ids()) {
@@ -49,7 +49,7 @@ int region_of_piece(const Preparation& p, int crack, const Point& middle) {
   return with_elements.front();
 }
 
-// Where a crack passes from one region with elements to another, or between these and lattices.
+// The places where a crack passes from one region with elements to another, or between these and lattices.
 std::vector<CrackCrossing> crossings_of(const Preparation& p, int crack, const std::vector<Point>& points,
                                         int& first_region) {
   std::vector<CrackCrossing> found;
@@ -80,7 +80,7 @@ std::vector<CrackCrossing> crossings_of(const Preparation& p, int crack, const s
 // Smaller turns are those of a polygon that stands for a curve.
 constexpr double least_bend = 0.2;
 
-// From a vertex on, forwards or backwards: the way to where the crack bends or ends.
+// The way from a vertex, forwards or backwards, to where the crack bends or ends.
 double way_to_bend(const std::vector<Point>& points, std::size_t from, bool forwards) {
   std::vector<Point> ahead(points.begin() + static_cast<std::ptrdiff_t>(forwards ? from : 0),
                            forwards ? points.end() : points.begin() + static_cast<std::ptrdiff_t>(from) + 1);

@@ -18,15 +18,15 @@ struct CrackPart {
   int grown_at_start = 0, grown_at_end = 0;
   double start = 0;                                 // its way along the crack [m]
   bool from_another = false, into_another = false;  // whether another part of the crack is before or behind it
-  // Of the material points between which it comes from that part and goes into it; 0 without [m].
+  // Spacing of the material points between which it comes from that part and goes into it; 0 without [m].
   double spacing_before = 0, spacing_behind = 0;
-  // Where that part has elements too: the way from there along it to its next bend or end; 0 without [m].
+  // The way from there along a part with elements to its next bend or end; 0 without [m].
   double reach_before = 0, reach_behind = 0;
 };
 
 // A crack by the regions that it runs through.
 struct PartedCrack {
-  // As described, but bent to where it passes from elements to bonds: half way between two rows of material points.
+  // The crack as described, but bent to where it passes from elements to bonds: half way between two rows of points.
   scene::Crack crack;
   std::vector<CrackPart> parts;  // in its order; none if the crack was removed
 

@@ -26,10 +26,8 @@ import sys
 
 FOLDERS = ("include", "src", "tests", "bindings", "examples", "benchmarks")
 
-# Folders in which no block may begin without its subject: one a line; the list grows until it is `src` and the others.
-CLEAN: tuple[str, ...] = (
-    "benchmarks", "bindings", "examples", "include", "src/bem", "src/capi", "src/coupling", "src/crack", "src/elasticity",
-    "src/geometry", "src/linalg", "src/output", "src/paper", "src/pd", "src/phase.hpp", "src/results", "src/scene", "tests")
+# Folders in which no block may begin without its subject.
+CLEAN = FOLDERS
 
 PREPOSITIONS = """About Above Across After Against Ahead Along Alongside Among Apart Around As Aside At Away Before Behind Below
     Beneath Beside Besides Between Beyond By Despite During Except For From In Inside Instead Into Like Near Of Off On Onto

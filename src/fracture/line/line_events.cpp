@@ -10,7 +10,7 @@ namespace bempd::fracture {
 
 namespace {
 
-// Within this many horizons of a tip that does not grow no crack begins.
+// No crack begins within this many horizons of a tip that does not grow.
 constexpr double reach_of_resting_tip = 1;
 
 }  // namespace
@@ -18,7 +18,7 @@ constexpr double reach_of_resting_tip = 1;
 LineEvents::LineEvents(LoadedBody& body, WholeBodyEvents& whole_body, pd::TipLaws laws)
     : body_(body), whole_body_(whole_body), steps_(body, std::move(laws)), trials_(body.system()) {}
 
-// None where two parts of other materials meet, and beside a tip that rests.
+// The crack that begins at a bond; none begins where two parts of other materials meet, or beside a tip that rests.
 std::optional<LineEvents::Birth> LineEvents::birth_at(int bond, double load_factor) const {
   const coupling::Terms& terms = body_.system().terms();
   const auto b = static_cast<std::size_t>(bond);
@@ -35,7 +35,7 @@ std::optional<LineEvents::Birth> LineEvents::birth_at(int bond, double load_fact
   return Birth{middle, direction, number};
 }
 
-// Of places that are alike but for rounding that of the bond with the least number.
+// The crack begins at the bond with the least number, if several places are alike but for rounding.
 const Event* LineEvents::tell_birth(const std::vector<int>& most, const Birth& birth, double load_factor) {
   const int bond = most.front();
   const pd::TipLaw& law = laws().laws[static_cast<std::size_t>(birth.law)];
@@ -130,7 +130,7 @@ Outcome LineEvents::perform() {
   return outcome;
 }
 
-// Its id follows those of all cracks that there are.
+// The new crack's id follows those of all cracks that there are.
 void LineEvents::begin_crack(Outcome& outcome) {
   std::vector<GrowingTip>& tips = body_.state().tips;
   int id = static_cast<int>(laws().of_crack.size());

@@ -24,7 +24,7 @@ constexpr double steps_taken_exact = 2;
 // little at first.
 constexpr double least_ratio = 0.5, largest_ratio = 2;
 
-// Within this many horizons of a tip no bond breaks by itself.
+// No bond breaks by itself within this many horizons of a tip.
 constexpr double guarded_reach = 3;
 // Horizons around an unloaded tip in which overloaded bonds do not break.
 constexpr double relaxing_reach = 1;
@@ -37,10 +37,10 @@ double correction(const GrowingTip& tip) {
 // A tip that does not grow before so many times the load factor at which something else happens feels rounding, as one
 // in a part that bears nothing does.
 constexpr double farthest_load = 1e6;
-// Likewise a stress closely ahead that is this share of the one around.
+// A stress closely ahead counts as zero below this share of the one around.
 constexpr double least_stress = 1e-8;
 
-// The same intensity with the load factor counted on its way.
+// An intensity with the load factor counted on its way.
 AffineIntensity on_way(AffineIntensity intensity, const LoadWay& way) {
   intensity.one[1] *= way.sense(), intensity.two[1] *= way.sense();
   return intensity;
@@ -68,7 +68,7 @@ bool LineSteps::has_begun(const GrowingTip& tip) const {
   return static_cast<std::size_t>(tip.id.crack) > laws_.of_crack.size();
 }
 
-// Where nothing lies ahead, a tip goes straight on.
+// A tip turns by the stress closely ahead; where nothing lies ahead, it goes straight on.
 AffineIntensity LineSteps::turning_of(const GrowingTip& tip, const AffineIntensity& by_fit,
                                       const coupling::Affine& displacement, double present) const {
   const pd::TipLaw& law = law_of(tip);
@@ -162,7 +162,7 @@ std::vector<GrowingTip> LineSteps::guarded(const std::vector<LineStep>& steps, c
   return found;
 }
 
-// In another region than the one of the step: as much as makes up the energy release rate there.
+// The ratio after a step; in another region than that of the step it makes up the energy release rate there.
 double LineSteps::ratio_after(const GrowingTip& tip, const pd::TipLaw& law, const coupling::Affine& displacement,
                               double load_factor) const {
   const Eigen::Vector2d at(1, load_factor);
@@ -179,7 +179,7 @@ void LineSteps::move(const LineStep& step, std::vector<GrowingTip>& tips) const 
   if (laws_.laws.size() > 1) tip.law = law_ahead_of(tip);
 }
 
-// That of the region of the nearest material point ahead; where none is near, the one that the tip had.
+// The law of the region of the nearest material point ahead; where none is near, the one that the tip had.
 int LineSteps::law_ahead_of(const GrowingTip& tip) const {
   const pd::TipLaw& law = law_of(tip);
   double nearest = law.horizon;
@@ -207,8 +207,8 @@ crack::Extension LineSteps::remember(const LineStep& step, double ratio, double 
   const pd::TipLaw& law = laws_.laws[static_cast<std::size_t>(step.law)];
   // The ratio of the event holds the correction that was made; what is remembered must not.
   const double before = step.by_energy ? ratio : ratio / correction(tip);
-  // Behind a kink, or as an edge comes or goes, the energy release rate changes within a spacing by up to a half: what
-  // is expected is the mean of the rates at both ends of the step.
+  // The mean of the rates at both ends of the step is expected: behind a kink, or as an edge comes or goes, the energy
+  // release rate changes within a spacing by up to a half.
   const bool arrives = step.way.arrives();
   const double after = arrives          ? before
                        : step.by_energy ? before * step.after_step
@@ -243,7 +243,7 @@ std::vector<int> LineSteps::nodes_asked(const std::vector<GrowingTip>& tips) con
   return nodes;
 }
 
-// By its middle, so that it does not matter which of its ends is the first.
+// A term is spared by the place of its middle, so that it does not matter which of its ends is the first.
 bool LineSteps::is_spared(int term, const GrowingTip& tip) const {
   const coupling::Terms& terms = body_.system().terms();
   const std::vector<Point>& positions = body_.positions();

@@ -93,7 +93,7 @@ class LineSteps {
 
   // Stress intensity factors of a tip.
   AffineIntensity intensity_at(const GrowingTip& tip, const coupling::Affine& displacement) const;
-  // By how much a tip that grows at a load factor turns, counter-clockwise [rad].
+  // The angle by which a tip that grows at a load factor turns, counter-clockwise [rad].
   double kink_at(const GrowingTip& tip, const coupling::Affine& displacement, double load_factor) const;
 
   // Moves the tip of a step after its event, which has released an energy; the tip remembers what was released, or
@@ -131,7 +131,7 @@ class LineSteps {
   bool is_shut(const GrowingTip& tip, const WilliamsFit& fit) const;
   void judge_fit(const std::vector<GrowingTip>& tips, const WilliamsFit& fit, LineStep& step) const;
   KinkShape shape_of(const GrowingTip& tip, const coupling::Affine& displacement, const LineStep& step) const;
-  // Where a trial step would close, or the body cannot tell, the step stays that of the fit.
+  // The energy of a trial step replaces the fit; the fit stays where that step would close, or the body cannot tell.
   void try_step(const GrowingTip& tip, const coupling::Affine& displacement, const LoadWay& way, TrialBody& body,
                 LineStep& step) const;
   AffineIntensity turning_of(const GrowingTip& tip, const AffineIntensity& by_fit, const coupling::Affine& displacement,

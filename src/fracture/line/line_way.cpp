@@ -121,7 +121,7 @@ LineWay::Step LineWay::next(const Point& place, const Point& direction, const pd
   const auto step_of = [&](double length, TipState ends_as) {
     return Step{length, across(place, place + length * direction, law.horizon), ends_as};
   };
-  // As far as the row of points behind the face may lie.
+  // The step reaches as far as the row of points behind the face may lie.
   if (const std::optional<double> face = face_ahead(place, direction, law))
     return step_of(*face + law.spacing / 2, TipState::at_crack);
   if (const std::optional<double> edge = edge_ahead(place, direction, law)) return step_of(*edge, TipState::at_edge);

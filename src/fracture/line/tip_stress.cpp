@@ -11,10 +11,10 @@ namespace bempd::fracture {
 
 namespace {
 
-// Where the first terms of Williams' series are fitted, and how many, in horizons: with three terms, or farther out,
-// the load at which an inclined crack first grows comes out too small. Nearer than a horizon the lattice smears the
-// singular stress, by a few percent; what a surface within three horizons of the tip does to the field is more than
-// that, so that points are taken the nearer the tip the nearer it is to one (docs/directions.md).
+// Williams' series is fitted at distances between these, in horizons: with three terms, or farther out, the load at
+// which an inclined crack first grows comes out too small. Nearer than a horizon the lattice smears the singular
+// stress, by a few percent; what a surface within three horizons of the tip does to the field is more than that, so
+// that points are taken the nearer the tip the nearer it is to one (docs/directions.md).
 constexpr double inner_reach = 1, outer_reach = 2, fitted_cosine = 0;
 constexpr double inner_reach_beside = 0.5, outer_reach_beside = 1.25;
 constexpr double beside_surface = 1, away_from_surfaces = 3;
@@ -24,19 +24,19 @@ constexpr double beside_surface = 1, away_from_surfaces = 3;
 // on inclined cracks, for horizons of 3, 4 and 6 spacings and any angle of the rows 1.06 to 1.11 (docs/directions.md).
 constexpr double shear_as_fitted = 1.08;
 
-// For cracks that have begun in the run: the mean of the stress closely ahead, over a factor measured on lattices in
-// the field of K, for horizons of 3 and 4 spacings and any angle of the rows within 1 % (docs/directions.md).
+// Cracks that have begun in the run take the mean stress closely ahead, over a factor measured on lattices in the field
+// of K, for horizons of 3 and 4 spacings and any angle of the rows within 1 % (docs/directions.md).
 constexpr double near_reach = 1.5, near_cosine = 0.5;  // in horizons
 constexpr double near_opening = 0.79, near_shear = 0.482;
 
 constexpr int fitted_terms = WilliamsFit::most_terms;
 
-// Before the face of another crack there are fewer points, which tell fewer terms (docs/directions.md): four within
-// three horizons of it, two within one.
+// Fewer terms are fitted before the face of another crack, where there are fewer points (docs/directions.md): four
+// within three horizons of it, two within one.
 constexpr int terms_near_face = 4, terms_at_face = 2;
 constexpr double at_face = 1;
 
-// Before a face that leaves fewer points the nearest ones, too, are taken.
+// The nearest points, too, are taken before a face that leaves fewer than these.
 constexpr std::size_t enough_points = 6;
 
 // Bonds between neighbours, in spacings.

@@ -32,7 +32,8 @@ class TipStress {
                      const Eigen::RowVector2d& pressure) const;
   AffineIntensity as_read(AffineIntensity fitted) const;
 
-  // By the mean stress closely ahead, which tells the ratio of both better where another tip lies closely behind.
+  // The intensity by the mean stress closely ahead: the better ratio of both modes where another tip lies closely
+  // behind.
   AffineIntensity closely_ahead_of(const GrowingTip& tip, const pd::TipLaw& law, const coupling::Affine& displacement,
                                    const Eigen::RowVector2d& pressure) const;
 
@@ -67,7 +68,7 @@ class TipStress {
   };
   Fit fit_of(const GrowingTip& tip, const pd::TipLaw& law) const;
   std::vector<Station> stations_closely_ahead(const GrowingTip& tip, const pd::TipLaw& law) const;
-  // Those ahead within reach that it sees, with bonds.
+  // The material points with bonds ahead of a tip that lie within reach and that it sees.
   std::vector<Station> stations(const GrowingTip& tip, const pd::TipLaw& law, const Reach& reach, double least_cosine,
                                 const TipSight& sight) const;
 

@@ -29,8 +29,8 @@ class WholeBodyTrials final : public TrialBody {
 
   std::optional<Eigen::MatrixXd> flexibility(std::span<const int> terms) override;
 
-  // From now on by a factor of its own: an open window has changed terms, and the system's factor belongs to the matrix
-  // before.
+  // Makes answers come from a factor of their own from now on: an open window has changed terms, and the system's
+  // factor belongs to the matrix before.
   void stand_apart(bool apart) { is_apart_ = apart; }
 
  private:

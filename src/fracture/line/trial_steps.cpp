@@ -277,7 +277,7 @@ Point TrialSteps::best_direction(const GrowingTip& tip, const pd::TipLaw& law, c
     const auto growth = along(tip, law, turned(around, k * between_trials), displacement, body);
     ratio[static_cast<std::size_t>(k + trials_aside)] = growth ? growth->mean_ratio(load_factor) : 0;
   }
-  // Among directions that are alike but for rounding the one nearest to the middle is chosen.
+  // The direction nearest to the middle is chosen among those that are alike but for rounding.
   int best = trials_aside;
   for (const int k : {-1, 1, -2, 2})
     if (ratio[static_cast<std::size_t>(trials_aside + k)] > (1 + ratio_of_ties) * ratio[static_cast<std::size_t>(best)])

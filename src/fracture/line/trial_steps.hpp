@@ -65,7 +65,7 @@ class TrialGrowth {
   bool opens(double load_factor) const;
   // What the first length takes [J].
   double first_energy() const { return lengths_.front().energy; }
-  // From now on with the rate's shape behind a kink.
+  // Sets the rate's shape behind a kink.
   void shape(const KinkShape& kink) { kink_ = kink; }
 
   // Load factor at which the ratio reaches one, searched from a load factor nearby, and how it grows there; null where

@@ -90,7 +90,8 @@ struct WindowSettings {
   static constexpr double doubtful_energy = 1e-7;
   // Worst residual with which computed events are taken; what is left is rounding.
   static constexpr double acceptable_residual = 1e-11;
-  // Where terms follow others: events between two looks at the balance of forces in a window, and what is put right.
+  // Events between two looks at the balance of forces in a window, and the residual that is put right; they serve terms
+  // that follow others.
   static constexpr int events_between_balances = 32;
   static constexpr double negligible_residual = 1e-12;
 };

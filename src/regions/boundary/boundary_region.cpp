@@ -112,7 +112,7 @@ void BoundaryRegion::follow_rows_to_mouths(NodeRoles& roles) const {
   }
 }
 
-// Where cracks pass from this region or beside it to another one with elements: on which side of the crack nodes lie.
+// The side of the crack on which nodes lie, at places where a crack passes to another region with elements.
 std::vector<int> BoundaryRegion::sides_of_cracks(const Preparation& p) const {
   std::vector<int> sides(mesh_.nodes.size(), 0);
   for (const SharedMouth& mouth : shared_mouths(p.cracks)) {
