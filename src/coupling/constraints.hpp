@@ -74,13 +74,18 @@ class Constraints {
     closed_[i] = closed ? 1 : 0;
   }
 
-  // Whether a constraint with a penalty is barred: it may not close, because it would only push a loose part away.
+  // Whether a constraint is barred: it may not close, because it would only push a loose part away.
   bool is_barred(std::size_t i) const {
-    return i >= exact_count_ && i - exact_count_ < barred_.size() && barred_[i - exact_count_] != 0;
+    if (i < exact_count_) return i < barred_exact_.size() && barred_exact_[i] != 0;
+    return i - exact_count_ < barred_.size() && barred_[i - exact_count_] != 0;
   }
-  // Flags of the constraints with a penalty for which this is known.
+  // Flags of the constraints with a penalty, and of exact ones, for which this is known.
   const std::vector<char>& barred() const { return barred_; }
-  void bar(std::vector<char> barred) { barred_ = std::move(barred); }
+  const std::vector<char>& barred_exact() const { return barred_exact_; }
+  void bar(std::vector<char> barred, std::vector<char> exact) {
+    barred_ = std::move(barred);
+    barred_exact_ = std::move(exact);
+  }
 
   // Calls visit(constraint) for the closed ones with a penalty.
   template <class Visit>
@@ -112,7 +117,7 @@ class Constraints {
 
  private:
   std::vector<Constraint> list_;
-  std::vector<char> closed_, barred_;
+  std::vector<char> closed_, barred_, barred_exact_;
   std::size_t exact_count_ = 0, closed_exact_ = 0, closed_penalties_ = 0;
 };
 

@@ -124,7 +124,9 @@ class EquilibriumSystem {
   const Constraints& constraints() const { return constraints_; }
   void add_constraint(Constraint constraint) { constraints_.add(std::move(constraint)); }
   void replace_open_constraint(std::size_t number, Constraint other) { constraints_.replace(number, std::move(other)); }
-  void bar_constraints(std::vector<char> barred) { constraints_.bar(std::move(barred)); }
+  void bar_constraints(std::vector<char> barred, std::vector<char> exact = {}) {
+    constraints_.bar(std::move(barred), std::move(exact));
+  }
   // Closes open constraints and opens closed ones: rank-one changes of the factor for those with a penalty; the next
   // solve factorizes afresh if one of them is exact.
   void switch_constraints(std::span<const int> numbers);

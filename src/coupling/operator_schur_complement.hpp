@@ -23,6 +23,7 @@ class OperatorSchurComplement {
 
   const std::vector<int>& shared_dofs() const { return shared_; }
   const Eigen::MatrixXd& schur_complement() const { return active_.empty() ? schur_->matrix() : schur_with_active_; }
+  const Eigen::MatrixXd& schur_complement_when_open() const { return schur_->matrix(); }
   // Whether the operator is on these nodes, in this order.
   bool is_on(const std::vector<int>& nodes) const;
   const Affine& rest() const { return rest_; }

@@ -236,13 +236,14 @@ void StiffnessAssembly::add_bonds(const std::vector<double>& stiffness) {
   }
 }
 
-void StiffnessAssembly::add_operators() {
+void StiffnessAssembly::add_operators(bool with_constraints) {
   for (const OperatorSchurComplement& op : operators_) {
     const auto& dofs = op.shared_dofs();
+    const Eigen::MatrixXd& matrix = with_constraints ? op.schur_complement() : op.schur_complement_when_open();
     for (std::size_t c = 0; c < dofs.size(); ++c) {
       for (std::size_t r = 0; r < dofs.size(); ++r) {
         add(unknown_of_[dofs[r]], unknown_of_[dofs[c]],
-            op.schur_complement()(static_cast<Eigen::Index>(r), static_cast<Eigen::Index>(c)));
+            matrix(static_cast<Eigen::Index>(r), static_cast<Eigen::Index>(c)));
       }
     }
   }
@@ -288,9 +289,18 @@ const Eigen::SparseMatrix<double>& StiffnessAssembly::sum(const std::vector<doub
                                                           const Constraints& constraints) {
   std::fill_n(matrix_.valuePtr(), matrix_.nonZeros(), 0.0);
   add_bonds(stiffness);
-  add_operators();
+  add_operators(true);
   add_springs(springs);
   add_penalties(constraints);
+  return matrix_;
+}
+
+const Eigen::SparseMatrix<double>& StiffnessAssembly::sum_without_constraints(
+    const std::vector<double>& stiffness, const std::vector<HoldingSpring>& springs) {
+  std::fill_n(matrix_.valuePtr(), matrix_.nonZeros(), 0.0);
+  add_bonds(stiffness);
+  add_operators(false);
+  add_springs(springs);
   return matrix_;
 }
 

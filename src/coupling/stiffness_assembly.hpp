@@ -36,8 +36,10 @@ class StiffnessAssembly {
   // Sums the matrix. A broken term has the stiffness 0; its entries stay, so that the pattern does not change. Closed
   // constraints have entries.
   const Eigen::SparseMatrix<double>& sum(const std::vector<double>& stiffness,
-                                         const std::vector<HoldingSpring>& springs,
-                                         const Constraints& constraints = {});
+                                         const std::vector<HoldingSpring>& springs, const Constraints& constraints);
+  // The same with all constraints open, exact ones too.
+  const Eigen::SparseMatrix<double>& sum_without_constraints(const std::vector<double>& stiffness,
+                                                             const std::vector<HoldingSpring>& springs);
   bool has_room_for(const Constraints& constraints) const;  // the closed ones
 
  private:
@@ -59,7 +61,7 @@ class StiffnessAssembly {
   // Adds a wide term; its part of the nodes' own blocks goes to `diagonal`: xx, xy, yy.
   void add_wide(std::span<const TermEntry> entries, double stiffness, Eigen::Matrix3Xd& diagonal);
   void add_bonds(const std::vector<double>& stiffness);
-  void add_operators();
+  void add_operators(bool with_constraints);
   void add_springs(const std::vector<HoldingSpring>& springs);
   void add_penalties(const Constraints& constraints);
 

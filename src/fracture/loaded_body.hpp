@@ -5,6 +5,7 @@
 
 #include "coupling/equilibrium_system.hpp"
 #include "fracture/contact/crack_faces.hpp"
+#include "fracture/contact/held_parts.hpp"
 #include "fracture/crack_fluid.hpp"
 #include "fracture/critical_events.hpp"
 #include "fracture/event_choice.hpp"
@@ -138,7 +139,8 @@ class LoadedBody {
   void apply_load();
   void bar_constraints_of_held_parts();
   double farther_on(double share, double direction) const;
-  std::vector<char> nodes_of_held_parts();
+  HeldParts held_parts() const;
+  std::vector<char> nodes_of_held_parts() const;
   coupling::Affine without_lost_loads(coupling::Affine force) const;
   // Loads that are left after some have been lost, and the forces of the fluid.
   coupling::Affine carried(coupling::Affine force, const CrackPressures& pressures) const;

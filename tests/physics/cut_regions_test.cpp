@@ -255,5 +255,48 @@ TEST(CutRegions, a_plate_is_torn_in_two) {
   EXPECT_LE(std::abs(model.reaction(above)[1]), 1e-12);
 }
 
+// A cracked body that is torn by its own steps; the report of the last one.
+bempd_step_report run_to_the_end(Model& model) {
+  bempd_step_report report = model.next_event(1e9);
+  for (int steps = 0; steps < 40 && report.stop_reason == BEMPD_STOP_EVENT; ++steps) report = model.next_event(1e9);
+  return report;
+}
+
+// A piece that a crack frees stays where it is. The rest of the body springs back against it, and its faces pass
+// through that piece, which nothing holds.
+TEST(CutRegions, faces_do_not_press_on_a_piece_that_nothing_holds) {
+  Model model;
+  const int32_t glass = model.add(cut_regions_test::glass(1.6e-6));
+  const int32_t left = model.bem(glass, rectangle(0, 0, 10, 13), 4),
+                right = model.bem(glass, rectangle(10, 0, 13, 13), 4);
+  model.crack({{2.18, 13}, {4.65, 2.16}});
+  model.fix(left, 4, BEMPD_BOTH);
+  model.prescribe(right, 2, BEMPD_Y, 0, 0.013);
+  model.prescribe(right, 4, BEMPD_Y, 0, 0.001);
+  const bempd_step_report report = run_to_the_end(model);
+  EXPECT_EQ(report.stop_reason, BEMPD_STOP_SEPARATED);
+  EXPECT_LE(host::report("residual", report.residual, 0, "equilibrium"), 1e-12);
+  EXPECT_LE(report.energy_balance_error, 1e-12);
+}
+
+// A wedge that is cut off and held in x alone: faces that press on it would push it out along y without an end. They
+// do not, and equilibrium is kept.
+TEST(CutRegions, faces_do_not_push_a_piece_along_its_support) {
+  Model model;
+  const int32_t plate = model.bem(model.add(glass(1.6e-6)), rectangle(0, 0, 13, 13), 2);
+  model.crack({{10, 13}, {2, 3.6}});
+  const int32_t held = model.fix(plate, 4, BEMPD_X);
+  const int32_t pressed = model.prescribe(plate, 2, BEMPD_X, 0, -0.026);
+  const double still = 0;
+  int32_t part = 0;
+  model.check(bempd_prescribe_edge(model.get(), plate, 1, 0.25, 0.5, BEMPD_Y, 1, &still, &still, &part));
+  const bempd_step_report report = run_to_the_end(model);
+  EXPECT_EQ(report.stop_reason, BEMPD_STOP_NO_FURTHER_EVENT);
+  EXPECT_EQ(piece_count(model), 2);
+  EXPECT_LE(host::report("residual", report.residual, 0, "equilibrium"), 1e-12);
+  const double force = model.reaction(held)[0];
+  EXPECT_NEAR(model.reaction(pressed)[0], -force, 1e-10 * force);
+}
+
 }  // namespace
 }  // namespace cut_regions_test

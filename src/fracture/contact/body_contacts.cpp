@@ -5,6 +5,7 @@
 #include "cancellation.hpp"
 #include "error.hpp"
 #include "fracture/contact/gap_rule.hpp"
+#include "fracture/contact/held_parts.hpp"
 #include "fracture/contact/newton_rounds.hpp"
 #include "fracture/free_motions.hpp"
 #include "fracture/loaded_body.hpp"
@@ -37,20 +38,25 @@ int first_of(const std::vector<int>& wrong, const coupling::Constraints& constra
   return found == wrong.end() ? wrong.front() : *found;
 }
 
-void hold_what_moves(const Eigen::VectorXd& motion, FreedPartFinder::Held& held) {
+void hold_what_moves(const Eigen::VectorXd& motion, std::vector<char>& nodes) {
   const double limit = taken_along * motion.lpNorm<Eigen::Infinity>();
-  for (std::size_t node = 0; node < held.nodes.size(); ++node)
-    if (motion.segment<2>(2 * static_cast<Eigen::Index>(node)).norm() > limit) held.nodes[node] = 1;
+  for (std::size_t node = 0; node < nodes.size(); ++node)
+    if (motion.segment<2>(2 * static_cast<Eigen::Index>(node)).norm() > limit) nodes[node] = 1;
 }
 
 }  // namespace
 
-std::vector<char> LoadedBody::nodes_of_held_parts() {
+HeldParts LoadedBody::held_parts() const {
   FreedPartFinder::Held held = freed_parts_.held_parts();
-  if (!held.others.empty()) {
-    // The faces that press now are left out, so that what may press does not depend on them.
-    for (const Eigen::VectorXd& motion : system_.motions_held_by(held.others)) hold_what_moves(motion, held);
-  }
+  HeldParts parts{std::move(held.nodes), {}};
+  // The faces that press now are left out, so that what may press does not depend on them.
+  if (!held.others.empty()) parts.motions = system_.motions_held_by(held.others);
+  return parts;
+}
+
+std::vector<char> LoadedBody::nodes_of_held_parts() const {
+  HeldParts held = held_parts();
+  for (const Eigen::VectorXd& motion : held.motions) hold_what_moves(motion, held.nodes);
   return std::move(held.nodes);
 }
 
@@ -87,21 +93,24 @@ void LoadedBody::bar_constraints_of_held_parts() {
   const coupling::Constraints& constraints = system_.constraints();
   const std::size_t exact = constraints.exact_count(), count = constraints.size() - exact;
   const std::size_t springs = system_.springs().size();
-  if (count == 0 || springs == 0) return system_.bar_constraints({});
+  if (constraints.size() == 0 || springs == 0) return system_.bar_constraints({});
   // Springs and broken terms never become fewer, and what a spring holds grows with terms that break: their number
   // tells whether the answer is still good.
   const auto broken = std::count(system_.intact().begin(), system_.intact().end(), 0);
   const std::size_t changes = springs + static_cast<std::size_t>(broken);
-  if (constraints.barred().size() == count && changes_that_bar_ == changes) return;
+  const bool is_known = constraints.barred().size() == count && constraints.barred_exact().size() == exact;
+  if (is_known && changes_that_bar_ == changes) return;
   changes_that_bar_ = changes;
-  const std::vector<char> held = nodes_of_held_parts();
+  const HeldParts parts = held_parts();
+  std::vector<char> held = parts.nodes;
+  for (const Eigen::VectorXd& motion : parts.motions) hold_what_moves(motion, held);
   std::vector<char> barred;
   for (std::size_t k = 0; k < count; ++k) {
     const std::vector<coupling::TermEntry>& pull = constraints[exact + k].pull;
     const auto is_held = [&](const coupling::TermEntry& e) { return held[e.node] != 0; };
     barred.push_back(std::any_of(pull.begin(), pull.end(), is_held) ? 1 : 0);
   }
-  system_.bar_constraints(std::move(barred));
+  system_.bar_constraints(std::move(barred), exact_ones_that_push(system_, positions_, parts));
 }
 
 void LoadedBody::bar_constraints(std::vector<char> barred, std::size_t changes) {
@@ -143,9 +152,7 @@ LoadedBody::Settled LoadedBody::settle_constraints(double direction) {
     check_cancelled();
     if (round == most) fail(Failure::convergence, "faces of cracks open and close without an end");
     if (!rounds.takes_all(wrong.size(), constraints.closed())) wrong = {first_of(wrong, constraints)};
-    const bool some_open = std::any_of(wrong.begin(), wrong.end(), [&](int i) {
-      return constraints.is_closed(i) && !constraints[static_cast<std::size_t>(i)].is_exact();
-    });
+    const bool some_open = std::any_of(wrong.begin(), wrong.end(), [&](int i) { return constraints.is_closed(i); });
     system_.switch_constraints(wrong);
     result.switched += static_cast<std::int64_t>(wrong.size());
     if (!some_open) {

@@ -1,0 +1,67 @@
+#include "fracture/contact/held_parts.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "coupling/rigid_motion.hpp"
+
+namespace bempd::fracture {
+
+namespace {
+
+// Change of a gap, over what its weights could make of a motion's largest displacement, that is not rounding.
+constexpr double change_of_gap = 1e-6;
+
+using Motions = std::vector<Eigen::VectorXd>;
+
+void add_free_motions(const std::vector<int>& body, const std::vector<Point>& positions, Motions& motions) {
+  const coupling::RigidMotion free(positions, body, {});
+  for (int k = 0; k < free.free_count(); ++k) {
+    Eigen::VectorXd& motion = motions.emplace_back(Eigen::VectorXd::Zero(2 * static_cast<int>(positions.size())));
+    for (const int node : body) motion.segment<2>(2 * node) = free.displacement(k, positions[node]);
+  }
+}
+
+// Completes a motion in which a body is rigid by the nodes that the sparse system does not show.
+void complete(const coupling::EquilibriumSystem& system, const std::vector<int>& body,
+              const std::vector<Point>& positions, Eigen::VectorXd& motion) {
+  std::vector<int> hidden, visible;
+  for (const int node : body) {
+    const bool shows = system.is_unknown(2 * node) || system.is_prescribed(2 * node);
+    (shows ? visible : hidden).push_back(node);
+  }
+  const coupling::RigidFit fit = coupling::nearest_rigid_motion(positions, visible, motion);
+  for (const int node : hidden) {
+    const Point arm = positions[node] - fit.centre;
+    motion.segment<2>(2 * node) = fit.translation + fit.rotation * Point(-arm.y(), arm.x());
+  }
+}
+
+bool changes_gap(const Eigen::VectorXd& motion, const Eigen::VectorXd& weights) {
+  return std::abs(weights.dot(motion)) > change_of_gap * weights.lpNorm<1>() * motion.lpNorm<Eigen::Infinity>();
+}
+
+}  // namespace
+
+std::vector<char> exact_ones_that_push(const coupling::EquilibriumSystem& system, const std::vector<Point>& positions,
+                                       const HeldParts& parts) {
+  const std::size_t count = system.constraints().exact_count();
+  std::vector<char> pushes(count, 0);
+  if (count == 0) return pushes;
+  Motions motions = parts.motions;
+  for (const std::vector<int>& body : system.dense_bodies()) {
+    for (std::size_t k = 0; k < parts.motions.size(); ++k) complete(system, body, positions, motions[k]);
+    if (std::any_of(body.begin(), body.end(), [&](int node) { return parts.nodes[node] != 0; }))
+      add_free_motions(body, positions, motions);
+  }
+  Eigen::VectorXd weights(2 * system.node_count());
+  for (std::size_t i = 0; i < count && !motions.empty(); ++i) {
+    weights.setZero();
+    system.operators().add_gap_function(static_cast<Eigen::Index>(i), weights);
+    const auto changes = [&](const Eigen::VectorXd& motion) { return changes_gap(motion, weights); };
+    pushes[i] = std::any_of(motions.begin(), motions.end(), changes) ? 1 : 0;
+  }
+  return pushes;
+}
+
+}  // namespace bempd::fracture
