@@ -19,9 +19,8 @@ namespace {
 // Distance behind the interface of a crack's first tip with elements, in spacings.
 constexpr double into_elements = 1.5;
 
-// Least room in the region ahead of that tip, in spacings; with less the line stops at the interface: next to the
-// mouth what is left of lattice and elements may come apart into parts that nothing holds.
-constexpr double room_in_elements = 8;
+// Least room in the region ahead of that tip, in spacings; with less the line stops at the interface.
+constexpr double room_in_elements = 0.5;
 
 // Closer than this to the interface, in horizons, the points ahead of a line no longer tell what its tip carries: from
 // there on it goes on in elements at once (docs/mixed_cracks.md).
