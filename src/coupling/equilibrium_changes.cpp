@@ -173,7 +173,7 @@ bool EquilibriumSystem::resists_all_motions(std::span<const int> broken) {
 std::vector<Eigen::VectorXd> EquilibriumSystem::motions_held_by(std::span<const HoldingSpring> springs) {
   condense();
   assemble();
-  const Eigen::SparseMatrix<double>& matrix = assembly_->sum_without_constraints(present_stiffness_, springs_);
+  const Eigen::SparseMatrix<double>& matrix = assembly_->sum(present_stiffness_, springs_, nullptr);
   // The matrix has no constraints: parts that only crack faces hold are free in it.
   const std::unique_ptr<SystemSolver> solver = shifted_solver(method_, matrix, stiff_diagonal(matrix));
   Eigen::MatrixXd pulls = Eigen::MatrixXd::Zero(unknowns_.count(), static_cast<Eigen::Index>(springs.size()));

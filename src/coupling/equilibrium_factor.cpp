@@ -41,7 +41,7 @@ const Eigen::SparseMatrix<double>& EquilibriumSystem::assemble() const {
     places_met_ = std::make_shared<const PlacesMet>(nodes_of_penalties(constraints_));
     assembly_ = assembly_with(places_met_.get());
   }
-  return assembly_->sum(present_stiffness_, springs_, constraints_);
+  return assembly_->sum(present_stiffness_, springs_, &constraints_);
 }
 
 const Eigen::SparseMatrix<double>& EquilibriumSystem::assemble_to_factorize() {
@@ -138,7 +138,7 @@ void EquilibriumSystem::rebuild_factor() {
   const std::unique_ptr<StiffnessAssembly> earlier = has_pattern ? nullptr : assembly_with(source_.places.get());
   StiffnessAssembly& assembly = earlier ? *earlier : *assembly_;
   try {
-    if (assembly.has_room_for(closed)) factor_.factorize(assembly.sum(stiffness, source_.springs, closed));
+    if (assembly.has_room_for(closed)) factor_.factorize(assembly.sum(stiffness, source_.springs, &closed));
     for (std::size_t k = 0; factor_.exists() && k < source_.to_repeat.size(); ++k) factor_.repeat(source_.to_repeat[k]);
   } catch (const Error& error) {
     factor_.forget();

@@ -286,21 +286,12 @@ void StiffnessAssembly::add_penalties(const Constraints& constraints) {
 
 const Eigen::SparseMatrix<double>& StiffnessAssembly::sum(const std::vector<double>& stiffness,
                                                           const std::vector<HoldingSpring>& springs,
-                                                          const Constraints& constraints) {
+                                                          const Constraints* constraints) {
   std::fill_n(matrix_.valuePtr(), matrix_.nonZeros(), 0.0);
   add_bonds(stiffness);
-  add_operators(true);
+  add_operators(constraints != nullptr);
   add_springs(springs);
-  add_penalties(constraints);
-  return matrix_;
-}
-
-const Eigen::SparseMatrix<double>& StiffnessAssembly::sum_without_constraints(
-    const std::vector<double>& stiffness, const std::vector<HoldingSpring>& springs) {
-  std::fill_n(matrix_.valuePtr(), matrix_.nonZeros(), 0.0);
-  add_bonds(stiffness);
-  add_operators(false);
-  add_springs(springs);
+  if (constraints) add_penalties(*constraints);
   return matrix_;
 }
 

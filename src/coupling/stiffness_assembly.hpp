@@ -34,12 +34,9 @@ class StiffnessAssembly {
                     const Constraints& constraints = {});
 
   // Sums the matrix. A broken term has the stiffness 0; its entries stay, so that the pattern does not change. Closed
-  // constraints have entries.
+  // constraints have entries; without constraints all are open, exact ones too.
   const Eigen::SparseMatrix<double>& sum(const std::vector<double>& stiffness,
-                                         const std::vector<HoldingSpring>& springs, const Constraints& constraints);
-  // The same with all constraints open, exact ones too.
-  const Eigen::SparseMatrix<double>& sum_without_constraints(const std::vector<double>& stiffness,
-                                                             const std::vector<HoldingSpring>& springs);
+                                         const std::vector<HoldingSpring>& springs, const Constraints* constraints);
   bool has_room_for(const Constraints& constraints) const;  // the closed ones
 
  private:
