@@ -8,6 +8,7 @@ import pathlib
 import shlex
 import shutil
 import subprocess
+import sys
 
 from setuptools import Distribution, setup
 from setuptools.command.build_py import build_py
@@ -15,7 +16,7 @@ from wheel.bdist_wheel import bdist_wheel
 
 SOURCE_TREE = pathlib.Path(__file__).resolve().parents[2]
 # Must be the name that bempd/_library.py looks for beside itself.
-SONAME = "libbempd.so.0"
+SONAME = "libbempd.0.dylib" if sys.platform == "darwin" else "libbempd.so.0"
 
 
 def compilers():
@@ -25,7 +26,8 @@ def compilers():
     if chosen.isdigit() and int(chosen) > 0:
         return int(chosen)
     memory = os.sysconf("SC_PAGE_SIZE") * os.sysconf("SC_PHYS_PAGES")
-    return max(1, min(len(os.sched_getaffinity(0)), memory // 2**30))
+    processors = len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
+    return max(1, min(processors, memory // 2**30))
 
 
 def built_library(build_folder):

@@ -25,8 +25,8 @@ class Bempd(CMakePackage):
     depends_on("lapack")
     depends_on("suite-sparse@5.12:", when="linalg=suitesparse")
 
-    conflicts("platform=darwin", msg="bempd is linked for ELF systems only")
-    conflicts("platform=windows", msg="bempd is linked for ELF systems only")
+    conflicts("platform=darwin", msg="no build on macOS was tested; docs/linking.md has steps from source")
+    conflicts("platform=windows", msg="bempd does not build on Windows")
     conflicts("%gcc@:11", msg="bempd is tested with GCC 12")
 
     def cmake_args(self):

@@ -1,10 +1,12 @@
 #include "output/file.hpp"
 
 #include <fcntl.h>
-#include <linux/magic.h>
 #include <sys/stat.h>
-#include <sys/vfs.h>
 #include <unistd.h>
+#ifdef __linux__
+#include <linux/magic.h>
+#include <sys/vfs.h>
+#endif
 
 #include <atomic>
 #include <cerrno>
@@ -67,8 +69,10 @@ class WithoutBrokenPipe {
   }
   ~WithoutBrokenPipe() {
     const int kept = errno;
-    const timespec at_once{0, 0};
-    if (!was_pending_) sigtimedwait(&pipe_, nullptr, &at_once);
+    sigset_t pending;
+    sigpending(&pending);
+    int taken = 0;
+    if (!was_pending_ && sigismember(&pending, SIGPIPE) == 1) sigwait(&pipe_, &taken);
     pthread_sigmask(SIG_SETMASK, &before_, nullptr);
     errno = kept;
   }
@@ -85,6 +89,16 @@ struct Place {
   bool open_already;  // one of the links the system keeps for open files, such as /proc/self/fd/1
 };
 
+// Whether the links in a folder are those of open files. Other systems than Linux have none.
+bool has_open_files([[maybe_unused]] const fs::path& folder) {
+#ifdef __linux__
+  struct statfs system {};
+  return ::statfs(folder.empty() ? "." : folder.c_str(), &system) == 0 && system.f_type == PROC_SUPER_MAGIC;
+#else
+  return false;
+#endif
+}
+
 Place place_of(const fs::path& path) {
   constexpr int most_links = 40;  // as Linux itself
   fs::path target = path;
@@ -93,9 +107,7 @@ Place place_of(const fs::path& path) {
     const fs::path next = fs::read_symlink(target, none);
     if (none) return {target, false};
     const fs::path folder = target.parent_path();
-    struct statfs system {};
-    if (::statfs(folder.empty() ? "." : folder.c_str(), &system) == 0 && system.f_type == PROC_SUPER_MAGIC)
-      return {target, true};
+    if (has_open_files(folder)) return {target, true};
     target = folder / next;
   }
   fail(path, ELOOP);

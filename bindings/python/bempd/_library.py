@@ -5,6 +5,7 @@ from __future__ import annotations
 import os
 import pathlib
 import re
+import sys
 from typing import Any, Iterator
 
 import cffi
@@ -14,7 +15,7 @@ from ._words import in_python
 from .errors import ArgumentError, error_of
 
 # The binary interface that this package was written for; the library's file name carries it.
-SONAME = "libbempd.so.0"
+SONAME = "libbempd.0.dylib" if sys.platform == "darwin" else "libbempd.so.0"
 
 ffi: Any = cffi.FFI()
 ffi.cdef(CDEF)
