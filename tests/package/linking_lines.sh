@@ -30,6 +30,15 @@ for program in ./host ./host_fortran; do
   [ "$said" = "bempd $version" ] || { echo "expected 'bempd $version'"; exit 1; }
 done
 
+# The makefile of that page does the same.
+awk '/^```make/ { on = 1; next } /^```/ { on = 0 } on' "$root/docs/linking.md" >Makefile
+sed -i "s|/lib/pkgconfig|/${libdir_shown:-lib}/pkgconfig|" Makefile
+env -u PKG_CONFIG_PATH make made_host made_host_fortran PREFIX="$PREFIX"
+for program in ./made_host ./made_host_fortran; do
+  said=$($program)
+  [ "$said" = "bempd $version" ] || { echo "$program: expected 'bempd $version', came '$said'"; exit 1; }
+done
+
 lines=$(block "$root/bindings/fortran/README.md" 'bempd_support.f90')
 [ -n "$lines" ] || { echo "bindings/fortran/README.md has no compile order any more"; exit 1; }
 rm -f host_fortran ./*.mod

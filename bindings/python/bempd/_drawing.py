@@ -20,6 +20,9 @@ COLOURS = {"damage": "YlOrRd", "displacement": UNSIGNED, "displacement x": SIGNE
            "stress xx": SIGNED, "stress yy": SIGNED, "stress xy": SIGNED, "stress principal": SIGNED,
            "stress smallest principal": SIGNED, "stress shear": UNSIGNED, "stress von Mises": UNSIGNED}
 QUANTITIES = ("outline", "lattice", *COLOURS)
+# Short words for them.
+SHORT = {**{name.split(" ", 1)[1]: name for name in QUANTITIES if name.startswith("stress ")}, "x": "displacement x",
+         "y": "displacement y"}
 UNITS = {"damage": "-", "displacement": "m", "stress": "Pa"}
 Limits = Tuple[float, float]
 

@@ -32,7 +32,7 @@ from PIL import Image
 
 from . import _arguments as arguments
 from ._bodies import Body, Drawable, bodies
-from ._drawing import COLOURS, CURVE, MARK, QUANTITIES, Limits, colour_scale, draw_cracks, engineering, paint
+from ._drawing import COLOURS, CURVE, MARK, QUANTITIES, SHORT, Limits, colour_scale, draw_cracks, engineering, paint
 from ._drawing import add_colour_bar, round_magnification
 from ._names import Component, Quantity
 from ._results import read_history
@@ -54,20 +54,28 @@ STYLE = {
 Magnification = Union[float, Literal["auto"]]
 
 
+def chosen_quantity(name: str, quantity: Any) -> Any:
+    """A quantity by its name or a short word for it."""
+    if isinstance(quantity, str):
+        quantity = SHORT.get(quantity, quantity)
+    arguments.choice(f"{name}: quantity", quantity, dict.fromkeys(QUANTITIES))
+    return quantity
+
+
 def draw(model: Drawable, quantity: Quantity = "damage", *, axes: Any = None, magnification: Magnification = 0.0,
          limits: Optional[Limits] = None, cracks: bool = True, colour_bar: bool = True, resolution: int = 20) -> Any:
     """Draw the body at the present load factor; returns matplotlib's axes.
 
     quantity       "outline", "lattice" (cells and nodes), "damage", "displacement" (magnitude), "displacement x" and
                    "y", "stress xx", "yy", "xy", "principal" (largest in the plane), "smallest principal", "shear" (largest in
-                   the plane), "von Mises" (with the stress across the plane in plane strain).
+                   the plane), "von Mises" (with the stress across the plane in plane strain); "stress" may be left out.
     axes           where to draw; a figure of its own if not given.
     magnification  of the displacements in the deformed shape; 0 for the undeformed one, "auto" for a round number.
     limits         of the colours, in SI units; else from the values, without the outermost percent of stresses.
     cracks         whether to draw lines along broken bonds, in the undeformed shape.
     resolution     places across a boundary-element region at which its interior is evaluated.
     """
-    arguments.choice("draw: quantity", quantity, dict.fromkeys(QUANTITIES))
+    quantity = chosen_quantity("draw", quantity)
     if arguments.whole("draw: resolution", resolution) < 1:
         raise ArgumentError(f"draw: resolution is {resolution}; it must be at least 1")
     found = bodies(model, resolution)
@@ -213,7 +221,7 @@ class Movie:
 
     def __init__(self, path: Union[str, "os.PathLike[str]"], model: Drawable, quantity: Quantity = "damage", *,
                  frames_per_second: float = 10, hold: float = 2.0, **options: Any) -> None:
-        arguments.choice("Movie: quantity", quantity, dict.fromkeys(QUANTITIES))
+        quantity = chosen_quantity("Movie", quantity)
         self._path = os.fspath(path)
         self._write = writer_of(self._path)
         self._model, self._quantity, self._options = model, quantity, options

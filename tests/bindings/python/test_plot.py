@@ -38,6 +38,11 @@ def test_every_quantity_is_drawn_to_scale(strip, quantity, magnification, tmp_pa
     assert labels == ([quantity + unit] if unit else [])
 
 
+@pytest.mark.parametrize("short, name", [("von Mises", "Stress von Mises"), ("xy", "Stress xy"), ("x", "Displacement x")])
+def test_short_words_name_quantities(strip, short, name):
+    assert strip.model.plot(short).get_title().startswith(name)
+
+
 def test_triangles_fill_the_body_and_nothing_else():
     model = bempd.Model()
     glass = model.add_material(young_modulus=1, poisson_ratio=0.3)
