@@ -6,8 +6,8 @@
 
 namespace bempd {
 
-// Scope of a call in which a host's request to cancel is heard: long loops poll it through check_cancelled(), which
-// costs two loads. Each thread knows the request of the call that it works for.
+// Scope in which check_cancelled() of the same thread reads `request`, the host's wish to cancel the call (null: none).
+// Long loops call check_cancelled() often: it costs two loads.
 class CancellationScope {
  public:
   using Request = std::atomic<bool>;
@@ -26,7 +26,7 @@ class CancellationScope {
   const Request* before_;
 };
 
-// Throws Error (cancelled) if the host has asked for it.
+// Throws Error (cancelled) if the host has requested that the present call be cancelled.
 inline void check_cancelled() {
   const CancellationScope::Request* request = CancellationScope::current();
   if (request && request->load(std::memory_order_relaxed))

@@ -18,7 +18,7 @@ class Error : public std::runtime_error {
   Failure failure_;
 };
 
-// Text from pieces, with as many digits of numbers as a reader needs.
+// Joins `parts` to one text; numbers get up to 10 significant digits.
 template <class... Parts>
 std::string text(const Parts&... parts) {
   std::ostringstream stream;

@@ -16,14 +16,14 @@ class Hash {
     const auto* bytes = static_cast<const std::uint8_t*>(data);
     for (std::size_t i = 0; i < size; ++i) value_ = (value_ ^ bytes[i]) * 1099511628211ULL;
   }
-  // Adds whole numbers and flags; equal ones of any width count alike.
+  // Adds an integer, enumerator or flag as 64 bits, so that equal numbers of different types give the same hash.
   template <class T>
   requires std::is_integral_v<T> || std::is_enum_v<T>
   void add(T number) {
     const auto wide = static_cast<std::int64_t>(number);
     add_bytes(&wide, sizeof wide);
   }
-  // 0 and -0 count alike.
+  // Adds a floating-point number; 0 and -0 give the same hash.
   void add(double number) {
     const auto bits = std::bit_cast<std::uint64_t>(number + 0.0);
     add_bytes(&bits, sizeof bits);

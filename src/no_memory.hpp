@@ -4,7 +4,8 @@
 
 namespace bempd {
 
-// Memory is missing for something that the message names, which has to be a literal: it takes no memory.
+// Exception for a failed allocation. `message` names what the memory was for; it must be a literal, because a copy of
+// it would need memory.
 class NoMemory : public std::bad_alloc {
  public:
   explicit NoMemory(const char* message) : message_(message) {}

@@ -6,14 +6,15 @@
 
 namespace bempd {
 
-// Energy as a number: one beyond the range of doubles becomes the largest double, and Model warns of it.
+// Energy limited to the range of doubles: infinity and NaN become the largest double (-infinity the lowest one). Model
+// warns of such an energy.
 inline double in_range(double value) {
   constexpr double largest = std::numeric_limits<double>::max();
   return std::isnan(value) ? largest : std::clamp(value, -largest, largest);
 }
 
-// Exponent of 2 by which numbers of this size, and their squares, are to be divided before they are squared: 0 except
-// for sizes whose squares no double holds. The division changes no digit.
+// Exponent of the power of 2 by which numbers of magnitude `size` must be divided before they are squared, so that the
+// squares neither overflow nor underflow; 0 for ordinary sizes. A division by a power of 2 changes no digit.
 inline int far_exponent(double size) {
   constexpr int far = 200;
   if (!(size > 0) || !std::isfinite(size)) return 0;

@@ -14,11 +14,11 @@
 
 namespace bempd {
 
-// Calls body(i) for every i < count on up to `threads` threads (0: one a core) that end with the call; they hear the
-// caller's cancellation.
+// Calls body(i) for every i < count on up to `threads` threads (0: one per core), which end with the call. All of them
+// obey the host's request to cancel the caller; an exception of body ends the loop and is rethrown.
 //
-// Not OpenMP: its threads spin for a while after every loop, and so take the cores from the threads of the BLAS and of
-// the host; measured as a factor of four on small scenes.
+// OpenMP is not used: its threads spin for a while after every loop and so take the cores from the threads of the BLAS
+// and of the host, which made small scenes four times slower.
 template <class Body>
 void parallel_for(std::size_t count, int threads, const Body& body) {
   const std::size_t cores = std::max(1U, std::thread::hardware_concurrency());

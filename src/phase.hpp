@@ -5,14 +5,16 @@
 
 namespace bempd {
 
-// Listener that is told how far a long part of a call is; an exception that it throws ends the call.
+// Receiver of progress reports. hear() gets the name of the running phase of a call, the share of it that is done (0 to
+// 1) and the seconds since it began. An exception that hear() throws ends the call.
 class PhaseListener {
  public:
   virtual ~PhaseListener() = default;
   virtual void hear(const char* phase, double share, double seconds) = 0;
 };
 
-// Scope of a call, in its thread: threads that work for the call report nothing.
+// Scope in which phases of the same thread report to `listener` (null: to nobody). Worker threads that a call starts
+// report nothing.
 class ListeningScope {
  public:
   explicit ListeningScope(PhaseListener* listener) : before_(current()) { current() = listener; }
@@ -29,7 +31,8 @@ class ListeningScope {
   PhaseListener* before_;
 };
 
-// Long part of a call, with its total amount of work.
+// Phase of a call that may take long. `work` is the whole amount of work, in any unit; reach() reports how much is
+// done.
 class Phase {
  public:
   explicit Phase(const char* name, double work = 1) : name_(name), work_(work) { reach(0); }

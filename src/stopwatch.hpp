@@ -4,7 +4,7 @@
 
 namespace bempd {
 
-// Adds the time of its scope to a sum of seconds.
+// Adds the time from its construction to its destruction to `seconds`.
 class Stopwatch {
  public:
   explicit Stopwatch(double& seconds) : seconds_(seconds) {}

@@ -5,8 +5,8 @@
 
 namespace bempd::coupling {
 
-// Different motions of supports are collected: edges and points move alike, which makes a few motions for thousands of
-// degrees of freedom.
+// Stores the loads, and each different motion of supports once: edges and points move alike, so that thousands of
+// degrees of freedom have a few motions (pairs of constant and proportional part).
 void AppliedLoad::set(Affine force, Affine prescribed, const std::vector<DofKind>& kind, const NodeTies& ties) {
   force_ = std::move(force);
   prescribed_ = std::move(prescribed);

@@ -80,8 +80,8 @@ Affine Condensation::displacement(const Affine& kept) const {
   return all;
 }
 
-// Displacements of all nodes serve where nodes are tied, because these follow others, and where one solution is as fast
-// as a part of two.
+// Solves for all displacements where nodes are tied, because these follow others, and where the load has a constant
+// part: a part of two solutions would take as long as all of one.
 Affine Condensation::displacement_at(const std::vector<int>& nodes, const Affine& kept) const {
   const bool has_constant_part = !(kept.col(0).isZero(0) && eliminated_.col(0).isZero(0));
   if (has_constant_part || !system_.ties.empty()) return displacement(kept);

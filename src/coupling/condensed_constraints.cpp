@@ -1,11 +1,11 @@
-// Exact unilateral constraints of all dense operators.
+// Exact unilateral constraints of all dense operators together (a part of CondensedOperators).
 #include "coupling/condensed_operators.hpp"
 
 namespace bempd::coupling {
 
 namespace {
 
-// Calls visit(operator, number of its first constraint, how many it has) for the operators with constraints.
+// Calls visit(operator, number of its first constraint, count of its constraints) for all operators with constraints.
 template <class Operators, class Visit>
 void for_each_constrained(Operators& operators, const Visit& visit) {
   Eigen::Index first = 0;

@@ -21,7 +21,7 @@ struct Constraint {
   bool operator==(const Constraint&) const = default;
 
   bool is_exact() const { return stiffness == exact; }
-  // Gap from a displacement that is given as a function of the degree of freedom, 2 * node + component.
+  // Gap c.u, where `displacement` is a function that returns u of a degree of freedom, 2 * node + component.
   template <class Displacement>
   double gap_at(const Displacement& displacement) const {
     double sum = 0;
@@ -31,7 +31,7 @@ struct Constraint {
   double gap(const double* displacement) const {
     return gap_at([&](int dof) { return displacement[dof]; });
   }
-  // Whether the gap follows from those degrees of freedom that satisfy a predicate.
+  // Whether `is_known` holds for all degrees of freedom on which the gap depends; false for exact constraints.
   template <class IsKnown>
   bool is_on(const IsKnown& is_known) const {
     return !is_exact() && std::all_of(pull.begin(), pull.end(), [&](const TermEntry& e) {
@@ -40,9 +40,9 @@ struct Constraint {
   }
 };
 
-// All constraints of a body, and which of them are closed: the active set. Exact ones come first and stay as many;
-// those with a penalty follow as they are added. An open penalty and a closed one have the same slope of the energy
-// where the gap is zero, so that the energy stays convex and equilibrium unique.
+// All constraints of a body, and which of them are closed: the active set. Exact ones come first and their number is
+// fixed; those with a penalty follow as they are added. The energy has the same slope with a penalty open and closed
+// where the gap is zero, so that it stays convex and equilibrium unique.
 class Constraints {
  public:
   Constraints() = default;
@@ -66,7 +66,7 @@ class Constraints {
     list_.push_back(std::move(constraint));
     closed_.push_back(0);
   }
-  // Replaces an open constraint with a penalty.
+  // Replaces constraint `i`, which has a penalty and is open.
   void replace(std::size_t i, Constraint constraint) { list_[i] = std::move(constraint); }
   void set_closed(std::size_t i, bool closed) {
     std::size_t& count = list_[i].is_exact() ? closed_exact_ : closed_penalties_;
@@ -79,7 +79,7 @@ class Constraints {
     if (i < exact_count_) return i < barred_exact_.size() && barred_exact_[i] != 0;
     return i - exact_count_ < barred_.size() && barred_[i - exact_count_] != 0;
   }
-  // Flags of the constraints with a penalty, and of exact ones, for which this is known.
+  // Flags of the barred constraints: those with a penalty, and exact ones. Constraints beyond the end are not barred.
   const std::vector<char>& barred() const { return barred_; }
   const std::vector<char>& barred_exact() const { return barred_exact_; }
   void bar(std::vector<char> barred, std::vector<char> exact) {
@@ -96,7 +96,7 @@ class Constraints {
     }
   }
 
-  // Adds the forces k (c.u) c of the closed penalties.
+  // Adds the forces k (c.u) c of the closed constraints with a penalty to `force`, 2 * node + component.
   void add_penalty_forces(const double* displacement, double* force) const {
     for_each_closed_penalty([&](const Constraint& constraint) {
       const double tension = constraint.stiffness * constraint.gap(displacement);

@@ -12,16 +12,16 @@ namespace bempd::coupling {
 
 namespace {
 
-// Response of a broken term to a pull of its own, relative to that of the term alone, from which on a motion counts as
-// having lost its resistance.
+// Limit on the elongation of a broken term under a pull of its own size, relative to that of the term alone. A larger
+// one tells that a motion has lost its resistance.
 constexpr double suspicious_response = 1e8;
 
-// Share of a motion's energy below which terms do not count, so that springs alone resist it.
+// Share of a motion's energy that other terms may carry if only the springs are to count as resisting it.
 constexpr double resisted_by_others = 1e-6;
 
-// Number of columns, over the root of the number of unknowns, beyond which a fresh factor costs less than a changed
-// one. In the plane its operations grow as the power 3/2 of that number, those of a column's change as the number
-// itself. With 12,500 unknowns a fresh factor takes the time of some 100 to 200 columns.
+// Limit on the columns of a change of a factor, over the root of the number n of unknowns: beyond it, a fresh factor
+// costs less. In two dimensions that takes some n^(3/2) operations, the change by a column some n. With n = 12,500 a
+// fresh factor takes the time of some 100 to 200 columns.
 constexpr double most_columns_over_root = 2;
 
 }  // namespace
@@ -44,7 +44,7 @@ std::vector<StageChange> EquilibriumSystem::with_followers(std::vector<StageChan
   if (followers_of_.value.empty()) return changes;
   for (const int broken : terms_.broken_by(changes)) {
     for (const int follower : followers_of_.of(broken)) {
-      // A follower without stiffness broke before; commit() may not have caught up with its mark.
+      // A follower without stiffness is broken already, although commit() may not have marked it yet.
       if (present_stiffness_[follower] == 0) continue;
       changes.push_back(terms_.breaking(follower));
     }
@@ -101,7 +101,7 @@ void EquilibriumSystem::change_factor(const std::vector<Eigen::Triplet<double>>&
 }
 
 void EquilibriumSystem::commit(std::span<const StageChange> changes, std::span<const HoldingSpring> springs) {
-  // Stiffening changes come first, so that the matrix stays positive definite on the way.
+  // Stiffening changes come first, so that the matrix is positive definite in between, too.
   std::vector<Eigen::Triplet<double>> added, removed;
   int columns_added = 0, columns_removed = 0;
   std::vector<UnknownEntry> pull;
@@ -142,8 +142,8 @@ bool EquilibriumSystem::resists_all_motions(std::span<const int> broken) {
   rebuild_factor();
   if (!factor_.exists()) return true;
   if (factor_.is_current()) return factor_.pivots_are_sound();
-  // A stale factor does not show the break. A motion that one term alone resisted grows without bound under the load
-  // that broke the term; one that several terms resisted shows under uneven pulls along them.
+  // A stale factor does not show the loss of resistance. A motion that only one of the broken terms resisted grows
+  // without bound under the present load; one that several of them resisted shows under uneven pulls along them.
   if (broken.size() < 2) return true;
   Eigen::VectorXd pull = Eigen::VectorXd::Zero(2 * node_count_);
   for (std::size_t i = 0; i < broken.size(); ++i) {
@@ -167,14 +167,14 @@ bool EquilibriumSystem::resists_all_motions(std::span<const int> broken) {
   return true;
 }
 
-// Finds the motions from an eigenvalue problem. Let K be the matrix with the springs, S columns of pulls scaled by the
-// roots of the springs' stiffnesses, and m a motion that nothing else resists: K m = S S^T m, so m = K^-1 S y and S^T
-// K^-1 S y = y with y = S^T m. All other eigenvalues are less.
+// Finds the motions by an eigenvalue problem. K is the matrix with the springs, S has the pulls of the springs, scaled
+// by the roots of their stiffnesses. A motion m that nothing else resists has K m = S S^T m, so S^T K^-1 S y = y with y
+// = S^T m: the eigenvalue is 1. All other eigenvalues are less.
 std::vector<Eigen::VectorXd> EquilibriumSystem::motions_held_by(std::span<const HoldingSpring> springs) {
   condense();
   assemble();
   const Eigen::SparseMatrix<double>& matrix = assembly_->sum(present_stiffness_, springs_, nullptr);
-  // The matrix has no constraints: parts that only crack faces hold are free in it.
+  // The matrix is summed without constraints, so that parts that only the contact of crack faces holds are free in it.
   const std::unique_ptr<SystemSolver> solver = shifted_solver(method_, matrix, stiff_diagonal(matrix));
   Eigen::MatrixXd pulls = Eigen::MatrixXd::Zero(unknowns_.count(), static_cast<Eigen::Index>(springs.size()));
   for (Eigen::Index k = 0; k < pulls.cols(); ++k) {

@@ -5,7 +5,7 @@
 
 namespace bempd::coupling {
 
-// Makes operators and loads follow exact constraints that have closed or opened.
+// Passes the active set of the exact constraints on to the operators, and condenses the loads for it.
 void EquilibriumSystem::eliminate_exact_constraints() {
   operators_.set_closed(constraints_.closed_exact());
   forget_factor();

@@ -35,7 +35,7 @@ std::unique_ptr<StiffnessAssembly> EquilibriumSystem::assembly_with(const Places
 }
 
 const Eigen::SparseMatrix<double>& EquilibriumSystem::assemble() const {
-  // Constraints that have never closed are left out, so that they do not change the pattern.
+  // Constraints that have never closed get no entries in the matrix, so that they do not change its pattern.
   if (!assembly_) assembly_ = assembly_with(places_met_.get());
   if (!assembly_->has_room_for(constraints_)) {
     places_met_ = std::make_shared<const PlacesMet>(nodes_of_penalties(constraints_));
@@ -110,7 +110,7 @@ void EquilibriumSystem::set_factor_origin(FactorOrigin origin) {
   } else if (!origin.places.empty()) {
     source.places = std::make_shared<const PlacesMet>(std::move(origin.places));
   }
-  // A step that is taken back has usually left the factor as it was, so it can be kept.
+  // Undoing a step usually leaves the factor as it was before the step, so it can be kept.
   if (source.has_matrix_of(source_) && factor_.recall(source.to_repeat)) return;
   source_ = std::move(source);
 }
@@ -121,7 +121,8 @@ void EquilibriumSystem::set_places_met(PlacesMet places) {
   places_met_ = places.empty() ? nullptr : std::make_shared<const PlacesMet>(std::move(places));
 }
 
-// Makes a factor again from its record; if that fails, as on a processor that rounds differently, makes a fresh one.
+// Makes the factor again from its record `source_`; if that fails, as on a processor that rounds differently, there is
+// none.
 void EquilibriumSystem::rebuild_factor() {
   if (!source_.is_awaited) return;
   condense();

@@ -101,7 +101,7 @@ Affine EquilibriumSystem::right_hand_side() const {
   return load(unknowns_.dof_of, Eigen::all);
 }
 
-// Adds the forces of terms and holding springs that end on prescribed displacements.
+// Adds to `load` the forces of terms, closed penalties and springs that end on prescribed displacements (`support`).
 void EquilibriumSystem::add_supports(const Affine& support, Affine& load) const {
   const auto is_free = [&](int node) { return is_unknown(2 * node) && is_unknown(2 * node + 1); };
   const auto add = [&](std::size_t t) {
@@ -142,7 +142,7 @@ void EquilibriumSystem::add_supports_of_penalties(const Affine& support, Affine&
   });
 }
 
-// Adds the forces of terms that remain where nothing moves: they pull with -k e0.
+// Adds to `load` the forces of the terms' rest elongations e0: without displacements a term has the tension -k e0.
 void EquilibriumSystem::add_offsets(Affine& load) const {
   for (std::size_t t = 0; t < terms_.size(); ++t) {
     if (!intact_[t]) continue;

@@ -22,7 +22,8 @@ const SolutionMethod& least_demanding(const std::vector<DenseOperator>& operator
   return *method;
 }
 
-// Ratio of stiffnesses beyond which parts lose digits: rounding in the stiff part is a force in the soft one.
+// Ratio of the least to the largest stiffness below which digits are lost: rounding in the stiffest part acts as a
+// force in the softest one.
 constexpr double ordinary_stiffness_ratio = 1e-6;
 
 struct StiffnessRange {
@@ -121,7 +122,7 @@ void EquilibriumSystem::place_nodes(const std::vector<Point>& positions) {
 void EquilibriumSystem::set_load(Affine force, Affine prescribed) {
   load_.set(std::move(force), std::move(prescribed), unknowns_.kind, ties_);
   operators_.forget_load();
-  // Multipliers depend on the loads, so these are condensed anew.
+  // Multipliers of closed exact constraints depend on the loads, so the loads are condensed at once.
   if (constraints_.closed_exact_count() > 0) condense_load();
 }
 
@@ -166,8 +167,8 @@ Affine EquilibriumSystem::solve() {
     const Affine rhs = right_hand_side();
     for (int column = 0; column < 2; ++column) {
       if (rhs.col(column).isZero(0)) continue;
-      // Loads are scaled, because scalar products of the iteration square them: near the ends of the number range they
-      // would be lost.
+      // Loads are scaled to order 1, because scalar products of the iteration square them: squares can overflow or
+      // vanish.
       const double unit = std::exp2(std::ilogb(rhs.col(column).lpNorm<Eigen::Infinity>()));
       const Eigen::VectorXd unknowns = unit * solve_column(rhs.col(column) / unit);
       for (std::size_t i = 0; i < unknowns_.dof_of.size(); ++i) {

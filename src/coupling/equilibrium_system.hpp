@@ -26,14 +26,14 @@
 
 namespace bempd::coupling {
 
-// Motion (2 * node + component, largest component 1) and the energy that it needs, relative to the stiffest motions.
+// Motion with little resistance: displacements (2 * node + component, the largest 1), and the energy that they need
+// over that of the same displacements with the matrix's diagonal alone.
 struct SoftMotion {
   Eigen::VectorXd motion;
   double resistance;
 };
 
-// System after its operators are condensed and its matrix is factorized. It has references into the system, valid as
-// long as that keeps this factor.
+// View of a system with a factor. Its references into the system are valid as long as the system keeps this factor.
 struct FactorizedSystem {
   const linalg::SparseCholesky& cholesky;
   const std::vector<int>& dof_of;  // unknown -> dof
@@ -45,8 +45,8 @@ struct FactorizedSystem {
   SolverCounters& counters;
 };
 
-// Equilibrium of all nodes: dense operators condensed onto the unknowns they share, terms, and holding springs, in one
-// sparse system. The method that the operators name solves it. Nothing is condensed or factorized before the first
+// Equilibrium of all nodes as one sparse system: dense operators, condensed onto the unknowns they share, terms and
+// holding springs. The method that the operators name solves it. Nothing is condensed or factorized before the first
 // solve().
 class EquilibriumSystem {
  public:
@@ -57,10 +57,10 @@ class EquilibriumSystem {
   EquilibriumSystem(const EquilibriumSystem&) = delete;
   EquilibriumSystem& operator=(const EquilibriumSystem&) = delete;
 
-  // Sets the positions of the nodes, from which an ordering of a symmetric system with less fill follows.
+  // Sets the positions of the nodes. A symmetric system derives from them an order of elimination with less fill.
   void place_nodes(const std::vector<Point>& positions);
 
-  // Makes the next factorization eliminate the unknowns of these nodes last.
+  // Makes the next factorization eliminate the unknowns of these nodes last, and drops the present factor.
   void keep_last(std::vector<int> nodes);
   bool keeps_last(const std::vector<int>& nodes) const { return factor_.kept_nodes() == nodes; }
 
@@ -75,143 +75,143 @@ class EquilibriumSystem {
   // Stage of every term in its law, and whether it is intact (not broken).
   const std::vector<std::uint8_t>& stages() const { return stages_; }
   const std::vector<char>& intact() const { return intact_; }
-  // Stiffness of every term in its stage.
+  // Stiffness of every term in its present stage.
   const std::vector<double>& present_stiffness() const { return present_stiffness_; }
-  // Whether terms or operators have forces without displacements.
+  // Whether there can be forces at zero displacement: by rest elongations or displacements, or closed exact
+  // constraints.
   bool has_offsets() const {
     return terms_.have_offsets() || operators_.have_rest(0) || operators_.have_rest(1) ||
            constraints_.closed_exact_count() > 0;
   }
-  // Stage change of a term that reaches the critical elongation of its stage.
+  // Stage change of a term that has reached the critical elongation of its present stage.
   StageChange after_critical(int term) const {
     return {term, terms_.law_of(static_cast<std::size_t>(term)).after_critical(stages_[term])};
   }
-  // Critical elongation of a term in its stage, as a share of its own critical elongation.
+  // Critical elongation of a term in its present stage, as a share of the term's nominal critical elongation.
   double critical_share(int term) const {
     return terms_.law_of(static_cast<std::size_t>(term)).critical_share(stages_[term]);
   }
   double stiffness_after(const StageChange& change) const;
-  // Changes together with the breaks of all terms that follow broken ones; by ascending terms, each once.
+  // Completes `changes` with the breaks of all terms that follow broken ones; sorted by terms, each once.
   std::vector<StageChange> with_followers(std::vector<StageChange> changes) const;
   // Number of terms that the changes break, without those that merely follow others.
   std::int64_t count_broken(std::span<const StageChange> changes) const;
   const std::vector<HoldingSpring>& springs() const { return springs_; }
 
-  // Sets forces on free degrees of freedom [N] and displacements of prescribed ones [m], 2 * node + component.
+  // Sets the loads: forces on free degrees of freedom [N] and displacements of prescribed ones [m], 2 * node +
+  // component.
   void set_load(Affine force, Affine prescribed);
   const AppliedLoad& load() const { return load_; }
   const Affine& force() const { return load_.force(); }
   const Affine& prescribed() const { return load_.prescribed(); }
-  // Largest displacement that free swelling of terms and operators (heat, for instance) would cause [m]: of the
-  // proportional part; and the sum of the magnitudes of both parts.
+  // Largest displacement that free swelling of terms and operators (by heat, for instance) would cause [m]: of the
+  // proportional part; then |constant part| + |load factor * proportional part|.
   double rest_motion() const { return rest_motion_of(1); }
   double rest_motion(double load_factor) const { return rest_motion_of(0) + std::abs(load_factor) * rest_motion_of(1); }
   const NodeTies& ties() const { return ties_; }
 
-  // Rest elongations and displacements, and their exchange for as many others; set_load() has to follow.
+  // Rest elongations and displacements, and their exchange with others of the same sizes; set_load() has to follow.
   Rests rests() const { return {terms_.rest_elongation, operators_.rests()}; }
   void exchange_rests(Rests& others) noexcept;
   const CondensedOperators& operators() const { return operators_; }
 
-  // Changes the stages of terms in two calls, so that fragments can be found in between and held before the matrix
-  // loses their resistance: mark() marks the terms, commit() changes the matrix (rank-one changes of the factor, by the
-  // drop of stiffness, where there is one) and adds springs.
+  // Changes the stages of terms in two calls, so that fragments can be found and held before the matrix loses their
+  // resistance. mark() marks the terms; commit() changes the matrix and its factor (rank-one changes) and adds springs.
   void mark(std::span<const StageChange> changes);
   void commit(std::span<const StageChange> changes, std::span<const HoldingSpring> springs);
 
-  // Unilateral constraints between faces of cracks (equilibrium_constraints.cpp). Exact ones are numbered by operators,
-  // which eliminate the closed ones; closed ones with a penalty are a part of the matrix, of forces and of energies.
+  // Unilateral constraints between crack faces (equilibrium_constraints.cpp). Operators number the exact ones, and
+  // eliminate the closed ones of these. Closed ones with a penalty are a part of the matrix, the forces and the
+  // energies.
   const Constraints& constraints() const { return constraints_; }
   void add_constraint(Constraint constraint) { constraints_.add(std::move(constraint)); }
   void replace_open_constraint(std::size_t number, Constraint other) { constraints_.replace(number, std::move(other)); }
   void bar_constraints(std::vector<char> barred, std::vector<char> exact = {}) {
     constraints_.bar(std::move(barred), std::move(exact));
   }
-  // Closes open constraints and opens closed ones: rank-one changes of the factor for those with a penalty; the next
-  // solve factorizes afresh if one of them is exact.
+  // Closes those of the numbered constraints that are open and opens the closed ones. Penalties are rank-one changes of
+  // the factor; if one of the constraints is exact, the next solve factorizes afresh.
   void switch_constraints(std::span<const int> numbers);
-  // Replaces all constraints with a penalty, and the active set; the next solve factorizes afresh if that changes the
-  // matrix.
+  // Replaces all constraints and the active set. If that changes the matrix, the next solve factorizes afresh.
   void set_constraints(Constraints constraints);
-  // Replaces them without touching the factor, which then belongs to another matrix; exact ones stay as they are.
+  // Replaces all constraints but not the factor, which then belongs to another matrix. Exact ones must stay the same.
   void put_constraints(Constraints constraints) { constraints_ = std::move(constraints); }
 
-  // Gaps of all constraints. A closed exact one has the overlap that it would have without its multiplier, negative
+  // Gaps of all constraints. For a closed exact one it is the gap that it would have without its multiplier: negative
   // while its faces press.
   Affine gaps(const Affine& displacement) const;
-  // Weights of the gap of an open constraint as a function of displacements, 2 * node + component, none on tied nodes.
-  // The gap of an exact one is this and its offset, which loads inside its operator cause.
+  // Gap of an open constraint as a linear function of displacements: its weights, 2 * node + component, 0 at tied
+  // nodes. The gap of an exact one has a constant offset besides, which loads inside its operator cause.
   Eigen::VectorXd gap_function(std::size_t number) const;
   void exchange_gap_offsets(Affine& others) noexcept { operators_.exchange_gap_offsets(others); }  // then set_load()
 
   // Puts terms into other stages without touching the factor, which then belongs to another matrix.
   void set_stages(std::span<const StageChange> changes);
 
-  // Marks or commits the break of terms at once, with those that follow them.
+  // Marks or commits the break of `terms` and of all terms that follow them.
   void mark_broken(std::span<const int> terms) { mark(all_broken(terms)); }
   void commit_break(std::span<const int> terms, std::span<const HoldingSpring> springs) {
     commit(all_broken(terms), springs);
   }
 
-  // Replaces the state; the next solve factorizes afresh.
+  // Replaces the stages of all terms and the holding springs; the next solve factorizes afresh.
   void restore(std::vector<std::uint8_t> stages, std::vector<HoldingSpring> springs);
   void forget_factor();
-  // Entries of the matrix that closed penalties have needed so far: rounding depends on them.
+  // Entries of the matrix that closed penalties have needed so far, told by nodes: rounding depends on this pattern.
   PlacesMet places_met() const { return places_met_ ? *places_met_ : PlacesMet(); }
   void set_places_met(PlacesMet places);
   void forget_places_met();
-  // Record of how the factor was made, empty if there is none. A record that is set is used when a factor is needed
-  // (equilibrium_factor.cpp).
+  // Record of how the factor was made; empty if there is no factor. set_factor_origin() has the factor made again from
+  // such a record when it is first needed (equilibrium_factor.cpp).
   std::optional<FactorOrigin> factor_origin() const;
   void set_factor_origin(FactorOrigin origin);
   bool has_current_factor();
-  // Whether the factor is that of the present matrix, with the unknowns of these nodes last.
+  // Whether the factor is a fresh one of the present matrix, not a changed one, with the unknowns of these nodes last.
   bool factor_keeps(const std::vector<int>& nodes);
 
-  // Displacements in equilibrium. Throws Error (unsolvable) if something can move freely.
+  // Solves for the displacements in equilibrium. Throws Error (unsolvable) if some part of the body can move freely.
   Affine solve();
 
-  // Condenses and factorizes if necessary. Throws Error (unsolvable). The method must be a symmetric one.
+  // Condenses and factorizes where necessary. The system must be symmetric. Throws Error (unsolvable).
   FactorizedSystem factorized();
 
-  // Condenses the operators once, as forces and energies need them.
+  // Condenses the operators if they are not yet condensed; forces and energies need it.
   void condense();
 
-  // Whether all motions keep their resistance after these terms break; if not, softest_motion() finds one. The loss
-  // need not show in elongations under the present load.
+  // Whether every motion still meets resistance after the terms `broken` have broken; if not, softest_motion() finds
+  // one that does not. The loss need not show in elongations under the present load.
   bool resists_all_motions(std::span<const int> broken);
 
-  // Motions that only these springs resist while no faces press, whichever of the springs holds which motion.
+  // Motions that nothing but these springs resists, with all constraints open. A motion need not belong to one spring.
   std::vector<Eigen::VectorXd> motions_held_by(std::span<const HoldingSpring> springs);
 
-  // Motion with the least resistance: the one that is free, after solve() has failed or displacements have run away.
+  // Motion with the least resistance: the free one, after solve() has failed or displacements have grown without bound.
   SoftMotion softest_motion();
 
-  // Nodal forces of operators and terms (not of holding springs) under a displacement at a load factor, which rest
-  // elongations and rest displacements may depend on. Forces on tied nodes are counted at their
-  // masters.
+  // Nodal forces of operators, terms and closed penalties (not of holding springs) at a displacement. The load factor
+  // matters where rest elongations or rest displacements depend on it. Forces on tied nodes are moved to their masters.
   Eigen::VectorXd internal_force(const Eigen::VectorXd& displacement, double load_factor = 0) const;
 
-  // Nodal forces of some terms; tied nodes keep their forces.
+  // Nodal forces of the numbered terms alone; forces on tied nodes are not moved to their masters.
   Eigen::VectorXd force_of_terms(std::span<const int> terms, const Eigen::VectorXd& displacement,
                                  double load_factor) const;
 
-  // Energy of operators and terms at a displacement and a load factor; and its derivative by the load factor alone,
-  // from the proportional parts of rest elongations and rest displacements.
+  // Energy of operators, terms and closed penalties at a displacement and a load factor; then its derivative by the
+  // load factor at a fixed displacement, which the proportional parts of rest elongations and rest displacements cause.
   double energy(const Eigen::VectorXd& displacement, double load_factor = 0) const;
   double energy_slope(const Eigen::VectorXd& displacement, double load_factor) const;
-  // Strain energy of the proportional parts of displacements and rest elongations.
+  // Strain energy of the proportional part of a displacement, with the proportional parts of rest elongations.
   double unit_energy(const Eigen::VectorXd& proportional) const;
 
-  // Largest stiffness of a single degree of freedom, with all terms in their first stage.
+  // Largest stiffness of a single degree of freedom [N/m], with all terms in their first stage.
   double largest_stiffness() const { return largest_stiffness_; }
 
   bool is_symmetric() const { return method_.needs_symmetry(); }
-  // Sparse matrix, of which a symmetric system has only the lower triangle; for factorization and tests.
+  // Sums up the sparse matrix, of a symmetric system the lower triangle only; for factorization and tests.
   const Eigen::SparseMatrix<double>& assemble() const;
 
   const SolverCounters& counters() const { return counters_; }
-  // Takes account of a reciprocal condition that is known from elsewhere.
+  // Takes account of a reciprocal condition number that was found elsewhere: the least one is reported.
   void note_condition(double reciprocal) {
     counters_.reciprocal_condition = std::min(counters_.reciprocal_condition, reciprocal);
   }
@@ -240,7 +240,7 @@ class EquilibriumSystem {
   void add_supports_of_penalties(const Affine& support, Affine& load) const;
   Eigen::VectorXd apply(const Eigen::VectorXd& unknowns) const;
   Eigen::VectorXd solve_column(const Eigen::VectorXd& rhs);
-  // Displacements of all nodes from the unknowns, with prescribed ones at 0.
+  // Displacements of all nodes from the unknowns; prescribed displacements are set to 0.
   Eigen::VectorXd displacement_of(const Eigen::VectorXd& unknowns) const;
 
   int node_count_;

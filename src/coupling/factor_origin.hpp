@@ -11,7 +11,7 @@
 
 namespace bempd::coupling {
 
-// Columns c of a change of a matrix by plus or minus the sum of c c^T.
+// Change of a matrix by the sum of c c^T over its columns c, added or subtracted. The columns are stored sparsely.
 struct FactorChange {
   bool adds = false;
   std::vector<int> end;      // of every column, in the arrays below
@@ -20,11 +20,11 @@ struct FactorChange {
   bool operator==(const FactorChange&) const = default;
 };
 
-// Nodes of each constraint with a penalty, between which it needs entries of the matrix.
+// Nodes between which constraints with a penalty need entries of the matrix, one list per constraint.
 using PlacesMet = std::vector<std::vector<int>>;
 
-// Record of how a factor was made, from which it can be made again with the same digits: a changed factor has other
-// digits than a fresh one.
+// Record of how a factor was made, from which it can be made again with the same digits. (A factor that was changed
+// differs in rounding from a fresh one of the same matrix.)
 struct FactorOrigin {
   std::vector<StageChange> stages;    // stages at that time of terms that have other ones now
   std::size_t springs = 0;            // number of the present springs that existed then
@@ -33,7 +33,7 @@ struct FactorOrigin {
   std::vector<FactorChange> changes;  // since
 };
 
-// State of a system that its factor was made of.
+// State of a system from which its factor was made.
 struct FactorSource {
   std::vector<std::uint8_t> stages;  // of all terms
   std::vector<HoldingSpring> springs;

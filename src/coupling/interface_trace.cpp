@@ -11,7 +11,7 @@ namespace bempd::coupling {
 
 namespace {
 
-// Largest residual of the equations for N, whose entries are of order one.
+// Largest residual accepted in the equations for the entries of the trace matrix N, which are of order one.
 constexpr double largest_residual = 1e-11;
 
 struct Elements {
@@ -21,7 +21,7 @@ struct Elements {
   int node_count() const { return 2 * count() + 1; }
   double node(int a) const { return a % 2 == 0 ? stations[a / 2] : 0.5 * (stations[a / 2] + stations[a / 2 + 1]); }
   double length(int element) const { return stations[element + 1] - stations[element]; }
-  // Element that holds a place, the left one of two.
+  // Element that contains the coordinate s; where two elements meet, the left one.
   int at(double s) const {
     const auto after = std::lower_bound(stations.begin() + 1, stations.end() - 1, s);
     return static_cast<int>(after - stations.begin()) - 1;
@@ -44,7 +44,8 @@ struct Entry {
   int row, column;
 };
 
-// Lattice points 0 .. length; those at ends are boundary nodes, unless the interface ends half a spacing beyond.
+// Row of lattice points 0 .. length along an interface. The first and the last point lie on boundary nodes, unless the
+// interface goes on for half a spacing beyond them.
 struct LatticeRow {
   explicit LatticeRow(const std::vector<double>& stations)
       : length(static_cast<int>(std::floor(stations.back() + 0.25))),
@@ -55,8 +56,9 @@ struct LatticeRow {
   bool from_point, to_point;
 
   bool is_end(int i) const { return (i == 0 && from_point) || (i == length && to_point); }
-  // Shares of the points, which have the moment of the whole row, too. A half share would not reach to the mouth of a
-  // crack, half a spacing beyond the last point: the last two points beside a mouth make up for that moment.
+  // Shares of the interface's length, in spacings, for each point; their sum and first moment are those of the whole
+  // interface. At the mouth of a crack the interface goes on half a spacing beyond the last point, so the share of that
+  // point does not suffice: the last two points make up for the moment.
   std::vector<double> shares() const {
     constexpr double lever = 0.125;
     std::vector<double> all(static_cast<std::size_t>(length) + 1, 1.0);
@@ -68,7 +70,7 @@ struct LatticeRow {
   }
 };
 
-// Entries that may differ from zero: nodes of the elements within a spacing of the lattice point.
+// Places of N's entries that may differ from zero: a point depends on the nodes of all elements within a spacing of it.
 std::vector<Entry> pattern(const Elements& elements, const LatticeRow& row) {
   std::vector<Entry> entries;
   for (int i = 0; i <= row.length; ++i) {
@@ -93,7 +95,8 @@ std::optional<Eigen::SparseMatrix<double, Eigen::RowMajor>> interface_trace(cons
   const std::vector<Entry> entries = pattern(elements, row);
   const auto count = static_cast<Eigen::Index>(entries.size());
 
-  // The equations are, per point, sum N = 1 and sum N x_a = x_i (relative to the point), and per node the forces.
+  // Equations for the entries N: per lattice point i, sum N = 1 and sum N (x_a - x_i) = 0 over the nodes a; per node,
+  // that a constant traction gives the forces of the boundary elements.
   linalg::LeastChange problem;
   problem.lower = -std::numeric_limits<double>::infinity();
   problem.start.resize(count);

@@ -5,9 +5,9 @@
 
 namespace bempd::coupling {
 
-// Nodes whose displacements are weighted sums of those of other nodes, their masters: lattice points of an interface
-// that follow the boundary elements there. A force on a tied node acts on its masters with the same weights, so that no
-// work is lost. Masters are not tied themselves.
+// Tied nodes: their displacements are weighted sums of those of other nodes, their masters. Lattice points on an
+// interface follow the boundary elements there in this way. A force on a tied node acts on its masters with the same
+// weights, so that no work is lost. Masters are not tied themselves.
 class NodeTies {
  public:
   struct Master {

@@ -12,64 +12,64 @@
 
 namespace bempd::coupling {
 
-// Dense operator whose private unknowns are eliminated once, so that only the unknowns that it shares with others enter
-// the sparse system.
+// Dense operator whose private unknowns are eliminated once, so that only the unknowns that it shares with other parts
+// enter the sparse system.
 class OperatorSchurComplement {
  public:
-  // `kind` tells for each global degree of freedom what it is. The Schur complement is taken over from one of those
-  // built before if it is the same. Throws Error (unsolvable) if the private part is singular.
+  // Condenses `source`; `kind` classifies every global degree of freedom. The Schur complement is taken over from an
+  // operator of `built` if that one has the same. Throws Error (unsolvable) if the private block is singular.
   OperatorSchurComplement(const DenseOperator& source, const std::vector<DofKind>& kind,
                           const std::vector<OperatorSchurComplement>& built);
 
   const std::vector<int>& shared_dofs() const { return shared_; }
   const Eigen::MatrixXd& schur_complement() const { return active_.empty() ? schur_->matrix() : schur_with_active_; }
   const Eigen::MatrixXd& schur_complement_when_open() const { return schur_->matrix(); }
-  // Whether the operator is on these nodes, in this order.
+  // Whether the operator is the one on these nodes, in this order.
   bool is_on(const std::vector<int>& nodes) const;
   const Affine& rest() const { return rest_; }
   void exchange_rest(Affine& other) noexcept { rest_.swap(other); }  // condense_load() has to follow
   bool has_factorized() const { return has_factorized_; }            // itself, not one before
   double reciprocal_condition() const { return schur_->reciprocal_condition(); }
 
-  // Condenses loads: adds the effect of private forces and of prescribed displacements on the shared unknowns to `load`
-  // (global), and keeps the private part for recover().
+  // Condenses the loads: adds the effect of private forces and of prescribed displacements on the shared unknowns to
+  // `load` (all degrees of freedom of the system), and keeps the private part for recover().
   void condense_load(const Affine& force, const Affine& prescribed, Affine& load);
 
   // Computes private displacements from the shared ones.
   void recover(Affine& displacement) const;
 
-  // Moves the weights of a function of displacements from the private ones to the shared ones, and to the constants
-  // that the present loads contribute.
+  // Condenses a linear function of displacements: moves the `weights` of private displacements to the shared ones, and
+  // adds what the present loads contribute to `constant` (constant and proportional part).
   void condense_function(Eigen::VectorXd& weights, Eigen::RowVector2d& constant) const;
 
   // Adds stiffness * (displacement - rest) to the force, on all of the operator's nodes.
   void add_internal_force(const Eigen::VectorXd& displacement, double load_factor, Eigen::VectorXd& force) const;
 
-  // Strain energy, half the work of these forces on (displacement - rest); then its derivative by the load factor
-  // alone, and the energy of the proportional parts.
+  // Strain energy, half the stiffness times the square of (displacement - rest); its derivative by the load factor at a
+  // fixed displacement; and the energy of the proportional parts.
   double energy(const Eigen::VectorXd& displacement, double load_factor) const;
   double energy_slope(const Eigen::VectorXd& displacement, double load_factor) const;
   double unit_energy(const Eigen::VectorXd& proportional) const;
 
-  // Exact unilateral constraints inside (operator_constraints.cpp); all are open at first.
+  // Number of exact unilateral constraints inside the operator (operator_constraints.cpp); all are open at first.
 
   std::size_t constraint_count() const {
     return constraints_ ? static_cast<std::size_t>(constraints_->of_forces.rows()) : 0;
   }
-  // Sets the gaps that loads inside the body cause; condense_load() has to follow, as it has to after set_closed().
+  // Sets the gaps that loads inside the body cause. condense_load() has to follow this and set_closed().
   void set_gap_offsets(const Eigen::Ref<const Affine>& offsets) { gap_offsets_ = offsets; }
   void set_closed(const std::vector<char>& closed);
   std::vector<char> closed() const;
-  // Gaps of open constraints. A closed one has the overlap that it would have without its multiplier, negative while
+  // Gaps of all constraints. For a closed one it is the gap that it would have without its multiplier: negative while
   // its faces press.
   Affine gaps(const Affine& displacement) const;
-  // Gaps that displacements and loads cause where all multipliers are zero; and the multipliers [N].
+  // Gaps from displacements and loads if all multipliers were zero; then the multipliers, which are contact forces [N].
   Eigen::VectorXd gaps_without_multipliers(const Eigen::VectorXd& displacement, double load_factor) const;
   Eigen::VectorXd multipliers(const Eigen::VectorXd& displacement, double load_factor) const;
-  // Work that loads inside the body do on the displacements due to multipliers.
+  // Work of loads inside the body on the displacements that the multipliers cause.
   double work_due_to_multipliers(const Eigen::VectorXd& displacement, double load_factor) const;
-  // Adds the gap of a constraint as a function of displacements, 2 * node + component; the gap of an open constraint is
-  // this and its offset.
+  // Adds to `weights` the gap of a constraint as a linear function of displacements, 2 * node + component. The gap of
+  // an open constraint is this function plus the constraint's offset.
   void add_gap_function(Eigen::Index constraint, Eigen::Ref<Eigen::VectorXd> weights) const;
 
  private:
@@ -90,11 +90,13 @@ class OperatorSchurComplement {
   std::shared_ptr<const ExactConstraints> constraints_;
   Affine gap_offsets_;            // of all constraints
   std::vector<char> can_switch_;  // whether private displacements or its own multiplier can close a constraint
-  // Active set: the closed constraints; and those of them whose multipliers open gaps of their own.
+  // Active set: numbers of the closed constraints; then those among them whose gap opens by its own multiplier even
+  // where all displacements are held.
   std::vector<Eigen::Index> active_, compliant_;
-  // Private displacements and gaps per multiplier, and gaps per shared displacement; computed when first needed.
+  // Private displacements and gaps per unit multiplier, then gaps per shared displacement; computed when first needed.
   Eigen::MatrixXd private_by_forces_, gaps_by_forces_, gaps_by_shared_;
-  // Gaps of the active set per multiplier: where everything private moves, and where no displacement does.
+  // Gaps of the active set per unit multiplier, factorized: with the private unknowns free, and with all displacements
+  // held.
   Eigen::LDLT<Eigen::MatrixXd> active_compliance_, own_compliance_;
   Eigen::MatrixXd schur_with_active_;
   Affine gaps_at_rest_;  // with the shared unknowns held at 0 and no multipliers

@@ -14,30 +14,30 @@ namespace bempd::coupling {
 
 // Contributions of a region to the equilibrium of shared nodes. Degrees of freedom are 2 * node + component.
 
-// Piece of a body that has come apart. Springs can hold two of its nodes, which lie far from each other.
+// Piece of a body that cracks have cut into several. Holding springs can act at two of its nodes, which lie far apart.
 struct BodyPiece {
   std::vector<int> nodes;
   std::array<int, 2> holdable;
 };
 
-// Exact unilateral constraints inside a dense operator: gaps of crack faces at some places, none of which may be
-// negative. With the displacements u of its nodes (2 * node of its list + component, less those at rest) and the
-// multipliers q, which are contact forces,
+// Exact unilateral constraints inside a dense operator: gaps between crack faces at a number of places, none of which
+// may be negative. With the displacements u of the operator's nodes (2 * node of its list + component, less those at
+// rest) and the multipliers q, which are contact forces,
 //   gaps = of_displacements u + of_forces q + gaps due to loads inside the body.
-// A closed constraint has the gap zero and q >= 0, an open one has q = 0. The stiffness of the operator is that with
-// all constraints open.
+// A closed constraint has the gap zero and q >= 0, an open one has q = 0. The operator's stiffness is that with all
+// constraints open.
 struct ExactConstraints {
   Eigen::MatrixXd of_displacements, of_forces;
 };
 
-// Stiffness [N/m] on the nodes listed, such as that of a boundary element region; positive semidefinite where it is
+// Dense stiffness matrix [N/m] of some nodes, such as that of a boundary element region; positive semidefinite if
 // symmetric.
 struct DenseOperator {
   std::vector<int> nodes;
   std::shared_ptr<const Eigen::MatrixXd> stiffness;  // operators that are alike have one
   const SolutionMethod* method = &symmetric_solution();
-  // Displacement of the nodes (2 * node of the list + component) without any force, as of a body that swells: the force
-  // is stiffness * (displacement - rest). Empty: 0.
+  // Rest displacement of the nodes (2 * node of the list + component), which needs no force, as of a body that swells:
+  // the force is stiffness * (displacement - rest). Empty: 0.
   Affine rest = Affine(0, 2);
   std::shared_ptr<const ExactConstraints> constraints = nullptr;  // null: without cracks that close
   std::vector<BodyPiece> pieces = {};                             // pieces that nothing joins; empty: one piece

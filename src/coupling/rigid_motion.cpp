@@ -11,7 +11,8 @@ namespace bempd::coupling {
 
 namespace {
 
-// Share of the strongest held direction (a ratio of squares) above which another one counts as independent.
+// Limit on the eigenvalues (squares) of held directions, as a share of the largest one: directions above it count as
+// held.
 constexpr double rank_tolerance = 1e-12;
 
 Eigen::Matrix<double, 3, Eigen::Dynamic> null_space(const Eigen::Matrix3d& gram) {
@@ -22,7 +23,7 @@ Eigen::Matrix<double, 3, Eigen::Dynamic> null_space(const Eigen::Matrix3d& gram)
   return modes.vectors.leftCols(free);
 }
 
-// Orthonormal basis whose last vector lies along `row`.
+// Orthonormal basis of the space of `row`, whose last vector lies along `row`.
 Eigen::MatrixXd basis_along(const Eigen::RowVectorXd& row) {
   return linalg::symmetric_modes(row.transpose() * row).vectors;
 }
@@ -44,7 +45,7 @@ RigidMotion::RigidMotion(const std::vector<Point>& positions, const std::vector<
   }
   free_ = null_space(gram);
   if (radius == 0) {
-    // Modes of the two translations only, because a single node does not rotate.
+    // A single node does not rotate, so only its two translations count.
     const linalg::SymmetricModes modes = linalg::symmetric_modes(gram.topLeftCorner<2, 2>());
     int free = 0;
     while (free < 2 && modes.values[free] <= rank_tolerance) ++free;
@@ -101,7 +102,7 @@ std::string RigidMotion::describe() const {
     if (std::abs(m.x()) < 1e-6) return "translate in y";
     return "translate along (" + std::to_string(m.x()) + ", " + std::to_string(m.y()) + ")";
   };
-  // Pure translations are looked for first among the free motions, because a reader recognises them.
+  // Pure translations are named before the rotation, because a reader recognises them.
   const bool rotates = free_count() > 0 && free_.row(2).norm() > 1e-9;
   const Eigen::MatrixXd sorted = free_ * basis_along(free_.row(2));
   const int translations = free_count() - (rotates ? 1 : 0);

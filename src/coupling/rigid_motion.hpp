@@ -7,13 +7,13 @@
 
 namespace bempd::coupling {
 
-// Displacement component of a node that is held.
+// Support of a node along one direction.
 struct HeldDirection {
   int node;
   double cosine, sine;
 };
 
-// Rigid motions (two translations, one rotation) of a rigid set of nodes that the held directions leave free.
+// Rigid motions of a set of nodes (two translations, one rotation) that the held directions leave free.
 class RigidMotion {
  public:
   RigidMotion(const std::vector<Point>& positions, const std::vector<int>& nodes,
@@ -21,18 +21,18 @@ class RigidMotion {
 
   int free_count() const { return static_cast<int>(free_.cols()); }
 
-  // Displacement of a node under the k-th free motion (motions are scaled to displacements of order 1).
+  // Displacement at a position in free motion number `motion`; motions are scaled to displacements of order 1.
   Point displacement(int motion, const Point& position) const;
 
-  // Work of nodal forces (2 * node + component) on the k-th free motion.
+  // Work of nodal forces (2 * node + component) in free motion number `motion`.
   double work(int motion, const std::vector<Point>& positions, const std::vector<int>& nodes,
               const Eigen::Ref<const Eigen::VectorXd>& forces) const;
 
-  // Candidates to hold, one per free motion that they can hold, each where that motion is largest.
+  // Chooses from `candidates` one support per free motion that any of them can hold, each where that motion is largest.
   std::vector<HeldDirection> missing_supports(const std::vector<Point>& positions,
                                               const std::vector<HeldDirection>& candidates) const;
 
-  // "move along x and rotate"
+  // Name of the free motions as a part of a sentence, such as "translate in x, and rotate".
   std::string describe() const;
 
  private:
@@ -43,7 +43,7 @@ class RigidMotion {
   Eigen::Matrix<double, 3, Eigen::Dynamic> free_;  // columns: (x, y, rotation * radius)
 };
 
-// Small rigid motion that is nearest to the motion of some nodes in the mean square.
+// Small rigid motion that is nearest to the displacements of some nodes in the mean square.
 struct RigidFit {
   Point centre = Point::Zero(), translation = Point::Zero();  // of the centre
   double rotation = 0;                                        // counter-clockwise

@@ -10,8 +10,8 @@ namespace bempd::coupling {
 
 enum class DofKind : char { prescribed, private_free, shared_free, tied };
 
-// Schur complement of a stiffness on its shared unknowns: the private ones, which are free and belong to no other
-// operator, are eliminated. Degrees of freedom are numbered as in the stiffness.
+// Schur complement of a dense stiffness on its shared unknowns. Its private unknowns, which are free and belong to no
+// other part, are eliminated. Degrees of freedom are numbered as in the stiffness.
 class SchurComplement {
  public:
   using Stiffness = std::shared_ptr<const Eigen::MatrixXd>;
@@ -25,15 +25,15 @@ class SchurComplement {
   const std::vector<int>& private_dofs() const { return private_; }
   const std::vector<int>& shared_dofs() const { return shared_; }
   const Eigen::MatrixXd& matrix() const { return matrix_; }
-  // Private displacements per shared displacement, with the opposite sign.
+  // Matrix X of the private displacements that follow the shared ones: u_private = -X u_shared where no forces act.
   const Eigen::MatrixXd& transfer() const { return transfer_; }
-  // Private displacements from private forces while the shared ones are held at 0.
+  // Private displacements that private forces cause while the shared unknowns are held at 0.
   virtual Affine solve_private(const Affine& force) const = 0;
-  // Estimated reciprocal condition of the private block; 1 if it is empty.
+  // Estimated reciprocal condition number of the private block; 1 if there are no private unknowns.
   virtual double reciprocal_condition() const = 0;
 
  protected:
-  // Sorts the unknowns; the derived class eliminates, and has nothing to do if there are no private unknowns.
+  // Sorts the degrees of freedom into private and shared ones. The derived class eliminates the private ones, if any.
   SchurComplement(Stiffness stiffness, std::vector<DofKind> kind);
 
   // Throws Error (unsolvable), because the private block is singular.

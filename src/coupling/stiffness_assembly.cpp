@@ -135,8 +135,8 @@ int StiffnessAssembly::place(int row, int column) const {
   return static_cast<int>(std::lower_bound(begin, end, row) - matrix_.innerIndexPtr());
 }
 
-// Finds the four entries of a block by one search: both rows stand side by side in both columns, and the columns are
-// alike below the diagonal block.
+// Finds the four entries of the block of two nodes by one search. The rows of a node are adjacent in each column, and
+// both columns of a node have the same rows below the diagonal block.
 void StiffnessAssembly::find_block(int row_node, int column_node, int* places) const {
   const int row_x = unknown_of_[2 * row_node], row_y = unknown_of_[2 * row_node + 1];
   int below = -1;  // entries from the block's to the end of a column
@@ -201,7 +201,7 @@ void StiffnessAssembly::add_wide(std::span<const TermEntry> entries, double stif
 
 void StiffnessAssembly::add_bonds(const std::vector<double>& stiffness) {
   double* values = matrix_.valuePtr();
-  // Bonds of a node sum up on its diagonal block; only blocks off the diagonal have entries of their own.
+  // Bonds of a node are summed up for its diagonal block; only blocks off the diagonal have places for each bond.
   Eigen::Matrix3Xd diagonal = Eigen::Matrix3Xd::Zero(3, static_cast<Eigen::Index>(unknown_of_.size() / 2));
   const int entries = symmetric_ ? 4 : 8;
   std::size_t next_general = 0, next_wide = 0;

@@ -12,38 +12,39 @@
 
 namespace bempd::coupling {
 
-// Unknown of a pull, with its weight in it.
+// Entry of a pull, which is a sparse vector over the unknowns: an unknown and its coefficient.
 struct UnknownEntry {
   int unknown;
   double weight;
 };
 
-// Appends a pull of this size along a direction (or times any vector) at a node, in terms of unknowns: those of its
-// masters where the node is tied.
+// Appends the pull of a node, size * (cosine, sine), to `entries`; at a tied node, the pulls of its masters instead.
+// Degrees of freedom that are no unknowns get no entry.
 void append_pull(const std::vector<int>& unknown_of, const NodeTies& ties, int node, double cosine, double sine,
                  double size, std::vector<UnknownEntry>& entries);
 
-// Sums terms, condensed operators and holding springs up to the sparse matrix of the unknowns. The positions of entries
-// are found once; summing up anew costs one pass over the terms.
+// Sums terms, condensed operators and holding springs up to the sparse matrix of the unknowns. The places of all
+// entries in the matrix are found once, so that each sum costs one pass over the terms.
 class StiffnessAssembly {
  public:
-  // `unknown_of` gives the unknown of a degree of freedom, or -1. A symmetric matrix has its lower triangle only. Each
-  // of `constraints` has its entries even if no term has them.
+  // Finds the pattern of the matrix. `unknown_of` gives the unknown of a degree of freedom, or -1. A symmetric matrix
+  // has its lower triangle only. Every one of `constraints` gets entries between its nodes, also where no term needs
+  // them.
   StiffnessAssembly(const std::vector<int>& unknown_of, const Terms& terms, const NodeTies& ties,
                     const std::vector<OperatorSchurComplement>& operators, bool symmetric,
                     const Constraints& constraints = {});
 
-  // Sums the matrix. A broken term has the stiffness 0; its entries stay, so that the pattern does not change. Closed
-  // constraints have entries; without constraints all are open, exact ones too.
+  // Sums the matrix with the present stiffness of every term. A broken term has the stiffness 0; its entries stay, so
+  // that the pattern does not change. Closed ones of `constraints` are included; null: all are open, exact ones too.
   const Eigen::SparseMatrix<double>& sum(const std::vector<double>& stiffness,
                                          const std::vector<HoldingSpring>& springs, const Constraints* constraints);
   bool has_room_for(const Constraints& constraints) const;  // the closed ones
 
  private:
-  // Calls visit(node, other) for every two nodes with common entries, some of them several times.
+  // Calls visit(node, other) for every two nodes with common entries in the matrix; for some pairs several times.
   template <class Visit>
   void each_pair(const Constraints& constraints, const Visit& visit) const;
-  // Nodes coupled to each node; without those of a smaller number where the matrix is symmetric.
+  // Nodes that have common entries with each node; if the matrix is symmetric, only those with larger numbers.
   linalg::Adjacency partners(const Constraints& constraints) const;
   void make_pattern(const Constraints& constraints);
   std::vector<int> nodes_pulled(std::size_t term) const;
@@ -55,7 +56,7 @@ class StiffnessAssembly {
   void find_places();
   void find_block(int row_node, int column_node, int* places) const;
   void add_general(std::size_t term, double stiffness);
-  // Adds a wide term; its part of the nodes' own blocks goes to `diagonal`: xx, xy, yy.
+  // Adds a wide term (one that is not a bond). Its part of the nodes' diagonal blocks goes to `diagonal`: xx, xy, yy.
   void add_wide(std::span<const TermEntry> entries, double stiffness, Eigen::Matrix3Xd& diagonal);
   void add_bonds(const std::vector<double>& stiffness);
   void add_operators(bool with_constraints);
@@ -69,7 +70,8 @@ class StiffnessAssembly {
   bool symmetric_;
   Eigen::SparseMatrix<double> matrix_;
   std::vector<int> bond_places_;  // of the four entries that couple its ends, -1 for none; twice as many if unsymmetric
-  // Terms that pull at tied nodes, and wide ones of unsymmetric systems: their entries are looked up one by one.
+  // Numbers of the terms whose entries are looked up one by one: those that pull at tied nodes, and wide terms of
+  // unsymmetric systems.
   std::vector<std::size_t> general_;
 };
 

@@ -13,18 +13,18 @@ namespace bempd::coupling {
 
 namespace {
 
-// Wanted residual of the sparse system relative to its right-hand side; one application of an up-to-date factor reaches
-// it. A solution that stays above the second limit, by rounding or after too many changes of the factor, calls for a
-// fresh factor.
+// Residual of the sparse system relative to its right-hand side: the iteration ends at the first one, which one
+// application of an up-to-date factor reaches. A solution that stays above the second one, by rounding or after too
+// many changes of the factor, calls for a fresh factor.
 constexpr double solution_tolerance = 1e-13;
 constexpr double acceptable_residual = 1e-12;
 constexpr double acceptable_rounding = 1e-14;  // relative to the forces that the largest displacement causes
 
-// Pivot relative to the diagonal below which a motion without resistance is looked for.
+// Pivot over the diagonal entry: below this, a motion may have lost its resistance.
 constexpr double suspicious_pivot_ratio = 1e-10;
 
-// Shifts of inverse iteration: the first is far below the stiffness of slender parts, the second survives the rounding
-// of any factorization.
+// Shifts of the matrix for inverse iteration, over its diagonal: the first is far below the stiffness of slender parts,
+// the second survives the rounding errors of any factorization.
 constexpr double small_shift = 1e-12, safe_shift = 1e-9;
 constexpr int inverse_iterations = 8;
 constexpr double no_stiffness = 1e-16;  // share of the largest entry that replaces a zero on the diagonal
@@ -101,7 +101,7 @@ void SystemFactor::factorize(const Matrix& matrix) {
   state_ = FactorState::factorized;
   kept_when_made_ = kept_nodes_;
   ++counters_.sparse_factorizations;
-  // The matrix is scaled to a unit diagonal for this, so that units and stiff neighbours do not matter.
+  // The pivot ratio is that of the matrix scaled to a unit diagonal, so that units and stiff neighbours do not matter.
   counters_.reciprocal_condition = std::min(counters_.reciprocal_condition, factor.smallest_pivot_ratio());
   counters_.factor_nonzeros = factor.factor_nonzeros();
 }
@@ -109,7 +109,7 @@ void SystemFactor::factorize(const Matrix& matrix) {
 void SystemFactor::change(const Matrix& columns, linalg::Change change) {
   const Stopwatch watch(counters_.seconds_update);
   if (is_current()) changes_.push_back(as_change(columns, change));
-  // A factor left stale still preconditions the iteration in solve().
+  // A factor that cannot follow the change becomes stale; it still preconditions the iteration in solve().
   const bool follows = solver_->factorization().update(columns, change);
   state_ = follows && is_current() ? FactorState::updated : FactorState::stale;
   counters_.factor_updates += columns.cols();
@@ -138,7 +138,7 @@ Eigen::VectorXd SystemFactor::solve(const Eigen::VectorXd& rhs, const SystemSolv
     const linalg::KrylovResult result = solver_->iterate(apply, rhs, solution_tolerance, solution);
     counters_.iterations += result.iterations;
     if (result.relative_residual <= acceptable_residual) return solution;
-    // Forces smaller than this are rounding, as displacements next to a mechanism are very large.
+    // Residual forces below this limit are rounding: displacements near a mechanism are very large.
     const double rounding = acceptable_rounding * largest_diagonal_ * size(solution);
     if (fresh && result.relative_residual * size(rhs) <= rounding) return solution;
   }

@@ -21,7 +21,7 @@ enum class FactorState : char {
   stale        // factor of an earlier matrix, which only preconditions
 };
 
-// Factor of a system's sparse matrix, which follows it through low-rank changes, and solutions by it.
+// Factor of a system's sparse matrix, with low-rank changes when the matrix changes, and solutions with this factor.
 class SystemFactor {
  public:
   using Matrix = Eigen::SparseMatrix<double>;
@@ -29,7 +29,7 @@ class SystemFactor {
   SystemFactor(const SolutionMethod& method, const Unknowns& unknowns, SolverCounters& counters)
       : method_(method), unknowns_(unknowns), counters_(counters) {}
 
-  // Sets the graph from which an order of elimination with less fill follows.
+  // Sets the graph of the nodes, from which an order of elimination with less fill follows.
   void set_graph(linalg::NodeGraph graph) { graph_ = std::make_unique<linalg::NodeGraph>(std::move(graph)); }
 
   // Makes the next factorization eliminate the unknowns of these nodes last.
@@ -45,28 +45,29 @@ class SystemFactor {
     if (exists()) forgotten_ = state_;
     state_ = FactorState::none;
   }
-  // Takes back the last forget() if no other factor has been made since and the factor had undergone just these
-  // changes; the caller knows that the matrix is the same.
+  // Undoes the last forget() and returns true, if no other factor has been made since and the forgotten one had
+  // undergone just these changes. The caller must know that the matrix is the same.
   bool recall(const std::vector<FactorChange>& changes);
   void lose() { forgotten_ = FactorState::none; }  // for good
 
-  // Throws Error (unsolvable) if the matrix is singular.
+  // Factorizes the matrix. Throws Error (unsolvable) if it is singular.
   void factorize(const Matrix& matrix);
 
-  // Changes an existing factor: the matrix changes by plus or minus columns * columns^T.
+  // Changes an existing factor for the matrix plus or minus columns * columns^T.
   void change(const Matrix& columns, linalg::Change change);
-  // All changes since the factorization, up to the first one that the factor could not follow.
+  // Changes since the factorization, up to the first one that the factor could not follow.
   const std::vector<FactorChange>& changes() const { return changes_; }
   void repeat(const FactorChange& change);
 
-  // Solves once; asks for the present matrix if the present factor is not good enough. Throws Error (unsolvable).
+  // Solves for one right-hand side by the preconditioned iteration; `apply` multiplies by the present matrix. If the
+  // factor is not good enough, `assemble` gives that matrix for a fresh one. Throws Error (unsolvable).
   Eigen::VectorXd solve(const Eigen::VectorXd& rhs, const SystemSolver::Apply& apply,
                         const std::function<const Matrix&()>& assemble);
 
-  // Whether no pivot is so small that a motion may have lost its resistance. The factor must be current.
+  // Whether all pivots are large enough to exclude that a motion has lost its resistance. The factor must be current.
   bool pivots_are_sound() const;
 
-  // Cholesky factor of a solver with a symmetric matrix, factorized.
+  // Cholesky factor of a symmetric matrix; it must have been factorized.
   const linalg::SparseCholesky& cholesky() const { return *solver_->cholesky(); }
 
  private:
@@ -85,16 +86,17 @@ class SystemFactor {
   double largest_diagonal_ = 0;  // of the matrix last factorized
 };
 
-// Diagonal of the matrix, with a tiny value where it has none.
+// Diagonal of a matrix, with a tiny positive value in place of zeros.
 Eigen::VectorXd stiff_diagonal(const Eigen::SparseMatrix<double>& matrix);
 
-// Solver of the matrix plus a small share of that diagonal, which does not depend on units or stiff neighbours. So a
-// singular matrix can be factorized without hiding its null space behind motions that are merely soft, such as those of
-// slender parts. Throws Error (unsolvable).
+// Solver of `matrix` plus a small share of `diagonal` (stiff_diagonal()), a shift that does not depend on units or
+// stiff neighbours. A singular matrix can so be factorized without hiding its null space behind motions that are merely
+// soft, as those of slender parts. Throws Error (unsolvable).
 std::unique_ptr<SystemSolver> shifted_solver(const SolutionMethod& method, const Eigen::SparseMatrix<double>& matrix,
                                              const Eigen::VectorXd& diagonal);
 
-// Vector that a matrix hardly resists, largest entry 1, by inverse iteration.
+// Vector, largest entry 1, that a matrix resists least, by inverse iteration. `resistance` is set to its energy over
+// that with the diagonal alone.
 Eigen::VectorXd softest_vector(const SolutionMethod& method, const Eigen::SparseMatrix<double>& matrix,
                                double& resistance);
 

@@ -9,8 +9,8 @@
 
 namespace bempd::coupling {
 
-// Sparse direct factor and the iteration that it preconditions: one application of a factor of the present matrix is a
-// solution; a stale factor takes more.
+// Sparse direct factor and the iteration that it preconditions. With a factor of the present matrix one step is enough;
+// with a stale factor the iteration takes more.
 class SystemSolver {
  public:
   using Apply = std::function<void(const Eigen::VectorXd&, Eigen::VectorXd&)>;  // (x, y): y = A x
@@ -19,10 +19,10 @@ class SystemSolver {
 
   virtual linalg::SparseFactorization& factorization() = 0;
 
-  // Cholesky factorization, where the matrix is symmetric and its unknowns can be ordered and condensed; null if not.
+  // Cholesky factorization, if the matrix is symmetric, so that its unknowns can be ordered and condensed; else null.
   virtual linalg::SparseCholesky* cholesky() { return nullptr; }
 
-  // Improves `x` until the residual has at most this inf-norm relative to the right-hand side, or gives up.
+  // Improves `x` until the largest residual is at most `tolerance` times the largest entry of `rhs`, or gives up.
   virtual linalg::KrylovResult iterate(const Apply& apply, const Eigen::VectorXd& rhs, double tolerance,
                                        Eigen::VectorXd& x) const = 0;
 

@@ -10,7 +10,8 @@ namespace bempd::coupling {
 
 namespace {
 
-// Pulls of terms on the unknowns that they move: rows are those unknowns, ascending.
+// Elongations of terms per displacement of the unknowns that they move: one row of `weights` per unknown, ascending,
+// and one column per term.
 struct Pulls {
   std::vector<int> unknowns;
   Eigen::MatrixXd weights;

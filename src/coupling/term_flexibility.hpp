@@ -7,11 +7,12 @@
 
 namespace bempd::coupling {
 
-// F = B^T K^-1 B: what terms lengthen by under unit pulls along each of them, in the body as it is [m/N]. Uses the
-// system's factor, or makes one where there is none of the present matrix.
+// Flexibility matrix F = B^T K^-1 B of terms [m/N]: F_ij is the elongation of term i in the present body under unit
+// pulls along term j. Uses the system's factor, or makes one if there is none of the present matrix.
 Eigen::MatrixXd flexibility_of(EquilibriumSystem& system, std::span<const int> terms);
 
-// Flexibility by a factor of its own, where the system's factor belongs to another matrix or must stay as it is.
+// Flexibility matrix of terms by a separate factor, for systems whose factor belongs to another matrix or must stay as
+// it is.
 Eigen::MatrixXd flexibility_apart(const EquilibriumSystem& system, std::span<const int> terms);
 
 }  // namespace bempd::coupling

@@ -6,9 +6,8 @@
 
 namespace bempd::coupling {
 
-// Law of a term, a list of stages: in every stage it has a share of its virgin stiffness, and a critical elongation as
-// a share of its own critical one. A term that reaches it enters the next stage. After the last stage the term is
-// broken.
+// Law of a term: a list of stages. In each stage the term has a share of its virgin stiffness, and breaks into the next
+// stage at a share of its nominal critical elongation. After the last stage the term is broken.
 class TermLaw {
  public:
   struct Stage {
@@ -25,7 +24,7 @@ class TermLaw {
   bool operator==(const TermLaw&) const = default;
 
   const std::vector<Stage>& stages() const { return stages_; }
-  // Number of the stage behind the last one, in which a term is broken. Only this function decides what is broken.
+  // Stage after the last one of the list, in which a term is broken. Only this function decides what is broken.
   int broken_stage() const { return static_cast<int>(stages_.size()); }
   bool is_broken(int stage) const { return stage >= broken_stage(); }
   double stiffness_share(int stage) const { return is_broken(stage) ? 0 : stages_[stage].stiffness_share; }
@@ -38,7 +37,7 @@ class TermLaw {
   std::vector<Stage> stages_;
 };
 
-// Change of a term into another stage.
+// Change of a term to another stage of its law.
 struct StageChange {
   int term, stage;
 };

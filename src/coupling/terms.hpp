@@ -18,17 +18,17 @@ namespace bempd::coupling {
 struct Terms;
 
 // Factors that turn elastic elongations of terms into shares of their critical values. The directions of bonds are
-// scaled by them, so that a difference of displacements along one is such a share at once.
+// stored with these factors included, so that the product with a difference of displacements is such a share.
 struct CriticalScales {
   std::vector<double> per_elongation;  // [1/m]
   std::vector<double> cosine, sine;
 
   explicit CriticalScales(std::size_t count = 0) : per_elongation(count), cosine(count), sine(count) {}
-  // Sets the factor of a term; an infinite critical stretch makes it 0.
+  // Sets the factor number `place` for a term; an infinite critical stretch makes it 0.
   void set(std::size_t place, const Terms& terms, std::size_t term, double critical_stretch);
 };
 
-// Coefficients of the displacement of a node in a term.
+// Coefficients (x, y) of the displacement of a node in the elongation of a term.
 struct TermEntry {
   int node;
   double x, y;
@@ -49,18 +49,19 @@ struct Terms {
   std::vector<double> length;        // [m]; makes a strain of the elongation
   std::vector<double> stiffness;     // force per elongation [N/m]
 
-  // Constant and proportional parts. Terms beyond the end have 0: the arrays are empty where nothing uses them.
+  // Rest elongations [m]: constant parts, proportional parts. Terms beyond the end of an array have 0; the arrays are
+  // empty where nothing uses them.
   std::array<std::vector<double>, 2> rest_elongation;  // [m]
 
-  // Poisson's ratio in the plane of bonds whose stretch counts the effect of compression across them; terms beyond the
-  // end have 0 and do not count it.
+  // Poisson's ratio of bonds whose stretch counts the effect of compression across them. Other bonds, and terms beyond
+  // the end, have 0.
   std::vector<double> contraction;
 
   // Law of each term, an index into `laws`; terms beyond the end are brittle.
   std::vector<std::uint8_t> law;
   std::vector<TermLaw> laws{TermLaw::brittle()};
 
-  // Coefficients of wide terms.
+  // Coefficients of the wide terms, those that are not bonds.
   struct Wide {
     std::vector<int> term;  // their numbers, ascending
     std::vector<std::size_t> start{0};
@@ -72,8 +73,8 @@ struct Terms {
   };
   Wide wide;
 
-  // Pair of a term (leader) and a follower: when the leader breaks, the follower breaks, too. Pairs are sorted by
-  // leaders once all are there; followers do not break by themselves.
+  // Pair of a term (leader) and its follower: when the leader breaks, the follower breaks, too. Followers do not break
+  // by themselves. Pairs are sorted by leaders once all of them have been added.
   struct Following {
     int leader, follower;
     auto operator<=>(const Following&) const = default;
@@ -90,8 +91,8 @@ struct Terms {
   int add_bond(int from, int to, const Eigen::Vector2d& direction, double length_between, double its_stiffness);
   int add_wide(std::span<const TermEntry> entries_of_different_nodes, double its_length, double its_stiffness);
 
-  // Makes a term follow any of its leaders, all of which have smaller numbers; called once for every follower, in the
-  // order of their numbers.
+  // Makes a term, the follower, break as soon as any of its leaders breaks. Leaders must have smaller numbers. Called
+  // once for every follower, in the order of their numbers.
   void add_follower(int follower, std::span<const int> leaders);
   bool follows(int term) const { return std::binary_search(followers.begin(), followers.end(), term); }
   bool wide_terms_only_follow() const { return wide_followers == wide.term.size(); }
@@ -106,22 +107,22 @@ struct Terms {
   const TermLaw& law_of(std::size_t term) const { return term < law.size() ? laws[law[term]] : laws.front(); }
 
   bool is_broken(std::size_t term, int stage) const { return law_of(term).is_broken(stage); }
-  // Change that breaks a term, whatever stage it is in.
+  // Stage change that breaks a term, whatever stage it is in.
   StageChange breaking(int term) const { return {term, law_of(static_cast<std::size_t>(term)).broken_stage()}; }
   // Terms that some changes break.
   std::vector<int> broken_by(std::span<const StageChange> changes) const;
 
-  // Whether some term has a force without elongation.
+  // Whether some term has a rest elongation, that is a force without elongation.
   bool have_offsets() const { return have_offsets(0) || have_offsets(1); }
   bool have_offsets(int part) const { return !rest_elongation[part].empty(); }
 
-  // Rest elongation e0, part 0 (constant) or 1 (proportional).
+  // Rest elongation e0 of a term: its constant part (0) or its proportional part (1).
   double rest(std::size_t term, int part) const {
     const std::vector<double>& values = rest_elongation[part];
     return term < values.size() ? values[term] : 0;
   }
 
-  // Calls visit(node, x, y) for every coefficient vector.
+  // Calls visit(node, x, y) for every node of a term, where (x, y) are the node's coefficients.
   template <class Visit>
   void for_each_entry(std::size_t term, const Visit& visit) const {
     if (is_wide(term)) {
@@ -136,13 +137,13 @@ struct Terms {
     for_each_entry(term, [&](int node, double, double) { visit(node); });
   }
 
-  // Elongation c.u, with the displacements as 2 * node + component.
+  // Elongation c.u of a term; displacements are numbered 2 * node + component.
   double elongation(std::size_t term, const double* displacement) const {
     return is_wide(term) ? wide_elongation(place_of_wide(term), displacement) : bond_elongation(term, displacement);
   }
 
-  // Elastic elongation c.u - e0, on which the stiffness acts: from a part of an affine displacement, then from the
-  // displacement at a load factor.
+  // Elastic elongation c.u - e0 of a term, on which its stiffness acts: of the constant (0) or proportional (1) part of
+  // a displacement, then of a displacement at a load factor.
   double elastic_elongation_part(std::size_t term, const double* displacement, int part) const {
     return elongation(term, displacement) - rest(term, part);
   }
@@ -150,12 +151,12 @@ struct Terms {
     return elongation(term, displacement) - (rest(term, 0) + load_factor * rest(term, 1));
   }
 
-  // Force k (c.u - e0) with a stiffness that need not be the virgin one.
+  // Force k (c.u - e0) of a term with the stiffness k given, which may be less than the virgin one.
   double tension(std::size_t term, double present_stiffness, const double* displacement, double load_factor) const {
     return present_stiffness * elastic_elongation(term, displacement, load_factor);
   }
 
-  // Energy k/2 (c.u - e0)^2 with such a stiffness.
+  // Energy k/2 (c.u - e0)^2 of a term with the stiffness k given, which may be less than the virgin one.
   double energy(std::size_t term, double present_stiffness, const double* displacement, double load_factor) const {
     const double elastic = elastic_elongation(term, displacement, load_factor);
     return 0.5 * present_stiffness * elastic * elastic;
@@ -163,11 +164,12 @@ struct Terms {
 
   CriticalScales critical_scales(const std::vector<double>& critical_stretch) const;
 
-  // Elastic elongations of all terms as shares of their critical ones, for both parts of a displacement separately.
+  // Elastic elongations of all terms as shares of their critical ones, for the constant and proportional part of a
+  // displacement separately.
   void critical_shares(const Affine& displacement, const CriticalScales& scales, std::vector<double>& constant_part,
                        std::vector<double>& proportional_part) const;
 
-  // Energy k/2 (c.u - e0)^2 with such a stiffness.
+  // Adds the forces k (c.u) c of all terms to `force`, with the stiffnesses k given; rest elongations are left out.
   void add_forces(const std::vector<double>& present_stiffness, const double* displacement, double* force) const;
 
  private:

@@ -13,7 +13,7 @@ Unknowns classify(int node_count, const std::vector<DenseOperator>& operators, c
     for (const BodyPiece& piece : op.pieces)
       for (int node : piece.holdable) held[node] = 1;
   }
-  // The terms of a tied node act on its masters, too.
+  // A tied node passes the forces of its terms on to its masters.
   for (std::size_t t = 0; t < ties.nodes().size(); ++t) {
     for (const NodeTies::Master& m : ties.masters(t)) has_term[m.node] = 1;
   }

@@ -6,8 +6,8 @@
 
 namespace bempd::crack {
 
-// Failure of a carrier that cannot have the crack where it is to grow to, with the reason: no scene with the longer
-// crack can be made. In a step the crack stops; bempd_grow_cracks() hands the error to the host.
+// Error of a carrier (carrier.hpp) that cannot let a crack grow to a place because no valid scene contains the longer
+// crack; `reason` says why. During a step the crack stops instead; bempd_grow_cracks() returns the error to the host.
 class CannotGrow : public Error {
  public:
   explicit CannotGrow(const std::string& reason) : Error(Failure::argument, reason) {}

@@ -9,7 +9,7 @@
 
 namespace bempd::crack {
 
-// A tip as its carrier knows it under the present loads.
+// Crack tip as its carrier sees it under the present loads.
 struct Tip {
   TipId id;
   Point place{0, 0}, direction{1, 0};  // unit vector in which a straight crack would go on
@@ -20,7 +20,7 @@ struct Tip {
   double critical_kink_angle = std::numeric_limits<double>::quiet_NaN();  // at the highest of the range, if it has one
 };
 
-// The load factors between which none of them grows.
+// Range of load factors in which none of `tips` grows.
 inline GrowthRange common_range(std::span<const Tip> tips) {
   GrowthRange common;
   for (const Tip& tip : tips)
@@ -28,9 +28,10 @@ inline GrowthRange common_range(std::span<const Tip> tips) {
   return common;
 }
 
-// What carries cracks: lattices, in which a crack is a line that cuts bonds (fracture/line), or boundary elements along
-// its faces (model/element_tips). The run asks every carrier for candidates, chooses by order.hpp the tip that grows
-// first, whichever carries it, and lets that one grow.
+// Carrier: a part of the model that contains cracks and lets them grow. It is made of lattices, in which a crack is a
+// line that cuts bonds (fracture/line), or of boundary elements along the crack faces (model/element_tips). The run
+// asks every carrier for candidates, chooses by order.hpp the tip that grows first, whichever carries it, and lets that
+// one grow.
 class Carrier {
  public:
   Carrier() = default;
@@ -38,9 +39,10 @@ class Carrier {
   Carrier& operator=(const Carrier&) = delete;
   virtual ~Carrier() = default;
 
-  // Tips that may grow, by crack and end.
+  // Tips that may grow, sorted by crack and end.
   virtual std::vector<Tip> tips() = 0;
-  // The load factors on this way at which they grow; tips that do not grow are left out.
+  // Candidates for growth on the load path `way`: tips with the load factors at which they grow. Tips that do not grow
+  // on it are left out.
   virtual std::vector<Candidate> candidates(const LoadWay& way) = 0;
 };
 

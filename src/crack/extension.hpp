@@ -7,8 +7,8 @@
 
 namespace bempd::crack {
 
-// The record of what a tip did at an event: it went straight on to a place, where it is a tip again unless it has
-// ended. A crack that begins does so as two extensions from its middle.
+// Record of the growth of one tip in one event: a straight extension to (x, y), where the tip is again unless its state
+// says that it has ended. A crack that nucleates is recorded as two extensions from its middle.
 struct Extension {
   std::int64_t event = 0;
   int crack = 0, end = 0;  // id; 1: the crack's last point, 0: its first
@@ -28,7 +28,8 @@ struct Extension {
   bool has_ended() const { return crack::has_ended(state); }
 };
 
-// Begins the record of a tip that is to turn by an angle at a load factor.
+// Starts the record of the growth of a tip at `from`, which turns by `angle`. `resistance` is the energy per new area
+// that growth takes there [J/m^2].
 inline Extension begin_extension(const TipId& tip, const Point& from, double angle, double load_factor,
                                  const AffineFactors& factors, double resistance) {
   Extension e;
@@ -40,7 +41,7 @@ inline Extension begin_extension(const TipId& tip, const Point& from, double ang
   return e;
 }
 
-// Notes where the tip has come to.
+// Completes the record `e` with the tip's new place `to`, the length of the extension and the tip's new state.
 inline void arrive(Extension& e, const Point& to, double length, TipState state) {
   e.x = to.x(), e.y = to.y(), e.length = length, e.state = state;
 }

@@ -9,11 +9,13 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-// Share of the loads that press a tip shut below which its shear is rounding: such a tip does not grow.
+// Relative rounding error of stress intensity factors: where the equivalent factor is below this share of K, the loads
+// press the tip shut and its mode II factor is only a rounding error. Such a tip does not grow.
 constexpr double share_of_rounding = 1e-15;
 
-// End of the range in a direction, from a load factor inside it. Far away the equivalent factor lies above the load
-// factor times its slope less twice the constant part, which bounds the search.
+// Load factor at which the range without growth ends in `direction` (1 or -1), by bisection from `inside`, a load
+// factor in the range; infinite if there is no end. At large load factors the equivalent factor exceeds the load factor
+// times its slope less twice the constant part, which bounds the search.
 double end_of_range(const AffineFactors& factors, double toughness, KinkCriterion criterion, double inside,
                     double direction) {
   const double slope = kink_of(direction * factors.proportional, criterion).equivalent_factor;
@@ -27,8 +29,9 @@ double end_of_range(const AffineFactors& factors, double toughness, KinkCriterio
   return high;
 }
 
-// Load factor at which the tip is loaded least, by golden section search; known bounds are some times the constant
-// part. It uses the hoop stress, which is convex throughout: the energy release rate is not where kinks close.
+// Load factor at which the growth ratio of a tip is least, by golden section search; the bounds are a few times the
+// constant part. The hoop stress criterion is used because its ratio is convex in the load factor everywhere: that of
+// the energy release rate is not where kinks close.
 double least_loaded(const AffineFactors& factors, double toughness) {
   const double size = factors.proportional.stableNorm();
   double high = 4 * (toughness + factors.constant.stableNorm()) / size, low = -high;

@@ -5,19 +5,19 @@
 
 namespace bempd::crack {
 
-// What is held while cracks grow.
+// Control of the load factor while cracks grow: what is held constant.
 enum class Control {
-  // The load factor: where growth is unstable events follow each other at one load factor, out of equilibrium.
+  // The load factor is held: where growth is unstable, events follow each other at one load factor, out of equilibrium.
   load,
-  // Nothing: each event lies where a tip just reaches its toughness, or the most stretched bonds their critical
-  // stretch, so that the load factor falls where growth is unstable, and every state is one of equilibrium.
+  // Nothing is held: at each event a tip just reaches its toughness, or the most stretched bonds their critical
+  // stretch. The load factor falls where growth is unstable, and every state is one of equilibrium.
   path
 };
 
-// Load factors or ratios that differ by less than this share are a tie: rounding may put either first.
+// Relative difference below which load factors or growth ratios count as equal (a tie): rounding may put either first.
 constexpr double tie_share = 1e-9;
 
-// Way of the load factor: from where, in which direction, and what is held on it.
+// Path of the load factor: its present value, the direction in which it changes, and what is held constant meanwhile.
 struct LoadWay {
   double present;
   bool upwards = true;
@@ -27,12 +27,12 @@ struct LoadWay {
   double sense() const { return upwards ? 1 : -1; }
   double ahead(double load_factor) const { return sense() * load_factor; }  // grows on the way
   double end() const { return ahead(std::numeric_limits<double>::infinity()); }
-  // Load factor at which that happens which is critical at another one: here, if that lies behind and the load factor
-  // is held.
+  // Load factor at which an event with the critical load factor `critical` takes place: the present one if the load
+  // factor is held and has already passed `critical`, else `critical` itself.
   double place_of(double critical) const {
     return control == Control::load && ahead(critical) < ahead(present) ? present : critical;
   }
-  // Whether one load factor comes before another one on the way, by more than rounding.
+  // Whether the load factor `one` comes before `other` on the path by more than rounding (tie_share).
   bool is_before(double one, double other) const {
     if (std::isinf(other)) return ahead(one) < ahead(other);
     return ahead(one) < ahead(other) - tie_share * std::abs(other);

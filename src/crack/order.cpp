@@ -24,7 +24,8 @@ Rank rank_of(const Candidate& candidate, bool upwards) {
 
 }  // namespace
 
-// First candidate. Ties are those with the very first one, so that they do not depend on the order of the candidates.
+// Finds the candidate that grows first. Ties are compared with the very first rank, so that they do not depend on the
+// order of the candidates.
 std::optional<FirstToGrow> first_to_grow(std::span<const Candidate> candidates, bool upwards) {
   if (candidates.empty()) return std::nullopt;
   Rank first = rank_of(candidates.front(), upwards);

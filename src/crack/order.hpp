@@ -17,7 +17,8 @@ struct Candidate {
   bool overloaded = false;  // at the present load factor
 };
 
-// Candidate of a tip that reaches its toughness at a critical load factor and has this ratio where the way begins.
+// Makes the candidate of a tip that reaches its toughness at the load factor `critical`; `ratio` is its growth ratio at
+// the present load factor of `way`.
 inline Candidate candidate(const TipId& tip, double critical, double ratio, const LoadWay& way) {
   return {tip, critical, ratio, way.control == Control::load && ratio > 1 + tie_share};
 }
@@ -27,10 +28,9 @@ struct FirstToGrow {
   int ties;           // others that would grow as soon, but for rounding
 };
 
-// Tip that grows first. Of overloaded tips it is the one with the largest ratio; otherwise the one with the nearest
-// load factor in the direction of the load path. Of tips that tie it is that of the crack with the smallest id, and the
-// start of a crack before its end, so that neither rounding nor the orientation of a body decides. Empty without
-// candidates.
+// Finds the tip that grows first. Overloaded tips come first, by the largest ratio; then tips by the nearest load
+// factor in the direction of the load path. In a tie the crack with the smallest id grows, and its start before its
+// end, so that neither rounding nor the orientation of a body decides. Empty if there are no candidates.
 std::optional<FirstToGrow> first_to_grow(std::span<const Candidate> candidates, bool upwards);
 
 }  // namespace bempd::crack

@@ -38,14 +38,16 @@ struct TipAxes {
 
 // Coefficients of the terms of Williams' expansion at a tip in a displacement of the body, from rings around the tip.
 //
-// Reciprocity of the displacement u with the dual term u*, both without forces inside: for a weight q that falls from 1
-// within the ring to 0 outside of it the sum over bonds, and squares of cells,
-//   H = sum k [e(u) e(q u*) - e(u*) e(q u)]
-// is the work that the two do on each other across the ring, whatever the ring. No stress has to be recovered and no
-// displacement differentiated; and since the bonds hold every point in balance with the forces on it, it is
+// Reciprocity of the displacement u with the dual term u*, both without forces inside: let a weight q fall from 1
+// within the ring to 0 outside of it. The sum over the terms of the energy (bonds and wide terms), each with its
+// stiffness k and its elongation e,
+//   H = sum k [e(u*) e(q u) - e(u) e(q u*)]
+// is the work that the two do on each other across the ring, and is the same for every ring. No stress has to be
+// recovered and no displacement differentiated. Since the bonds hold every point in balance with the forces on it, it
+// is
 //   H = sum k e(u*) e(q u) - sum q F*.u,
 // where F* are the forces of the dual term's tractions on the lattice's outline. Where the ring meets the lattice's
-// outline, the forces that act on the lattice there, also those of boundary elements beside it, complete the sum: the
+// outline, the forces that act on the lattice there, also those of boundary elements beside it, complete the sum. The
 // path round the tip then goes along the outline.
 class TipRings {
  public:
