@@ -9,7 +9,7 @@
 
 namespace bempd::regions {
 
-// Pressure of a fluid in a crack among bonds [Pa].
+// Uniform pressure of a fluid on the faces of a crack that cuts bonds, as an affine function of the load factor [Pa].
 struct CrackPressure {
   int crack;                 // id
   Eigen::RowVector2d value;  // constant and proportional part
@@ -30,21 +30,24 @@ struct DofConditions {
 
   std::vector<std::vector<int>> held_dofs;  // degrees of freedom of each support, also those that count for another one
 
-  // Gaps that loads inside regions cause at cracks that can close, by regions.
+  // Gaps of crack faces due to loads inside regions (body forces, loads on faces), for the exact contact constraints of
+  // all regions, one region after the other [m].
   coupling::Affine face_offsets{0, 2};
 
-  // Work of loads that `force` does not include: half of (1, f) within (1, f) at the load factor f [J].
+  // Work of the loads that `force` does not include, as a quadratic form W: at the load factor f it is (1, f) W (1,
+  // f)^T / 2 [J].
   Eigen::Matrix2d work_within = Eigen::Matrix2d::Zero();
 
-  // Body forces of all regions at a load factor.
+  // Body forces at a load factor, one for each region id from 1 on.
   std::vector<BodyForce> body_forces(double load_factor) const;
 };
 
-// Body force of one region in DofConditions::body_force: the sum of its two parts times `parts`.
+// Body force of one region (an id) out of `all`, which is DofConditions::body_force: parts[0] times its constant part
+// plus parts[1] times its proportional part.
 BodyForce body_force_of(const coupling::Affine& all, int region, const Eigen::Vector2d& parts);
 
-// Applies supports and loads. Throws Error (argument) for contradictory supports, tractions on interfaces, and places
-// without a node.
+// Applies all supports and loads of the scene. Throws Error (argument) for supports that contradict each other,
+// tractions on interfaces, and places without a node.
 DofConditions apply_conditions(const scene::Scene& scene, const Discretization& discretization);
 
 }  // namespace bempd::regions

@@ -54,7 +54,8 @@ class CellSplitter {
   SplitCells result_;
 };
 
-// Opens the common side of two neighbours that have one parted side each, if it is not parted and lies next to both.
+// Opens (adds to `parted_`) the side that two neighbouring cells share, if each of the cells has exactly one parted
+// side and the shared side is next to both parted sides. That is where a crack steps from one row to the next.
 void CellSplitter::open_steps() {
   std::map<Pair, int> ends;  // sides next to the parted one of such a cell
   for (std::size_t c = 0; c < cells_.size() / 4; ++c) {
@@ -66,14 +67,16 @@ void CellSplitter::open_steps() {
     if (count == 2) parted_.insert(pair);
 }
 
-// Adds a point; the key distinguishes copies at one place.
+// Adds a point with the mean values of `nodes` and returns its number. `key` tells apart copies of a point at one
+// place, which belong to different faces of a crack; a key that is known returns its point.
 int CellSplitter::add(const std::vector<int>& key, const Point& at, const std::vector<int>& nodes) {
   const auto [found, is_new] = made_.try_emplace(key, static_cast<int>(nodes_.size() + result_.added.size()));
   if (is_new) result_.added.push_back({at, nodes});
   return found->second;
 }
 
-// Middle of a side as one of its ends sees it.
+// Middle of side k of a cell. On an intact side it is the mean of both ends; on a parted side each end has its own copy
+// of it, and `seen_from` is the corner whose copy is returned.
 int CellSplitter::middle(std::size_t cell, std::size_t k, std::size_t seen_from) {
   const Pair ends = side(cell, k);
   const Point at = 0.5 * (place(cell, k) + place(cell, k + 1));
@@ -82,7 +85,8 @@ int CellSplitter::middle(std::size_t cell, std::size_t k, std::size_t seen_from)
   return add({ends[0], ends[1], own}, at, {own});
 }
 
-// Centre as a row of corners sees it, from the first one on.
+// Centre of a cell as one of its pieces has it: a copy with the mean values of `count` corners from the corner `first`
+// on.
 int CellSplitter::centre(std::size_t cell, std::size_t first, std::size_t count) {
   std::vector<int> group, key{-1, static_cast<int>(cell)};
   for (std::size_t k = first; k < first + count; ++k) group.push_back(corner(cell, k));
@@ -90,8 +94,8 @@ int CellSplitter::centre(std::size_t cell, std::size_t first, std::size_t count)
   return add(key, 0.25 * (place(cell, 0) + place(cell, 1) + place(cell, 2) + place(cell, 3)), group);
 }
 
-// Splits a cell. Sides that are not parted get no points in between, so that the pieces fit the cells beside, except
-// where a crack ends.
+// Splits a cell along the crack through its parted sides. Intact sides get no middle point, so that the pieces fit the
+// neighbouring cells; a cell with one parted side, where a crack ends, is the exception.
 void CellSplitter::split(std::size_t cell) {
   const auto piece = [&](int a, int b, int c, int d) { result_.nodes.insert(result_.nodes.end(), {a, b, c, d}); };
   const auto at = [&](std::size_t k) { return corner(cell, k); };

@@ -9,22 +9,24 @@
 
 namespace bempd::regions {
 
-// Point in the middle of some nodes: its values are the mean of theirs.
+// Point added to a picture in the middle of some nodes: its values are the means of the values of these nodes.
 struct AddedPoint {
   Point place;
   std::vector<int> nodes;
 };
 
-// Four-cornered cells that open where bonds between neighbouring nodes are broken.
+// Quadrilateral cells for a picture, split where the bond between neighbouring nodes is broken, so that cracks appear
+// open.
 struct SplitCells {
   std::vector<AddedPoint> added;    // numbered after the nodes
   std::vector<std::int32_t> nodes;  // four a cell, counter-clockwise
 };
 
-// Splits cells with parted sides into pieces whose corners are connected by the sides that are left. So a crack runs
-// from the middle of a cell through the middle of a side to the middle of the next cell. Where it steps sideways
-// between two rows, the side along the step is not stretched and not parted: it opens with the two cells beside it that
-// have one parted side each. `cells` holds the corners of cells, counter-clockwise, `parted` pairs of nodes.
+// Splits cells for a picture. A side is parted if it is one of the pairs of nodes in `parted`: the bond between them is
+// broken. Each piece of a cell keeps the corners that intact sides connect, so a crack runs through the centres of
+// cells and the middles of parted sides.
+// Where a crack steps from one row to the next, the bond along the step is not broken. That side is opened all the same
+// if both cells beside it have one parted side each. `cells` holds four corners a cell, counter-clockwise.
 SplitCells split_cells(std::span<const Point> nodes, std::span<const std::int32_t> cells,
                        std::span<const std::array<int, 2>> parted);
 

@@ -13,14 +13,16 @@ namespace fs = std::filesystem;
 
 constexpr double unlimited = std::numeric_limits<double>::infinity();
 
-// The number in a file; without one, as in "max", unlimited.
+// Reads the limit [B] in a control group's file; without a number in it (the file may be missing or say "max") it is
+// unlimited.
 double limit_in(const fs::path& file) {
   std::ifstream stream(file);
   double bytes = 0;
   return stream >> bytes && bytes > 0 ? bytes : unlimited;
 }
 
-// Least limit of a group and all groups above it. In a container the group's own folder may be the mounted one.
+// Least memory limit of a control group and all groups above it. The limit of the mounted folder itself counts too,
+// because in a container that folder may be the group's own.
 double least_limit(const fs::path& mounted, const std::string& group, const char* file) {
   double least = limit_in(mounted / file);
   for (fs::path path = fs::path(group).relative_path(); !path.empty(); path = path.parent_path())
@@ -28,7 +30,7 @@ double least_limit(const fs::path& mounted, const std::string& group, const char
   return least;
 }
 
-// Whether a list such as "cpu,memory" names the controller of memory.
+// Whether a comma-separated list of control group controllers, such as "cpu,memory", contains "memory".
 bool has_memory(const std::string& controllers) {
   return ("," + controllers + ",").find(",memory,") != std::string::npos;
 }
@@ -38,7 +40,8 @@ bool has_memory(const std::string& controllers) {
 double cgroup_memory_limit(const fs::path& membership, const fs::path& root) {
   double least = unlimited;
   std::ifstream stream(membership);
-  // Lines "number:controllers:group"; version 2 has the number 0 and names no controllers.
+  // Each line of the file is "number:controllers:group". In version 2 of control groups the number is 0 and the list of
+  // controllers is empty.
   for (std::string line; std::getline(stream, line);) {
     const std::size_t first = line.find(':'), second = line.find(':', first + 1);
     if (first == std::string::npos || second == std::string::npos) continue;

@@ -12,10 +12,11 @@ namespace bempd::regions {
 
 namespace {
 
-// How far from a crossing a crack is bent at most, and what it keeps straight beside it, in spacings.
+// Distances along a crack from where it crosses an interface, in spacings: the longest stretch that is bent, and the
+// shortest stretch that stays free of other bends.
 constexpr double bent_reach = 3, straight_reach = 1;
 
-// Shifts below this share of a spacing are rounding.
+// Shift in spacings below which a difference of places is rounding.
 constexpr double rounding_of_places = 1e-6;
 
 struct Middle {
@@ -24,8 +25,9 @@ struct Middle {
   int lattice;  // id of its region
 };
 
-// The middle between two material points that is nearest to a crossing, on interfaces of a boundary region with
-// lattices; of two as near the one on the crack's right.
+// Midpoint between two neighbouring material points of a lattice on the interfaces of the region `boundary`: the one
+// nearest to a crossing. If two are equally near, the one to the right of the crack is taken. Its spacing is 0 if no
+// lattice borders there. Throws Error (argument) at curved interfaces.
 Middle nearest_middle(const Preparation& p, int crack, int boundary, const CrackCrossing& crossing) {
   Middle nearest{Point::Zero(), 0, 0};
   double least = std::numeric_limits<double>::infinity();
@@ -73,7 +75,8 @@ class Bending {
 
   double length() const { return vertices_.back().way; }
 
-  // Bends the crack to the place of a crossing, between two ways at most.
+  // Moves the crack's point at the crossing `c` to c.place. The crack is bent only between the distances `low` and
+  // `high` along it, and straight from there to the crossing.
   void bend(const CrackCrossing& c, double low, double high) {
     const Vertex at = at_way(c.way);
     double from = c.way, to = c.way;
@@ -111,8 +114,9 @@ class Bending {
   std::vector<Vertex> vertices_;
 };
 
-// Elements of two regions share nodes on both sides of a crack only where both are of one material: at the interface
-// of two materials its tip and its mouth have stresses of their own.
+// Throws Error (argument) if a crack cannot cross the interface of two boundary element regions at `c`. Both need the
+// same material, because they share nodes on both faces: a tip or mouth at the interface of two materials has a stress
+// field of its own. No peridynamic region may touch the place.
 void require_one_body(const Preparation& p, int crack, const CrackCrossing& c) {
   const auto about = [&] {
     return text("crack ", crack, " crosses the interface of the regions ", c.before, " and ", c.after, " at (",

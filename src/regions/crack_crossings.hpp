@@ -10,7 +10,7 @@
 
 namespace bempd::regions {
 
-// A place where a crack passes from one region to another.
+// Crossing: place where a crack passes from one region to another.
 struct CrackCrossing {
   double way;              // along the crack, as described [m]
   Point place, direction;  // direction: of the crack, a unit vector
@@ -20,37 +20,40 @@ struct CrackCrossing {
   bool among_elements() const { return before > 0 && after > 0; }
 };
 
-// Moves the crossings between elements and bonds of a crack of some length along the interface, to half way between
-// two material points there: elsewhere the crack would be longer for the elements than for the bonds, or shorter.
-// Throws Error (argument) for what no crack can cross.
+// Moves the crossings between boundary elements and lattices to the middle between two material points on the
+// interface. Elsewhere the crack would have different lengths for the elements and for the bonds. `length` is the
+// crack's. Throws Error (argument) for interfaces that no crack can cross; adds a warning for each crossing that is
+// moved.
 void move_between_rows(const Preparation& preparation, int crack, std::vector<CrackCrossing>& crossings, double length,
                        std::vector<std::string>& warnings);
 
-// A crack that passes the places of its crossings, within a few spacings of which it may be bent. Among elements it
-// stays straight.
+// Crack that passes through its crossings with interfaces after these have been moved. It is bent within a few spacings
+// of a crossing into a lattice; crossings between two boundary element regions do not bend it.
 struct BentCrack {
   std::vector<Point> points;
   std::vector<char> grown;             // by segment
   std::vector<std::size_t> crossings;  // points, by crossing
 
-  // Segments that growth has added at the start and the end of the piece between two points.
+  // Numbers of segments that growth has added at the start and at the end of the piece between the points `from` and
+  // `to`.
   std::pair<int, int> grown_at_ends(std::size_t from, std::size_t to) const;
   scene::Crack crack() const;
 };
-// Vertices closer than `same` to each other are one.
+// Bends a crack so that it passes through the places of its crossings. Vertices closer to each other than `same` become
+// one.
 BentCrack bent_to(const scene::Crack& crack, const std::vector<CrackCrossing>& crossings, double same);
 
-// The mouth of a crack that passes from one region with elements to another: both have two nodes there, one on each
-// face, which they share. `before` and `behind` are next to the place on the crack.
+// Mouth of a crack on the interface of two boundary element regions that it passes through. Both regions have two nodes
+// there, one on each face of the crack, and share them. `before` and `behind` are the neighbouring points of the crack.
 struct SharedMouth {
   Point place, before, behind;
 
-  // 1 for what lies on the left of the crack beside the place, -1 on its right.
+  // Side of the crack on which a point near the mouth lies: 1 for left, -1 for right.
   int side_of(const Point& x) const;
 };
 std::vector<SharedMouth> shared_mouths(const std::vector<PartedCrack>& cracks);
 
-// Throws Error (argument) where two of all crossings between elements and bonds lie between the same two points.
+// Throws Error (argument) if two cracks cross an interface at the same place, or between the same two material points.
 void require_mouths_apart(const std::vector<PartedCrack>& cracks, double tolerance);
 
 }  // namespace bempd::regions

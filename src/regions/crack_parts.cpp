@@ -14,7 +14,8 @@ using scene::Scene;
 
 namespace {
 
-// The places where a segment may pass from one region to another: crossings with edges, vertices and ends that touch.
+// Fractions of a segment, ascending, at which it may pass from one region to another: its ends, its crossings with
+// edges of outlines, and vertices of outlines that lie on it.
 std::vector<double> stations_on(const Scene& scene, const Segment& segment, double tolerance) {
   std::vector<double> fractions{0.0, 1.0};
   for (int id : scene.region_ids()) {
@@ -28,7 +29,8 @@ std::vector<double> stations_on(const Scene& scene, const Segment& segment, doub
   return fractions;
 }
 
-// The region that has elements on a piece of a crack, 0 where bonds can be cut.
+// Region for the piece of a crack around the point `middle`: 0 if the point lies in a lattice, whose bonds are cut,
+// else the id of the region that has elements on the crack. Throws Error (argument) outside the body and on interfaces.
 int region_of_piece(const Preparation& p, int crack, const Point& middle) {
   std::vector<int> with_elements;
   int other = 0;
@@ -49,7 +51,8 @@ int region_of_piece(const Preparation& p, int crack, const Point& middle) {
   return with_elements.front();
 }
 
-// The places where a crack passes from one region with elements to another, or between these and lattices.
+// Crossings of a crack with interfaces: places where it passes from one boundary element region to another, or between
+// a boundary element region and lattices. `first_region` becomes the region of its first piece, see region_of_piece().
 std::vector<CrackCrossing> crossings_of(const Preparation& p, int crack, const std::vector<Point>& points,
                                         int& first_region) {
   std::vector<CrackCrossing> found;
@@ -72,15 +75,16 @@ std::vector<CrackCrossing> crossings_of(const Preparation& p, int crack, const s
     }
     way += segment.length();
   }
-  // All of it may be too short for the question where it passes from one region to another.
+  // A crack shorter than the tolerance has no piece that was examined: the middle of its first segment decides.
   if (present < 0) first_region = region_of_piece(p, crack, 0.5 * (points[0] + points[1]));
   return found;
 }
 
-// Smaller turns are those of a polygon that stands for a curve.
+// Angle [rad] from which on a turn between two segments is a bend. Smaller turns occur in polygons that stand for a
+// curve.
 constexpr double least_bend = 0.2;
 
-// The way from a vertex, forwards or backwards, to where the crack bends or ends.
+// Distance along a polyline from the vertex `from`, forwards or backwards, to its next bend or its end.
 double way_to_bend(const std::vector<Point>& points, std::size_t from, bool forwards) {
   std::vector<Point> ahead(points.begin() + static_cast<std::ptrdiff_t>(forwards ? from : 0),
                            forwards ? points.end() : points.begin() + static_cast<std::ptrdiff_t>(from) + 1);

@@ -10,7 +10,8 @@ namespace bempd::regions {
 
 namespace {
 
-// Share of the line from a place on a crack to a point that is left out, so that the line begins off the crack itself.
+// Share left out at the start of the line from a place on a crack to a material point, so that the line does not touch
+// the crack at the place itself.
 constexpr double off_the_crack = 1e-3;
 
 bool cross_each_other(const Point& a, const Point& b, const Point& c, const Point& d) {

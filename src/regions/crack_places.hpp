@@ -7,10 +7,11 @@
 
 namespace bempd::regions {
 
-// Lattices in which crack faces can touch.
+// Lattices of the body in which crack faces can touch, with their stiffness per gap.
 pd::FacePlaces face_lattices(const Discretization& discretization);
 
-// Places where the faces of initial cracks can touch.
+// Contact places of initial cracks in lattices: where the two faces of the cut can touch. One lies at each crossing of
+// a crack with the columns or rows of a lattice.
 std::vector<pd::FacePlace> places_on_cracks(const std::vector<scene::Crack>& cracks,
                                             const Discretization& discretization, const pd::FacePlaces& lattices);
 

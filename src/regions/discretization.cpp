@@ -13,7 +13,8 @@ namespace bempd::regions {
 
 namespace {
 
-// Warns of regions that nearly touch: usually coordinates have been rounded.
+// Warns of regions that lie closer together than a tenth of an element but do not touch; usually their coordinates were
+// rounded. `Discretization::gap` keeps the sentence about the narrowest gap.
 void warn_of_gaps(const scene::Scene& scene, const std::vector<Outline>& outlines, Discretization& d) {
   constexpr double share = 0.1;
   std::vector<double> reach;
@@ -31,7 +32,8 @@ void warn_of_gaps(const scene::Scene& scene, const std::vector<Outline>& outline
   d.warnings.push_back(d.gap);
 }
 
-// Numbers regions by ids - 1, with gaps for removed ones; an arrangement numbers the outlines that it was given.
+// Renumbers the regions of an arrangement: from indices of the outlines that it was given to region ids minus 1. The
+// two differ if regions were removed.
 void number_by_ids(Arrangement& arrangement, const scene::Scene& scene) {
   const std::vector<int> ids = scene.region_ids();
   if (static_cast<int>(ids.size()) == scene.region_count()) return;

@@ -29,12 +29,13 @@ struct Discretization {
   const Region& region(int id) const;  // one that the scene has
   std::vector<coupling::DenseOperator> dense_operators() const;
   RegionStatistics statistics() const;
-  // "region 2", "regions 1 and 3": those that have any of the nodes.
+  // Names the regions that have any of the nodes, such as "region 2" or "regions 1 and 3".
   std::string regions_with(const std::vector<int>& nodes) const;
 };
 
 // Discretizes the scene. Throws Error (argument) if regions overlap, touch at points only, or do not match at
-// interfaces. `before` is the discretization of the same scene with shorter cracks, if there is one.
+// interfaces. `before` is the discretization of the same scene with shorter cracks, whose unchanged parts are reused;
+// null if there is none.
 Discretization discretize(const scene::Scene& scene, const scene::Options& options,
                           const Discretization* before = nullptr);
 

@@ -13,7 +13,8 @@ namespace {
 
 bool has(const std::vector<int>& all, int one) { return std::find(all.begin(), all.end(), one) != all.end(); }
 
-// Entries of some nodes of a region, which may have many more.
+// Map from some nodes of a region (numbers in the scene) to their entries in the region's fields; -1 for a node without
+// an entry.
 std::map<int, int> entries_of(const Region& region, const std::vector<PlacedNode>& placed) {
   std::map<int, int> of_node;
   for (const PlacedNode& n : placed) of_node.emplace(n.node, -1);

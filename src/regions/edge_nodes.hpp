@@ -6,7 +6,7 @@
 #include "regions/boundary_conditions.hpp"
 #include "regions/discretization.hpp"
 
-// Nodes along an edge, and the quantities that belong to them.
+// Node on an edge, and the quantities that belong to it.
 namespace bempd::regions {
 
 struct EdgeNode {
@@ -16,24 +16,26 @@ struct EdgeNode {
   double weight;    // integral of its shape function along the edge [m]
 };
 
-// Nodes in order along the part, each once.
+// Nodes on the part `span` of an edge, in order along it, each node once.
 std::vector<PlacedNode> nodes_in_order(const Discretization& discretization, int region, const EdgeSpan& span);
-// Nodes of a whole edge in order, each once.
+// Nodes on a whole edge, in order along it, each node once.
 std::vector<EdgeNode> edge_nodes(const scene::Scene& scene, const Discretization& discretization, int region, int edge);
-// Elements or cells of the region that have a side on the edge, in order along it.
+// Cells of a region (boundary elements or lattice cells) that have a side on the edge whose nodes are given, in order
+// along the edge.
 std::vector<int> edge_cells(const Discretization& discretization, int region, const std::vector<EdgeNode>& nodes);
 
-// Regions whose bonds make one body with those of a region, by id; a region without bonds is alone.
+// Ids of the regions that form one bonded body with a region, because bonds connect them, itself included. A region
+// without bonds is a body of its own.
 std::vector<int> regions_of_body(const Discretization& discretization, int region);
 
-// Forces of the present loads on some regions, with those on cracks that have elements there.
+// Nodal forces of the present loads on some regions (ids), including the loads on cracks that have elements there.
 coupling::Affine loads_on(const scene::Scene& scene, const Discretization& discretization,
                           const std::vector<int>& regions);
 
-// Whether an edge has a part in common with another region.
+// Whether part of an edge is an interface with another region.
 bool is_in_contact(const Discretization& discretization, int region, int edge);
 
-// Nodes that an edge shares with regions outside its body, where it is an interface.
+// Nodes on the interfaces that an edge of a region has with regions outside `body` (ids of regions).
 std::vector<int> interface_nodes(const scene::Scene& scene, const Discretization& discretization,
                                  const std::vector<int>& body, int region, int edge);
 

@@ -15,7 +15,7 @@ namespace bempd::regions {
 enum class Field { position = 1, displacement, stress, damage, traction, bond_stretch, element_stress, stress_order };
 enum class BondState { intact = 0, broken = 1, cut = 2 };
 
-// Field as numbers, entry by entry.
+// Values of a field: `components` numbers for each of its entries, one entry after the other.
 struct FieldValues {
   std::vector<double> values;
   int components = 1;
@@ -32,33 +32,33 @@ inline int components_of(Field field) {
   return field == Field::damage || field == Field::bond_stretch || field == Field::stress_order ? 1 : 2;
 }
 
-// Largest overlap of the faces of a crack.
+// Largest overlap (interpenetration) of the two faces of a crack, and where it is.
 struct Overlap {
   int crack;
   Point place;
   double depth;  // [m]
 };
 
-// Loads on the faces of a crack with elements, by the fraction of its length: pressure and shear [Pa], constant and
-// multiplied by the load factor.
+// Load on the faces of a crack with elements: pressure and shear [Pa] at a fraction of the crack's length. The first of
+// the two values is the constant part, the second is multiplied by the load factor.
 struct CrackLoad {
   int crack;  // id
   std::function<std::array<Point, 2>(double fraction)> values;
 };
 
-// State of all nodes and bonds at one load factor.
+// State of all nodes and bonds at one load factor, from which results are computed.
 struct Solution {
   const Eigen::VectorXd& displacement;  // [m], 2 * node + component
   const coupling::Terms& bonds;
   const std::vector<char>& intact;     // per bond
   std::vector<BodyForce> body_forces;  // per region
-  // Members that cracks with elements need besides: null without such cracks.
+  // The next two members are needed for cracks with elements; null if there are none.
   const coupling::Affine* parts = nullptr;  // of the displacement
   const std::vector<CrackLoad>* crack_loads = nullptr;
   double load_factor = 0;
   const std::vector<std::uint8_t>* stages = nullptr;  // stages of bonds in their laws; null: bonds are intact or broken
 
-  // Closed places on the cracks of each region; empty if there are none.
+  // Contact state of each region's crack faces: flags of the places that are closed; empty if no face is closed.
   std::vector<std::vector<char>> closed_faces = {};
   const coupling::Affine* body_force_parts = nullptr;  // DofConditions::body_force; null: none
 
@@ -76,15 +76,16 @@ struct PointValue {
   Eigen::Vector3d stress = Eigen::Vector3d::Zero();
 };
 
-// Fields of one region under one solution, computed when they are asked for.
+// Function that returns a field of one region for one solution; it computes the field when it is first asked for.
 using FieldsOfRegion = std::function<const FieldValues&(Field)>;
 
-// Displacement and stress at places in one region under one solution.
+// Evaluates displacement and stress at any place in one region, for one solution.
 class Evaluator {
  public:
   virtual ~Evaluator() = default;
   virtual PointValue at(const Point& place) = 0;
-  // Chooses, on cracks with elements, the values of the right face, seen from the first point, instead of the left one.
+  // Chooses which face's values are returned for places on cracks with elements: the right face's (as seen from the
+  // crack's first point) if true, else the left face's.
   virtual void choose_right_face(bool /*right*/) {}
   virtual std::int64_t kernel_evaluations() const { return 0; }
 };

@@ -10,10 +10,11 @@ namespace bempd::regions {
 
 namespace {
 
-// Tolerances in spacings: for a bond to be one spacing long, and for two places to be the same.
+// Tolerances in spacings: for the length of a bond to count as one spacing, and for two places to be the same.
 constexpr double same_length = 1e-6, same_place = 0.1;
 
-// Pressure per strain in the plane where both are equal in all directions [Pa]; 0 for terms of no lattice.
+// Modulus of equal strains in both directions for each term: pressure over strain, c11 + c12 [Pa]; 0 for terms that
+// belong to no lattice.
 std::vector<double> moduli_of_terms(const Discretization& d, const coupling::Terms& terms) {
   std::vector<double> moduli(terms.size(), 0.0);
   for (const auto& region : d.regions) {

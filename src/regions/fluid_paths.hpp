@@ -5,7 +5,8 @@
 
 namespace bempd::regions {
 
-// Paths of a fluid through bonds of the scene, which are these terms.
+// Paths on which a fluid can flow when bonds break, for the bonds `terms` of the scene: a facet between two points for
+// each bond that is one spacing long, and the push of a pressure on each term.
 pd::FluidPaths fluid_paths(const scene::Scene& scene, const Discretization& discretization,
                            const coupling::Terms& terms);
 

@@ -8,7 +8,8 @@
 namespace bempd::regions {
 
 void require_determined_pressure(const Discretization& d, const std::vector<char>& prescribed) {
-  // Pressures of the regions, scaled: a combination without effect on free displacements is undetermined.
+  // Each incompressible region has a pressure, whose forces on free degrees of freedom are a column of `flows`
+  // (scaled). If a combination of columns is zero, its pressures are undetermined.
   const auto dofs = static_cast<Eigen::Index>(prescribed.size());
   std::vector<int> ids;
   std::vector<Eigen::VectorXd> outflows;

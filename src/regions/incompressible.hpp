@@ -6,13 +6,13 @@
 
 namespace bempd::regions {
 
-// Throws Error (unsolvable) if supports alone, or with each other, hold the volume of incompressible regions: then the
-// pressure there has no effect on any displacement that is free.
+// Throws Error (unsolvable) if supports hold the volume of incompressible regions, one alone or several together, so
+// that the pressure there acts on no free displacement and is undetermined.
 void require_determined_pressure(const Discretization& discretization, const std::vector<char>& prescribed);
 
-// Share of a solution's digits that remains in nearly incompressible regions whose whole boundary is held: 1 - 2 nu, by
-// which the pressure is larger than the change of volume that it follows from; 1 if there are none. Adds a warning for
-// each region that loses many digits.
+// Relative accuracy that remains for the pressure in nearly incompressible regions whose whole boundary is held. It is
+// 1 - 2 nu, because the pressure is the change of volume divided by about this number; 1 if there is no such region.
+// Adds a warning for each region that loses many digits.
 double condition_of_held_pressure(const scene::Scene& scene, const Discretization& discretization,
                                   const std::vector<char>& prescribed, std::vector<std::string>& warnings);
 

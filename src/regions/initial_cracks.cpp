@@ -15,16 +15,16 @@ using scene::Scene;
 
 namespace {
 
-// Distance at which a crack passes material points, in spacings: very small, as any place between the same rows cuts
-// the same bonds.
+// Distance in spacings by which a crack that would pass through material points is shifted aside. It is very small,
+// because any place between the same two rows cuts the same bonds. Then the number of directions tried.
 constexpr double aside = 1e-3;
 constexpr int ways_aside = 8;
 
-// A tip within so many spacings of another lattice is held by bonds of both.
+// Distance in spacings from another lattice below which bonds of both lattices act on a tip.
 constexpr double beside_lattice = 1.5;
 
-// Crack moved to its right, or in a direction turned from there by an angle; a mouth reaches a little farther, so that
-// it stays a mouth.
+// Copy of a crack shifted by `distance` to the right of its first segment, or in the direction at `angle` from there,
+// counter-clockwise. An end on the boundary or outside is also lengthened, so that it stays a mouth.
 scene::Crack moved(const Scene& scene, const Discretization& d, scene::Crack crack, double distance, double angle) {
   std::vector<Point>& points = crack.points;
   const Point first = (points[1] - points[0]).normalized(), last = (points.end()[-1] - points.end()[-2]).normalized();
@@ -50,7 +50,8 @@ std::vector<Point> points_met(const scene::Crack& crack, const Discretization& d
   return met;
 }
 
-// Whether a crack runs along a boundary behind which there is no lattice: it has no second face there.
+// Whether a crack runs along a boundary without a lattice on the other side, where it has no second face. `met` are the
+// material points on the crack.
 bool runs_along_boundary(const Scene& scene, const scene::Crack& crack, const Discretization& d,
                          const std::vector<Point>& met) {
   return std::any_of(met.begin(), met.end(), [&](const Point& p) {
@@ -66,7 +67,8 @@ bool runs_along_boundary(const Scene& scene, const scene::Crack& crack, const Di
   });
 }
 
-// Shifts a crack in the first direction in which it meets no material point; leaves it where it is if there is none.
+// Shifts a crack that meets material points aside, in the first direction in which it meets none, and warns of that. It
+// stays in place if there is no such direction.
 void shift_off_points(const Scene& scene, const Discretization& d, int number, LatticeCracks& found) {
   scene::Crack& crack = found.cracks[static_cast<std::size_t>(number) - 1];
   const std::vector<Point> met = points_met(crack, d);
@@ -76,7 +78,7 @@ void shift_off_points(const Scene& scene, const Discretization& d, int number, L
     if (const std::optional<LatticeGrid> grid = region->lattice_grid()) spacing = std::min(spacing, grid->spacing);
   if (std::isinf(spacing)) return;  // scheme paper
   for (int way = 0; way < ways_aside; ++way) {
-    // Directions are tried in this order: to the right, to the left, and between.
+    // Order of directions: to the right, to the left, then others between these.
     const double angle = way < 2 ? way * std::numbers::pi : way * std::numbers::phi;
     const scene::Crack beside = moved(scene, d, crack, aside * spacing, angle);
     if (!points_met(beside, d).empty()) continue;
@@ -88,8 +90,9 @@ void shift_off_points(const Scene& scene, const Discretization& d, int number, L
   }
 }
 
-// Whether tips of initial cracks in a lattice end where they are described. Beside another lattice bonds of both hold a
-// tip, so that those of one do not tell where it is felt.
+// Whether the initial crack at `tip` is cut so that its effective tip lies where the host described it (option
+// pd.crack_tip = stated, or auto). With auto not beside another lattice, because bonds of both lattices determine the
+// tip there.
 bool ends_as_stated(const Scene& scene, const Discretization& d, const scene::Options& options, const Region& region,
                     const Point& tip) {
   const std::string choice = options.text_value("pd.crack_tip");
@@ -116,7 +119,7 @@ LatticeCracks cracks_in_lattices(const Scene& scene, const Discretization& d, co
     const std::vector<Point> points = found.cracks[c].points;
     if (!d.cracks[c].cuts_bonds() || points.size() < 2) continue;
     const auto move = [&](const Point& tip, const Point& before, Point& end) {
-      // A single segment may have two ends that move, so each gets less than half of it.
+      // A crack of one segment may have two tips, so the cut at each tip may be shortened by less than half of it.
       const double length = (tip - before).norm(), backward = (points.size() > 2 ? 0.9 : 0.45) * length;
       for (const auto& region : d.regions) {
         if (locate(scene.region(region->id()).outline(), tip, d.tolerance) != Location::inside) continue;

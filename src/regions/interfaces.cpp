@@ -12,8 +12,8 @@ using scene::Scene;
 
 namespace {
 
-// Refuses an arc above an edge of a lattice, which leaves a gap or overlaps: an interface was intended, and must be
-// straight.
+// Throws Error (argument) for a curved edge whose chord lies on an edge of a lattice. An interface was intended there,
+// but the arc leaves a gap or an overlap: interfaces with lattices must be straight.
 void require_straight_interfaces(const Scene& scene, double tolerance) {
   const std::vector<int> ids = scene.region_ids();
   for (int id : ids) {

@@ -4,7 +4,7 @@
 
 namespace bempd::regions {
 
-// Throws Error (argument) if regions overlap, touch at points only, or cannot share the interfaces that they have.
+// Throws Error (argument) if regions overlap, touch at points only, or have interfaces that cannot be discretized.
 void require_compatible(const Preparation& preparation);
 
 }  // namespace bempd::regions

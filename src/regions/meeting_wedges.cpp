@@ -12,13 +12,13 @@ namespace bempd::regions {
 namespace {
 
 constexpr double whole_turn = 2 * std::numbers::pi;
-// Angle below which two rays are the same.
+// Angle [rad] between two rays below which they count as the same.
 constexpr double same_angle = 1e-6;
 
 double angle_of(const Point& direction) { return std::atan2(direction.y(), direction.x()); }
 
-// Turn from one angle counter-clockwise to another, in (0, whole turn]; one that is zero up to rounding is a whole
-// turn.
+// Angle from the direction `from` counter-clockwise to the direction `to`, in (0, 2 pi]. Equal directions, up to
+// rounding, are a full turn apart.
 double turn_between(double from, double to) {
   const double turn = std::remainder(to - from, whole_turn);
   if (std::abs(turn) < same_angle) return whole_turn;
@@ -41,7 +41,7 @@ WedgeFinder::WedgeFinder(const scene::Scene& scene, const Discretization& d) : s
   tree_ = BoxTree(boxes);
 }
 
-// First region that has a place, 0 if none.
+// Id of the first region that contains a place; 0 if none does.
 int WedgeFinder::region_at(const Point& place) const {
   for (int id : scene_.region_ids())
     if (locate(scene_.region(id).outline(), place, d_.tolerance) != Location::outside) return id;
@@ -59,7 +59,8 @@ int WedgeFinder::held_on(const OutlineEdge& edge, double fraction) const {
 WedgeFinder::Sector WedgeFinder::between(int region, const Point& place, const Ray& from, const Ray& to) const {
   Sector sector{region, from, to, turn_between(from.angle, to.angle)};
   if (sector.opening < whole_turn || from.crack) return sector;
-  // A full turn may be a cusp, of the body or of a notch in it: the opposite side decides.
+  // An opening of a full turn may be the tip of a cusp: one of the body (opening 0) or of a notch in it (full turn).
+  // Whether the point opposite to it lies in the body decides.
   constexpr double beside = 1e-3;
   const Outline& outline = scene_.region(region).outline();
   const Point opposite(-std::cos(from.angle), -std::sin(from.angle));
@@ -84,7 +85,7 @@ void WedgeFinder::add_sectors_of_outlines(const Point& place, std::vector<Sector
   }
   for (const auto& [region, both] : rays) {
     for (const Ray& from : both.first) {
-      // The sector ends at the next edge, because the body lies on the left of its edges.
+      // The sector of the body ends at the next edge counter-clockwise, because the body lies on the left of its edges.
       const Ray* next = nullptr;
       for (const Ray& to : both.second)
         if (!next || turn_between(from.angle, to.angle) < turn_between(from.angle, next->angle)) next = &to;
@@ -112,7 +113,8 @@ void WedgeFinder::cut_by_cracks(const Point& place, std::vector<Sector>& sectors
   for (auto& [region, cracks] : rays) {
     const auto is_of_region = [id = region](const Sector& sector) { return sector.region == id; };
     if (std::none_of(sectors.begin(), sectors.end(), is_of_region)) {
-      // The sector goes from the last ray round to the first one, because the place is inside the region.
+      // The place is inside the region, without edges: the first sector is a full turn that begins and ends at a
+      // crack's ray.
       sectors.push_back({region, cracks.back(), cracks.back(), whole_turn});
       cracks.pop_back();
     }
@@ -164,7 +166,7 @@ std::vector<MeetingWedge> WedgeFinder::wedges_at(const Point& place) const {
     }
     wedges.push_back(std::move(found));
   };
-  // Wedges that begin at a free side come first, then closed rings.
+  // Wedges that begin at a free side are collected first, then closed rings of sectors, which have no first sector.
   for (const bool rings : {false, true}) {
     for (std::size_t k = 0; k < sectors.size(); ++k) {
       const bool begins = std::none_of(sectors.begin(), sectors.end(),

@@ -8,14 +8,15 @@
 
 namespace bempd::regions {
 
-// Wedge of the materials around a place, bonded where they touch.
+// Wedge of the sectors around a place that are bonded to each other, of one material or several.
 struct MeetingWedge {
   Wedge wedge;
   int region;     // the first one
   bool at_crack;  // a face of a crack is one of its sides
 };
 
-// Finds the wedges at places of a scene's outlines and cracks.
+// Finds the wedges that meet at a place on the scene's outlines or cracks; their angles and supports give the stress
+// singularity there.
 class WedgeFinder {
  public:
   WedgeFinder(const scene::Scene& scene, const Discretization& discretization);
@@ -23,7 +24,7 @@ class WedgeFinder {
   std::vector<MeetingWedge> wedges_at(const Point& place) const;
 
  private:
-  // Side of a region, seen from the place.
+  // Ray from the place along a side of a sector: an edge of a region's outline, or a crack.
   struct Ray {
     double angle;
     int held = 0;  // components

@@ -36,7 +36,7 @@ double memory_of_machine() {
   return std::numeric_limits<double>::infinity();
 }
 
-// The memory that the process may use: containers and batch systems grant less than the machine has.
+// Memory [B] that the process may use. Containers and batch systems grant less than the machine has.
 double memory_of_process() {
   return std::min(memory_of_machine(), cgroup_memory_limit("/proc/self/cgroup", "/sys/fs/cgroup"));
 }

@@ -7,12 +7,12 @@
 
 namespace bempd::regions {
 
-// Throws Error (argument) for a scene with more bonds than can be numbered, and for one that needs more memory than the
-// option memory.limit allows; both by estimate, before anything is built.
+// Throws Error (argument), before anything is built, for a scene with more bonds than can be numbered, or with an
+// estimated need of memory beyond the option memory.limit.
 void require_memory(const scene::Scene& scene, const scene::Options& options);
 
-// Throws Error (argument) if `bytes` are more than the memory allowed, for needs that appear only while a region is
-// meshed; `what` is the sentence's subject and `advice` its end.
+// Throws Error (argument) if `bytes` exceed the memory limit, for needs that are known only while a region is meshed.
+// `what` is the subject of the error's sentence, `advice` its end.
 void require_memory_for(double bytes, const std::string& what, const std::string& advice,
                         const scene::Options& options);
 

@@ -25,7 +25,8 @@ int NodeRegistry::add_shared(const Point& position, int region, int side) {
       const auto found = cells_.find({centre.first + dx, centre.second + dy});
       if (found == cells_.end()) continue;
       for (Entry& entry : found->second) {
-        // A region's own nodes stay apart however close they are.
+        // Nodes of the same region are never merged, however close they are, because they may be the two faces of a
+        // crack.
         if (entry.last_region == region || entry.side != side) continue;
         if ((positions_[entry.node] - position).norm() > tolerance_) continue;
         entry.last_region = region;

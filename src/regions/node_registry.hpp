@@ -8,7 +8,7 @@
 
 namespace bempd::regions {
 
-// Numbers the nodes of all regions. Nodes on interfaces of different regions that lie at the same place become one.
+// Numbers the nodes of all regions. Nodes of different regions that lie at the same place on an interface become one.
 class NodeRegistry {
  public:
   NodeRegistry(const Point& origin, double tolerance) : origin_(origin), tolerance_(tolerance) {}
@@ -16,8 +16,9 @@ class NodeRegistry {
   // Adds a node that belongs to one region only.
   int add(const Point& position);
 
-  // Node on an interface: the one that another region has put at this place, or a new one. Where a crack crosses the
-  // interface each side of the crack has a node: `side` is 1 on its left, -1 on its right, 0 for all other nodes.
+  // Returns a node on an interface: the one that another region has added at this place, or a new one. Where a crack
+  // crosses the interface, each face of the crack has a node: `side` is 1 on the crack's left, -1 on its right, 0 for
+  // all other nodes.
   int add_shared(const Point& position, int region, int side = 0);
 
   const std::vector<Point>& positions() const { return positions_; }

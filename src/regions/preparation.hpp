@@ -18,7 +18,7 @@ namespace bempd::regions {
 class Region;
 class Scheme;
 
-// Everything that regions are built from.
+// Data that regions are built from.
 struct Preparation {
   const scene::Scene& scene;
   const scene::Options& options;
@@ -27,7 +27,7 @@ struct Preparation {
   double tolerance;                                     // distance below which places are the same
   const std::vector<std::unique_ptr<Region>>& regions;  // all of them, by ascending id
   const std::vector<PartedCrack>& cracks;               // once all regions are there
-  // Regions of the same scene with shorter cracks, from which unchanged parts are taken; null if there are none.
+  // Regions of the same scene with shorter cracks, whose unchanged operators are reused; null if there are none.
   const std::vector<std::unique_ptr<Region>>* before;
 };
 
@@ -38,16 +38,17 @@ struct Contributions {
   std::vector<double>& critical_stretch;  // per term
   std::vector<std::string>& warnings;
 
-  // Critical stretch, law and contraction of bonds of a region.
+  // Breaking behaviour of a region's bonds: critical stretch, bond law, and contraction.
   struct Breaking {
     double limit;        // stretch
     int law;             // of `terms`
     double contraction;  // 0: compression across a bond is not counted apart
   };
-  // Adds a bond between nodes of the scene, a step of the lattice apart.
+  // Adds a bond between two nodes of the scene. `step` is the vector from one to the other in spacings, `spacing` [m].
   void add_bond(const pd::Bond& between_nodes, const Point& step, double spacing, const Breaking& breaking) const;
-  // Adds the squares of all cells, which follow their own bonds. `node` gives the scene's node for a point of the grid,
-  // `term` the scene's term for a bond. Returns RegionBonds::squares.
+  // Adds the squares of all cells: terms of four nodes whose energy is the square of a combination of the corners'
+  // displacements. A square breaks with any bond of its cell. `node` maps points of the grid to the scene's nodes,
+  // `term` maps bonds of the grid to the scene's terms. Returns RegionBonds::squares.
   std::vector<int> add_squares(const pd::CellLattice& grid, const std::vector<pd::Bond>& of_grid,
                                const PlaneElasticity& elasticity, double spacing, const std::function<int(int)>& node,
                                const std::function<int(int)>& term) const;

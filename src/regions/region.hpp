@@ -29,21 +29,21 @@ namespace bempd::regions {
 
 class LatticeSwelling;
 
-// Part of an edge between two fractions of its length.
+// Part of an edge of a region, between the fractions `from` and `to` of its length.
 struct EdgeSpan {
   int edge;  // number in its region
   Edge geometry;
   double from, to;
 };
 
-// Node of the scene and its place on a part of an edge, as a fraction of the part.
+// Node of the scene on a part of an edge, with its place as a fraction of the part.
 struct PlacedNode {
   int node;
   double fraction;
 };
 
-// Elements along a straight interface, which the nodes of the region on the other side follow: start and, for every
-// element, its middle and its end.
+// Boundary elements along a straight interface that the nodes of the other region follow, where meshes do not match.
+// `places` and `nodes`: the start of the first element, then the middle and the end of every element.
 struct LeadingElements {
   int edge;      // of the region that has the elements
   int follower;  // id of the other region
@@ -53,7 +53,7 @@ struct LeadingElements {
 
 enum class TipMethod { elements = 1, contours = 2, stress_ahead = 3 };
 
-// Tip of a crack with its values; unknown ones are NaN.
+// Tip of a crack with its results; unknown results are NaN.
 struct TipValues {
   static constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 
@@ -69,14 +69,14 @@ struct TipValues {
   double toughness = 0;      // K_I at which it grows straight on; 0: it does not [Pa m^(1/2)]
   double plane_modulus = 0;  // [Pa]
 
-  // Values by the growth criterion in force (Model::complete()); the largest double, or minus it, where it never grows.
+  // Results of the growth criterion in force (Model::complete()); load factors: +- largest double if it never grows.
   double kink_angle = unknown;                 // from the direction, counter-clockwise, at the present loads [rad]
   double critical_load_factor = unknown;       // load factor at which the tip grows while it rises
   double critical_load_factor_down = unknown;  // load factor at which the tip grows while it falls
   double critical_kink_angle = unknown;        // angle by which it turns at critical_load_factor [rad]
   double straight_load_factor = unknown;       // smallest >= 0 at which G of growth straight on is the fracture energy
 
-  // Members from here on belong to tips among bonds.
+  // The next members are set for tips in lattices only.
   TipMethod method = TipMethod::elements;
   int contours = 0;
   bool grown = false, branched = false;
@@ -85,14 +85,13 @@ struct TipValues {
 
 enum class TipDetail { factors, everything };
 
-// Elements on a crack for a picture: start, middle and end of each one, with the openings there and the mean of the
-// displacements of both faces [m].
+// Elements on a crack for a picture: start, middle and end of each, the openings and mean displacements there [m].
 struct CrackPicture {
   int crack;
   std::vector<Point> places, openings, displacements;
 };
 
-// Places of material points: origin + spacing * (i, j), turned about the origin by the angle.
+// Lattice of material points at origin + spacing * (i, j), turned about the origin by the angle (counter-clockwise).
 struct LatticeGrid {
   Point origin;
   double spacing, horizon;  // [m]
@@ -104,19 +103,19 @@ struct RegionOperator {
   coupling::DenseOperator dense;
 };
 
-// Cells between the nodes of a region, or elements of its boundary.
+// Cells of a region: quadrilaterals between its nodes, or elements of its boundary.
 struct Cells {
   int nodes_per_cell;
   std::vector<std::int32_t> nodes;  // in the region's own numbering
 };
 
-// Cells as a picture shows them, with points beside the nodes.
+// Cells of a region as a picture shows them, split along cracks, with the points that this adds.
 struct RegionPicture {
   std::vector<AddedPoint> added;  // numbered after the nodes
   Cells cells;
 };
 
-// Part of a snapshot to which a region is written, together with other regions that name the same part.
+// Block of a snapshot file to which a region is written, together with other regions that give the same name.
 struct SnapshotBlock {
   std::string name;
   int number;  // blocks are written in this order
@@ -128,15 +127,15 @@ struct SnapshotBlock {
   std::vector<Array> arrays;
 };
 
-// Sizes of regions, summed up.
+// Sizes and preparation times of regions, added up.
 struct RegionStatistics {
   std::int64_t boundary_nodes = 0, boundary_elements = 0, material_points = 0, kernel_evaluations = 0;
   double seconds_boundary = 0, seconds_lattice = 0;
   std::set<const void*> counted;  // shared data counts once
 };
 
-// Region as operators on the scene's nodes. Its own nodes are numbered from 0; `nodes()` gives their numbers in the
-// scene.
+// Region: its contribution to the equations of the scene's nodes, and its results. Its own nodes are numbered from 0;
+// `nodes()` gives their numbers in the scene.
 class Region {
  public:
   Region(int id, const scene::Material& material) : id_(id), material_(material) {}
@@ -149,63 +148,63 @@ class Region {
   const PlaneElasticity& elasticity() const { return material_.elasticity; }
   const std::vector<int>& nodes() const { return nodes_; }
 
-  // --- Preparation: each step for all regions, in the order of their ids, before the next one.
+  // --- Preparation: every step is done for all regions in the order of their ids before the next step begins.
 
   virtual void mesh(const Preparation& /*preparation*/) {}
-  // Numbers the nodes and builds operators; bonds are added to the scene's.
+  // Numbers the region's nodes, builds its operators, and adds its bonds to the scene's.
   virtual void build(const Preparation& preparation, Contributions& contributions) = 0;
-  // Interfaces at which nodes of the other side are to follow this region's elements; then the other side's part in it.
+  // Non-matching interfaces: elements of this region that nodes on the other side follow; then ties this region's nodes
+  // to the elements of the region `leader`.
   virtual std::vector<LeadingElements> leading_elements() const { return {}; }
   virtual void follow(const LeadingElements& leading, int leader, coupling::NodeTies& ties) const;
-  // Places of nodes on interfaces with another region, once meshed [m].
+  // Places of this region's nodes on interfaces with another region; known once it is meshed [m].
   virtual std::vector<Point> places_facing(int /*other_region*/) const { return {}; }
 
-  // Material points on an interface, in order along its own edge [m]; others may ask before it is meshed itself.
+  // Material points on an interface, in order along this region's edge [m]. Neighbours may ask before it is meshed.
   virtual std::vector<Point> interface_points(const Preparation& /*preparation*/, const Contact& /*own*/) { return {}; }
-  // --- Strains that its material wants, which loads make of heat; before operators are asked for
+  // --- Swelling: strains of the free material, caused by temperature; set before operators are asked for.
 
-  // Takes a swelling strain. Throws Error (argument) if the region cannot swell like that.
+  // Takes a swelling strain. Throws Error (argument) if the region cannot swell in that way.
   virtual void swell(const Swelling& /*strain*/, LatticeSwelling& /*lattices*/) {}
-  // Sets the rest elongations of the region's terms, once all regions have their swelling.
+  // Sets the rest elongations of the region's terms. Called after swell() of all regions.
   virtual void set_rests(const LatticeSwelling& /*lattices*/, coupling::Terms& /*terms*/) const {}
-  // Rest displacements of its dense operator, once it has its swelling; null without.
+  // Displacement of the dense operator's nodes in the stress-free, swollen state; null without swelling.
   virtual const coupling::Affine* rest_of_operator() const { return nullptr; }
-  // Displacement at a place by which the region swells freely, constant and proportional part; empty if it cannot.
+  // Displacement when the region swells freely (columns: constant, proportional part); empty if that causes stress.
   virtual std::optional<Eigen::Matrix2d> free_displacement(const Point& /*place*/) const {
     return Eigen::Matrix2d::Zero();
   }
 
-  // --- What it contributes to equilibrium
+  // --- Contribution to equilibrium
 
-  // Stiffness on its nodes, if it has one as a matrix; taken over from a region before if it is the same.
+  // Stiffness on the nodes as a dense matrix, empty without one; an equal region in `before` shares its matrix.
   virtual std::optional<coupling::DenseOperator> dense_operator(std::span<const RegionOperator> before) const;
-  // Volume that flows out per displacement of each degree of freedom, of a region that cannot change its volume.
+  // Volume that flows out of an incompressible region per displacement of each degree of freedom; empty otherwise.
   virtual std::optional<Eigen::VectorXd> outflow(Eigen::Index /*dof_count*/) const { return std::nullopt; }
 
   // --- Supports and loads
 
-  // Nodes on a part of an edge, with its ends.
+  // Nodes on a part of an edge, including its ends.
   virtual std::vector<PlacedNode> nodes_on(const EdgeSpan& span, double tolerance) const = 0;
-  // Adds nodal forces [N] of a traction [Pa] on a part of a free edge. Forces are numbered 2 * scene node + component.
+  // Adds nodal forces [N] of a traction [Pa] on a part of a free edge to entries 2 * scene node + component.
   virtual void add_traction(const EdgeSpan& span, const std::function<Point(const Point&)>& traction,
                             Eigen::Ref<Eigen::VectorXd> force) const = 0;
-  // Adds nodal forces [N] of a force per volume.
+  // Adds nodal forces [N] of a body force to `force`.
   virtual void add_body_force(const BodyForce& body_force, Eigen::Ref<Eigen::VectorXd> force) const = 0;
-  // Work [J] of the loads on the inside of the region (forces per volume and tractions on cracks, constant and
-  // proportional part) on each other's displacements: the part that nodal forces do not include.
+  // Work [J] of loads inside the region (body forces, tractions on cracks) that nodal forces do not include. Entry (i,
+  // j): loads of part i on displacements of part j; parts are 0 (constant) and 1 (proportional).
   virtual Eigen::Matrix2d work_within(const std::array<BodyForce, 2>& /*body_force*/,
                                       const std::vector<CrackLoad>& /*crack_loads*/) const {
     return Eigen::Matrix2d::Zero();
   }
 
-  // Gaps that these loads cause at cracks that can close: openings of its dense operator [m].
+  // Gaps of contact constraints due to loads inside the region [m]; no rows if no crack can close.
   virtual coupling::Affine face_offsets(const std::array<BodyForce, 2>& /*body_force*/,
                                         const std::vector<CrackLoad>& /*crack_loads*/) const {
     return coupling::Affine(0, 2);
   }
 
-  // Force [N] of the tractions of the body on this edge at each of some nodes; edges share a node's force in this
-  // ratio.
+  // Force [N] of the tractions on this edge at each node. Edges that meet in a node share its reaction in this ratio.
   virtual std::vector<Point> forces_on_edge(const EdgeSpan& /*span*/, const std::vector<int>& nodes_of_scene,
                                             const FieldsOfRegion& /*fields*/) const {
     return std::vector<Point>(nodes_of_scene.size(), Point::Zero());
@@ -214,79 +213,79 @@ class Region {
   // --- Cracks and bonds
 
   virtual bool takes_cracks() const { return false; }
-  // Share of a full cell's area that each of its nodes has; empty where it has no cells.
+  // Area of each node's cells over that of a full cell of the lattice; empty for a region without cells.
   virtual std::vector<double> shares_of_cells() const { return {}; }
-  // Data for the growth of crack lines in the region, if it can have such cracks.
+  // Data for the growth of crack lines in this region; empty if cracks cannot grow as lines in it.
   virtual std::optional<pd::TipLaw> tip_law(const scene::Options& /*options*/) const { return {}; }
-  // Whether cracks cut the region into pieces that do not hold each other.
+  // Whether cracks cut the region into separate pieces.
   virtual bool is_cut() const { return false; }
-  // Whether a crack has elements in the region that are no boundary of its pieces.
+  // Whether part of a crack lies inside a piece of the region, so that it does not separate two pieces.
   virtual bool has_inner_crack(int /*crack*/) const { return false; }
-  // Whether the region has elements on cracks: parts of Preparation::cracks. Then it has the functions below.
+  // Whether the region puts elements on cracks (parts of Preparation::cracks): the next functions are about these.
   virtual bool has_crack_elements() const { return false; }
-  // Adds nodal forces [N] of a load on the faces of one of its cracks, the constant part or the proportional one.
+  // Adds nodal forces [N] of a load on one of its cracks; `part` is 0 for the constant, 1 for the proportional part.
   virtual void add_crack_load(const CrackLoad& /*load*/, int /*part*/, Eigen::Ref<Eigen::VectorXd> /*force*/) const {}
-  // Tips of its cracks with their values; growth needs the factors only, without T and errors.
+  // Tips of its cracks with results. TipDetail::factors leaves out T-stress and errors, which growth does not need.
   virtual std::vector<TipValues> tips(const Solution& /*solution*/, TipDetail /*detail*/) const { return {}; }
-  // Openings of one of its cracks at fractions of its length: along it and normal to it, positive if it is open [m].
+  // Openings of one of its cracks at fractions of the length: tangential, and normal (positive if open) [m].
   virtual std::vector<Point> crack_openings(int /*crack*/, const std::vector<double>& /*fractions*/,
                                             const Solution& /*solution*/) const {
     return {};
   }
   virtual std::vector<CrackPicture> crack_pictures(const Solution& /*solution*/) const { return {}; }
-  // Largest overlap of crack faces; empty if there is none.
+  // Largest overlap of crack faces in the region; empty if there is none.
   virtual std::optional<Overlap> overlap(const Solution& /*solution*/) const { return std::nullopt; }
-  // End of a crack cut that puts the effective tip at a place inside the region, to which the crack comes in a
-  // direction; at most `backward` behind it. Bonds are the scene's.
+  // End of the cut that puts a crack's effective tip at `tip`, in this region. The crack arrives along `direction`; the
+  // cut ends at most `backward` [m] behind the tip. Bonds are numbered as in the scene.
   virtual pd::FeltEnd end_felt_at(const Point& tip, const Point& /*direction*/, double /*backward*/) const {
     return {tip, {}};
   }
-  // Points on a crack through which it may not pass, as they would belong to neither of its faces.
+  // Material points on which a crack lies. It must not: they would belong to neither face.
   virtual std::vector<Point> points_on_crack(const scene::Crack& /*crack*/) const { return {}; }
-  // Adds the scene's bonds that crack number `crack` cuts.
+  // Adds the scene's bonds that a crack cuts to `bonds`; `number` is the crack's id.
   virtual void cut(const scene::Crack& /*crack*/, int /*number*/, std::vector<int>& /*bonds*/,
                    std::vector<std::string>& /*warnings*/) const {}
-  // Bonds as pairs of own nodes, a row of the scene's bonds; empty for a region without bonds. Other bonds of the scene
-  // join nodes that no region has both of.
+  // Bonds of the region as pairs of its own nodes, the scene's bonds from first_bond() on; empty without bonds. Bonds
+  // of the scene across interfaces belong to no region.
   virtual std::optional<std::span<const pd::Bond>> bonds() const { return std::nullopt; }
   virtual std::size_t first_bond() const { return 0; }
-  // Numbers of the scene's terms at its nodes, each once; with those that cross to regions with which it acts as one.
+  // Numbers of the scene's terms at its nodes, each once, including those that connect it to other lattices.
   virtual std::vector<int> terms() const { return {}; }
-  // Lattice of a region whose bonds show the stress field at a crack tip among them.
+  // Lattice of the region; empty if stress intensity factors cannot be computed from its bonds.
   virtual std::optional<LatticeGrid> lattice_grid() const { return std::nullopt; }
-  // Rows of the lattice on which crack faces can touch; empty if they cannot.
+  // Lattice on whose rows contact of crack faces is possible; empty if it is not.
   virtual std::optional<pd::FaceLattice> face_lattice() const { return std::nullopt; }
 
   // --- Results
 
-  // Entries of its own nodes in fields of nodes.
+  // Entry of each of the region's nodes in fields that are given at nodes.
   virtual std::vector<int> entries_of_nodes() const;
-  // Node of the scene that moves with every entry of such fields.
+  // Scene node for each entry of a field given at nodes: the node with whose displacement the entry moves.
   virtual std::vector<int> nodes_of_entries() const { return nodes_; }
-  // Size of a field. Throws Error (argument) for a field that the region does not have.
+  // Size of a field. Throws Error (argument) if the region does not have the field.
   virtual FieldSize field_size(Field field) const = 0;
   virtual FieldValues field(Field field, const Solution& solution) const = 0;
   virtual std::int64_t cell_count() const = 0;
   virtual Cells cells() const = 0;
   virtual SnapshotBlock snapshot_block() const = 0;
   virtual RegionPicture picture(const Solution& /*solution*/) const { return {{}, cells()}; }
-  // Whether its cells are elements of its boundary, so that its inside needs a picture of its own.
+  // Whether its cells are boundary elements, so that its interior needs a picture of its own.
   virtual bool has_inside() const { return false; }
-  // Lines of its cracks with elements; null without.
+  // Lines of the region's cracks with elements; null if it has none.
   virtual const CrackLines* crack_lines() const { return nullptr; }
-  // Field as a snapshot shows it, one entry a node.
+  // Field as written to snapshots, with one entry for each node.
   virtual FieldValues at_nodes(Field /*field*/, const FieldValues& values) const { return values; }
-  // `fields` and the solution outlive the evaluator.
+  // Evaluator for places inside. `fields` and `solution` must outlive it; it has no stresses unless `with_stress`.
   virtual std::unique_ptr<Evaluator> evaluator(const Solution& solution, const FieldsOfRegion& fields,
                                                bool with_stress) const = 0;
-  // Rank of the region on interfaces: the region with the highest one is asked for values.
+  // Rank at interfaces: the region with the highest rank gives the values of places on an interface.
   virtual int rank_at_interfaces() const = 0;
   virtual void add_statistics(RegionStatistics& statistics) const = 0;
 
   double seconds_preparing = 0;
 
  protected:
-  // Values at the region's own nodes from those of all nodes, two each, and their sums back.
+  // gather(): values of the region's nodes (two each) out of all nodes'. scatter(): adds them to those of all nodes.
   Eigen::VectorXd gather(const Eigen::VectorXd& of_scene) const;
   void scatter(const Eigen::VectorXd& own, Eigen::Ref<Eigen::VectorXd> of_scene) const;
 

@@ -30,7 +30,7 @@ std::string join_of_entries(const char* SchemeEntry::*words, const std::string& 
 }
 
 std::vector<scene::OptionDescription> describe_options() {
-  // The words are static, because descriptions only refer to them.
+  // The texts are static, because option descriptions only point to them.
   static const std::string choices = join_of_entries(&SchemeEntry::name, " | ");
   static const std::string summary = "Discretization: " + join_of_entries(&SchemeEntry::summary, ", or ") + ".";
   std::vector<scene::OptionDescription> all = {

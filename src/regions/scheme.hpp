@@ -13,7 +13,8 @@ class BoundaryDescription;
 class LatticeDescription;
 class OutlinedDescription;
 
-// Scheme: how the kinds of regions in which schemes differ become equations.
+// Scheme: discretization method of the scene. It chooses the class that each described region is built as, such as
+// symmetric Galerkin or collocation boundary elements.
 class Scheme {
  public:
   virtual ~Scheme() = default;
@@ -22,25 +23,26 @@ class Scheme {
                                                   const scene::Material& material) const = 0;
   virtual std::unique_ptr<Region> lattice_region(int id, const LatticeDescription& described,
                                                  const scene::Material& material) const = 0;
-  // Region with any outline. Throws Error (argument) where regions have to lie on the rows of a lattice.
+  // Builds a peridynamic region with an outline of any shape. Throws Error (argument) if the scheme has only lattices
+  // along the axes.
   virtual std::unique_ptr<Region> outlined_region(int id, const OutlinedDescription& described,
                                                   const scene::Material& material) const;
 
-  // Throws Error (argument) if two regions with grids of nodes cannot share an interface.
+  // Throws Error (argument) if two regions (ids) with regular grids of nodes cannot share an interface in this scheme.
   virtual void require_grids_can_touch(int /*region*/, int /*other_region*/) const {}
 };
 
-// Scheme that the option `scheme` names.
+// Creates the scheme that the option `scheme` names.
 std::unique_ptr<Scheme> make_scheme(const scene::Options& options);
 
-// Options that only this scheme has, all of which shape its operators.
+// Options that only the scheme in force has; all of them change its operators.
 const std::vector<scene::OptionDescription>& scheme_options(const scene::Options& options);
 
 // Legal words of the option `scheme`.
 std::vector<std::string> scheme_names();
 
-// Entry of a scheme, except the symmetric one: the word that chooses it, its phrase in the option's sentence, a
-// function that makes it, and the options that only it has.
+// Description of a scheme in the list of all schemes: the word that chooses it, its phrase in the help of the option
+// `scheme`, the function that makes it, and the options that only it has.
 struct SchemeEntry {
   const char* name;
   const char* summary;
@@ -48,8 +50,8 @@ struct SchemeEntry {
   std::vector<scene::OptionDescription> options;
 };
 
-// Adds a scheme, from an object of static duration in its own files: nothing else names it, and a build without the
-// files is one without the scheme.
+// Adds a scheme to the list of schemes when an object of static duration is created in the scheme's own files. Nothing
+// else names the scheme, so a build without these files lacks it.
 class SchemeRegistration {
  public:
   explicit SchemeRegistration(SchemeEntry entry);

@@ -12,8 +12,7 @@ namespace bempd::regions {
 
 namespace {
 
-// Places to be examined: ends of edges, supports, loads and interfaces on outlines, and the points of cracks with
-// elements.
+// Candidates for singular places: vertices of outlines, ends of supports, and the points of cracks with elements.
 std::vector<Point> candidates(const scene::Scene& scene, const Discretization& d) {
   std::vector<Point> places;
   for (int id : scene.region_ids()) {
@@ -34,7 +33,7 @@ std::vector<Point> candidates(const scene::Scene& scene, const Discretization& d
   return places;
 }
 
-// Places without repetition, in the order in which they come first.
+// Places without duplicates (closer than `tolerance`), in the order of their first occurrence.
 std::vector<Point> distinct(const std::vector<Point>& places, double tolerance) {
   NodeRegistry known(places.front(), tolerance);
   std::vector<Point> once;
@@ -44,7 +43,7 @@ std::vector<Point> distinct(const std::vector<Point>& places, double tolerance) 
   return once;
 }
 
-// Known exponents of wedges, which repeat on lattices of holes and rows of layers.
+// Cache of singular exponents by wedge: equal wedges occur often, as in rows of holes or layers.
 class KnownExponents {
  public:
   std::optional<std::complex<double>> of(const Wedge& wedge) {
@@ -55,7 +54,7 @@ class KnownExponents {
       key.insert(key.end(), {std::round(digits * sector.opening), e.young_modulus, e.poisson_ratio, e.thickness});
     }
     for (const int held : wedge.held) key.push_back(held);
-    // The direction matters only if a single component is held.
+    // The wedge's direction matters only where a support holds a single component.
     const auto is_single = [](int held) { return held == 1 || held == 2; };
     if (std::none_of(wedge.held.begin(), wedge.held.end(), is_single)) key.front() = 0;
     const auto found = known_.find(key);
@@ -75,14 +74,14 @@ SingularKind kind_of(const MeetingWedge& meeting) {
   return alike ? SingularKind::corner : SingularKind::interface;
 }
 
-// Region that has a place, 0 if none.
+// Id of the first region that contains a place; 0 if none does.
 int region_at(const scene::Scene& scene, const Point& place, double tolerance) {
   for (int id : scene.region_ids())
     if (locate(scene.region(id).outline(), place, tolerance) != Location::outside) return id;
   return 0;
 }
 
-// Adds single points that are loaded or held, where no edge holds the same components.
+// Adds single points with a force or support, unless a support on an edge there holds the same components.
 void add_points(const scene::Scene& scene, const Discretization& d, const WedgeFinder& finder,
                 std::vector<SingularPlace>& found) {
   const auto add = [&](const scene::Condition& condition) {

@@ -9,15 +9,15 @@
 
 namespace bempd::regions {
 
-// Swelling that loads cause in the material of regions, by their ids.
+// Swelling strains that temperature loads cause, by region id; those of several loads add up.
 using SwellingOfRegions = std::map<int, std::vector<Swelling>>;
 
-// Gives bonds, squares of cells and boundary elements their rest lengths, before operators are asked for. Throws Error
-// (argument) for a boundary element region that cannot swell like that.
+// Sets the rest lengths of bonds, cell squares and boundary elements for a swelling, before operators are asked for.
+// Throws Error (argument) for a boundary element region that cannot swell in that way.
 void swell(Discretization& discretization, const SwellingOfRegions& swelling);
 
-// New rest elongations of all terms, constant and proportional parts, for regions whose operators exist already; the
-// caller gives them to `terms`. Region::rest_of_operator() has the rest displacements for operators.
+// Swelling that changes after the operators exist: returns the new rest elongations of all terms (constant and
+// proportional part), which the caller sets in `terms`. Operators have theirs in Region::rest_of_operator().
 std::array<std::vector<double>, 2> swell_again(Discretization& discretization, const SwellingOfRegions& swelling,
                                                const coupling::Terms& terms);
 

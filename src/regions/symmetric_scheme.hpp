@@ -4,8 +4,8 @@
 
 namespace bempd::regions {
 
-// Scheme with symmetric Galerkin boundary elements and lattices that reproduce linear fields: the kinds of regions
-// without changes.
+// Creates the symmetric scheme: symmetric Galerkin boundary elements, and lattices whose bonds reproduce linear fields
+// exactly.
 std::unique_ptr<Scheme> make_symmetric_scheme();
 
 }  // namespace bempd::regions

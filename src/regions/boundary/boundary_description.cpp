@@ -11,11 +11,11 @@ namespace bempd::regions {
 
 namespace {
 
-// Bytes of the matrices that exist at the same time while an operator is built, over the square of the number of
-// elements, with four unknowns an element: measured as 500 to 600 with 220 and 420 elements.
+// Memory estimate: bytes per square of the number of elements (four unknowns each), for the matrices that exist at the
+// same time while an operator is built. Measured as 500 to 600 with 220 and 420 elements.
 constexpr double bytes_per_square = 500;
 
-// Largest number of elements in one region; more come of a mistyped length, since no machine holds the operators.
+// Largest number of elements in a region. No machine holds the operators of more, so more come from a mistyped length.
 constexpr double most_elements = 1e6;
 
 void require_element_length(double element_length, double longest) {
@@ -25,12 +25,13 @@ void require_element_length(double element_length, double longest) {
           longest / element_length, " elements; the limit is ", most_elements, ": choose a longer one");
 }
 
-// Share of an edge below which an element's length is within the rounding of what is computed on it.
+// Smallest length of an element over that of its edge: integrals over shorter elements are within rounding.
 constexpr double shortest_element = 1e-9;
 
-// Length of the shortest of graded elements over the length of all of them.
+// Length of the shortest element over that of the edge, for `count` elements that grow by the factor `grading` from
+// both ends to the middle.
 double shortest_share(double count, double grading) {
-  // 1 + g + g^2 + ..., from one end to the middle, is summed in closed form; both halves have the same elements.
+  // The edge's two halves are equal; each is a geometric sum 1 + g + g^2 + ... of its elements.
   const double half = std::floor(0.5 * count), rest = count - 2 * half;
   const double sum = grading > 1 ? (std::pow(grading, half) - 1) / (grading - 1) : half;
   return 1 / (2 * sum + rest * std::pow(grading, half));

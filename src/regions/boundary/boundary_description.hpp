@@ -7,10 +7,10 @@
 
 namespace bempd::regions {
 
-// Boundary element region as described: elements along its edges, which may be curved.
+// Boundary element region as the host described it: elements along its edges, which may be curved.
 class BoundaryDescription final : public scene::Region {
  public:
-  // Throws Error (argument) for an outline or a length that cannot be used.
+  // Throws Error (argument) for an outline or an element length that cannot be used.
   BoundaryDescription(int material, Outline outline, double element_length);
 
   const char* adjective() const override { return "BEM"; }
@@ -29,7 +29,8 @@ class BoundaryDescription final : public scene::Region {
   std::map<int, scene::EdgeMesh> own_mesh_;  // by edge number
 };
 
-// Adds a boundary element region to the scene and returns its id.
+// Adds a boundary element region with the outline `vertices` to the scene and returns its id; `bulges` make edges
+// curved.
 int add_boundary_region(scene::Scene& scene, int material, const std::vector<Point>& vertices, double element_length,
                         const std::vector<double>& bulges = {});
 int add_boundary_disc(scene::Scene& scene, int material, const Point& centre, double radius, double element_length);

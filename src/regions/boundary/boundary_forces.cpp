@@ -60,9 +60,10 @@ LinearBodyForce BoundaryRegion::particular(const BodyForce& body_force) const {
   return {elasticity(), body_force, box.center()};
 }
 
-// Adds the nodal forces of a body force. With u = u_p + u_0, where u_p is a solution with the body force and u_0 one
-// without, nodal forces of the surface are K u_0 + f(t_p), so that in equilibrium  K u = f + K u_p - f(t_p)  (Brebbia
-// and Dominguez, Boundary Elements, 2nd ed., section 3.9).
+// Adds the nodal forces of a body force. With u = u_p + u_0, where the particular solution u_p carries the body force
+// and u_0 carries none, the nodal forces of the surface are K u_0 + f(t_p). Equilibrium is therefore  K u = f + K u_p -
+// f(t_p),  with the stiffness K and the nodal forces f(t_p) of the traction t_p of u_p (Brebbia and Dominguez, Boundary
+// Elements, 2nd ed., section 3.9).
 void BoundaryRegion::add_body_force(const BodyForce& body_force, Eigen::Ref<Eigen::VectorXd> force) const {
   if (body_force.is_zero()) return;
   scatter(trace_.transpose() * force_besides(particular(body_force)), force);

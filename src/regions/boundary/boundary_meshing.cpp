@@ -17,7 +17,8 @@ using scene::Scene;
 
 namespace {
 
-// Contact that a piece of an edge belongs to, or null. Breakpoints lie at the ends of all contacts.
+// Contact (interface) that an edge has at a fraction of its length; null if the edge is free there. The fraction must
+// not be an end of a contact.
 const Contact* contact_at(const Arrangement& arrangement, int region, int edge, double fraction) {
   for (const Contact& contact : arrangement.contacts) {
     if (contact.region == region - 1 && contact.edge == edge - 1 && contact.from < fraction && fraction < contact.to) {
@@ -27,7 +28,7 @@ const Contact* contact_at(const Arrangement& arrangement, int region, int edge, 
   return nullptr;
 }
 
-// Neighbour at a contact, if it has points on its outline that elements follow.
+// Neighbour at a contact if it is a region with material points on its outline; null if it is of another kind.
 OutlinedRegion* outlined_at(const Preparation& p, const Contact& contact) {
   const auto reaches = [](const std::unique_ptr<Region>& region, int wanted) { return region->id() < wanted; };
   const auto found = std::lower_bound(p.regions.begin(), p.regions.end(), contact.other_region + 1, reaches);
@@ -40,7 +41,7 @@ Border border_of(const Preparation& p, const Contact* contact) {
   return has_places ? Border::grid : Border::elements;
 }
 
-// Places where panels of an edge end, without those that its neighbours ask for.
+// Fractions of an edge where panels have to end because of the region itself: corners, interfaces, supports and loads.
 std::vector<double> own_breaks(const Preparation& p, int region, int edge) {
   std::vector<double> breaks = p.arrangement.breakpoints[region - 1][edge - 1];
   breaks.push_back(p.scene.region(region).edge(edge).joint());
@@ -48,7 +49,7 @@ std::vector<double> own_breaks(const Preparation& p, int region, int edge) {
     for (const Condition& condition : *conditions) {
       if (condition.removed()) continue;
       for (double fraction : condition.place->breaks_on(p.scene, region, edge, p.tolerance)) {
-        // Breaks on a border with a grid are left out: there the elements follow its nodes.
+        // Ends of supports and loads are ignored on interfaces with lattices, where elements end at material points.
         if (border_of(p, contact_at(p.arrangement, region, edge, fraction)) != Border::grid) breaks.push_back(fraction);
       }
     }
@@ -83,8 +84,8 @@ std::vector<double> all_breaks(const Preparation& p, int region, int edge, const
   return distinct;
 }
 
-// Element ends of an interface between two boundary element regions, the same for both sides: the finer mesh counts,
-// seen from the lower region number.
+// Element ends on an interface between two boundary element regions, as fractions of the piece. The finer mesh of the
+// two is used; at equal lengths that of the lower region id, so that both sides get the same elements.
 std::vector<double> shared_stations(const Scene& scene, int region, int edge, const Contact& contact,
                                     const Arc& piece) {
   const int other = contact.other_region + 1;
@@ -97,7 +98,7 @@ std::vector<double> shared_stations(const Scene& scene, int region, int edge, co
   return element_stations(piece.length(), mesh.element_length, mesh.grading, piece.sweep);
 }
 
-// Displacement components that supports hold on a piece of an edge.
+// Displacement components that supports hold on the piece of an edge that a panel comes from.
 Held held_on(const Scene& scene, int region, const PanelSource& source) {
   if (source.border != Border::free) return Held::interface;
   const double middle = 0.5 * (source.from + source.to);
@@ -108,8 +109,8 @@ Held held_on(const Scene& scene, int region, const PanelSource& source) {
   return components == 0 ? Held::nothing : components == both ? Held::both_components : Held::one_component;
 }
 
-// Distance from a singular place, in lengths of the edge's last element, up to which the error there affects the stress
-// intensity factors of a crack.
+// Reach of the error at a singular place, in lengths of the last element before it: up to this distance it affects the
+// stress intensity factors of a crack.
 constexpr double reach_of_corners = 8;
 
 bool is_near_crack(const Preparation& p, int region, const Point& x, double reach) {
@@ -123,7 +124,8 @@ bool is_near_crack(const Preparation& p, int region, const Point& x, double reac
   return false;
 }
 
-// Singular ends of a panel that are near cracks: elements whose length the host has chosen are divided there only.
+// Singular ends of a panel that are close to a crack of the region. Where the host has chosen the element length,
+// elements are only graded towards these.
 SingularEnds near_cracks(const Preparation& p, int region, const Panel& panel, SingularEnds singular) {
   const std::vector<double>& stations = panel.stations;
   const double reach = reach_of_corners * panel.arc().length();
@@ -132,7 +134,7 @@ SingularEnds near_cracks(const Preparation& p, int region, const Panel& panel, S
           singular.end && is_near_crack(p, region, panel.end, last)};
 }
 
-// Makes elements smaller towards singular places.
+// Grades elements towards corners and ends of supports at which stress is singular.
 void grade_corners(const Preparation& p, int region, BoundaryPanels& panels) {
   const scene::Region& described = p.scene.region(region);
   std::size_t first = 0;
@@ -152,7 +154,7 @@ void grade_corners(const Preparation& p, int region, BoundaryPanels& panels) {
   }
 }
 
-// Element ends of a piece of an edge.
+// Element ends on a piece of an edge, as fractions of the piece.
 std::vector<double> stations_of(const Preparation& p, const MeshingRules& rules, int region, const PanelSource& source,
                                 const Contact* contact, const Arc& piece, const std::vector<Point>& mouths) {
   if (source.border == Border::elements) return shared_stations(p.scene, region, source.edge, *contact, piece);
@@ -163,8 +165,8 @@ std::vector<double> stations_of(const Preparation& p, const MeshingRules& rules,
   return element_stations(piece.length(), mesh.element_length, mesh.grading, piece.sweep);
 }
 
-// Adds elements between the points on a neighbour's outline: one for each chord, or of the host's choice on a straight
-// edge.
+// Adds panels on an interface with a region that has points on its outline: one element for each chord between these
+// points, or elements of the length that the host has chosen, on straight edges only.
 void follow_outline(const Preparation& p, OutlinedRegion& other, PanelSource source, const Contact& contact,
                     const Arc& piece, const std::vector<Point>& mouths, BoundaryPanels& result) {
   const scene::Region& described = p.scene.region(contact.region + 1);

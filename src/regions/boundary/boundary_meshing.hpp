@@ -7,11 +7,11 @@
 
 namespace bempd::regions {
 
-// Neighbour of a piece of an edge: none, a region whose element ends can be negotiated, or one with nodes at fixed
-// places.
+// Kind of neighbour at a piece of an edge: none, a boundary element region, with which element ends are negotiated, or
+// a region with nodes at fixed places.
 enum class Border { free, elements, grid };
 
-// Piece of an edge that a panel of a boundary mesh comes from.
+// Origin of a panel of a boundary mesh: a piece of an edge and its neighbour.
 struct PanelSource {
   int edge;         // number in its region
   double from, to;  // fractions of the edge
@@ -20,25 +20,26 @@ struct PanelSource {
   bool tied;         // at a grid that the elements do not follow: the grid's nodes are tied to them
 };
 
-// Panels and elements of one boundary element region, loop by loop.
+// Panels of one boundary element region with their elements: by loops of the outline, and for each panel, in the same
+// order, where it comes from.
 struct BoundaryPanels {
   std::vector<std::vector<Panel>> loops;
   std::vector<PanelSource> sources;
 };
 
 struct MeshingRules {
-  // Every node lies on a point of a bordering grid, except the last of an odd number of spacings, and elements of the
-  // host's choice need not be tied. Otherwise element ends lie on its points, and the displacement between them is
-  // linear.
+  // True: elements on the border with a grid are two spacings long, so that all their nodes lie on grid points (but the
+  // mid node of the last one does not if the number of spacings is odd). Elements of a length that the host has chosen
+  // are not tied to the grid. False: elements are one spacing long, and the displacement along each is linear.
   bool nodes_on_grids = false;
-  // Elements become smaller towards places where stress is singular.
+  // Grades elements towards places where stress is singular.
   bool grade_corners = false;
 };
 
-// Places where panels end, without mouths of cracks: corners, and ends of supports, loads and interfaces.
+// Places where panels of a region end without regard to cracks: corners, and ends of supports, loads and interfaces.
 std::vector<Point> panel_ends(const Preparation& preparation, int region);
 
-// Meshes the edges of a region; panels also end at `mouths`, where cracks reach the boundary.
+// Meshes the edges of a region; panels also end at `mouths`, the places where cracks reach the boundary.
 BoundaryPanels mesh_edges(const Preparation& preparation, const MeshingRules& rules, int region,
                           const std::vector<Point>& mouths = {});
 

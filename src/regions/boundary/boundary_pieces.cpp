@@ -3,12 +3,12 @@
 #include "regions/boundary/boundary_region.hpp"
 #include "regions/boundary/region_cracks.hpp"
 
-// Pieces into which cracks cut a region.
+// Pieces: the separate bodies into which cracks cut a region.
 namespace bempd::regions {
 
 namespace {
 
-// Factor between distances that differ by more than rounding; of equal ones the first counts.
+// Factor between two distances that differ by more than rounding. Among nearly equal distances the first counts.
 constexpr double clearly_farther = 1 + 1e-6;
 
 }  // namespace
@@ -29,8 +29,8 @@ std::vector<coupling::BodyPiece> BoundaryRegion::pieces() const {
     }
   std::vector<coupling::BodyPiece> pieces(static_cast<std::size_t>(piece_count()));
   for (std::size_t p = 0; p < pieces.size(); ++p) {
-    // Springs hold nodes away from crack faces where possible, because contact depends on the displacements of the
-    // faces.
+    // Nodes away from crack faces are preferred for springs that hold a piece, because contact depends on the
+    // displacements of the faces.
     std::vector<std::size_t> own, beside_faces;
     for (std::size_t i = 0; i < mesh_.nodes.size(); ++i) {
       if (node_of_mesh_node_[i] < 0 || piece_of[i] != static_cast<int>(p)) continue;
@@ -54,7 +54,7 @@ std::vector<coupling::BodyPiece> BoundaryRegion::pieces() const {
 
 std::vector<int> BoundaryRegion::nodes_of_entries() const {
   std::vector<int> nodes = node_of_mesh_node_;
-  // Middle nodes that are no nodes of the scene have the entry of the start of their element.
+  // A mid node that is no node of the scene gets the number of the node at the start of its element.
   for (const BoundaryElement& element : mesh_.elements)
     if (nodes[element.nodes[1]] < 0) nodes[element.nodes[1]] = nodes[element.nodes[0]];
   return nodes;

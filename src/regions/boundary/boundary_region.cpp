@@ -10,8 +10,8 @@
 
 namespace bempd::regions {
 
-// Nodes that other regions may share, and nodes whose displacement follows from that of others: mid nodes have the mean
-// of the element's ends.
+// Roles of the mesh's nodes: `shared` nodes may be nodes of other regions too. A `slaved` node's displacement follows
+// from its masters': a mid node of an element on a grid has the mean of the element's ends.
 struct BoundaryRegion::NodeRoles {
   std::vector<char> shared, slaved;
   std::vector<std::vector<std::pair<int, double>>> masters;  // with weights; they may be slaved themselves
@@ -54,7 +54,7 @@ void BoundaryRegion::mesh(const Preparation& preparation) {
   mesh_ = make_mesh(panels.loops);
   if (!cracks_) return;
   cracks_->mesh(mesh_);
-  // Panels of crack faces belong to no edge.
+  // Panels of crack faces come from no edge: their source has the edge number 0.
   if (!mesh_.elements.empty())
     panels_.resize(static_cast<std::size_t>(mesh_.elements.back().panel) + 1, {0, 0, 1, Border::free, 0, false});
   cracks_->require_memory(mesh_, preparation.options);
@@ -69,7 +69,7 @@ BoundaryRegion::NodeRoles BoundaryRegion::roles() const {
     const PanelSource& panel = panels_[element.panel];
     if (panel.border == Border::free) continue;
     if (panel.tied) {
-      // The ends of the interface are nodes of both sides.
+      // Nodes at the two ends of a tied interface are shared by both regions, all others are not.
       if (e == 0 || mesh_.elements[e - 1].panel != element.panel) roles.shared[element.nodes[0]] = 1;
       const bool is_last = e + 1 == mesh_.elements.size() || mesh_.elements[e + 1].panel != element.panel;
       if (is_last) roles.shared[element.nodes[2]] = 1;
@@ -85,9 +85,9 @@ BoundaryRegion::NodeRoles BoundaryRegion::roles() const {
   return roles;
 }
 
-// Sets the displacements at the mouths of cracks that go on in a lattice. Such a mouth lies between two material
-// points: each side of it follows the straight line through the two points beside it, or is free where there is one
-// point only.
+// Sets the displacements at mouths of cracks that continue in a lattice. A mouth lies between two material points. Each
+// face there follows the straight line through the two nearest points on its side, or is free if there is one point
+// only.
 void BoundaryRegion::follow_rows_to_mouths(NodeRoles& roles) const {
   const auto lead_to = [&](int mouth, std::size_t element, int step) {
     const BoundaryElement& own = mesh_.elements[element];
@@ -112,7 +112,8 @@ void BoundaryRegion::follow_rows_to_mouths(NodeRoles& roles) const {
   }
 }
 
-// The side of the crack on which nodes lie, at places where a crack passes to another region with elements.
+// Side of the crack on which each node of the mesh lies at mouths that are shared with another boundary element region:
+// 1 left, -1 right, 0 elsewhere.
 std::vector<int> BoundaryRegion::sides_of_cracks(const Preparation& p) const {
   std::vector<int> sides(mesh_.nodes.size(), 0);
   for (const SharedMouth& mouth : shared_mouths(p.cracks)) {
@@ -160,7 +161,8 @@ void BoundaryRegion::number_nodes(const Preparation& preparation, NodeRegistry& 
 void BoundaryRegion::build(const Preparation& preparation, Contributions& contributions) {
   number_nodes(preparation, contributions.registry);
   if (cracks_) cracks_->warn_of_gap(mesh_, contributions.warnings);
-  // The operator of a region before that differs by a translation only is taken over.
+  // Operators are shared: an earlier region of the same kind and material whose mesh differs by a translation only
+  // lends its operator. Regions with cracks have operators of their own.
   for (const auto& other : preparation.regions) {
     if (other.get() == this) break;
     const Region& before = *other;
@@ -175,7 +177,7 @@ void BoundaryRegion::build(const Preparation& preparation, Contributions& contri
     operator_ = make_operator(preparation, {preparation.options.number("bem.quadrature_tolerance"),
                                             preparation.options.whole_number("threads")});
   }
-  // The stiffness depends on interfaces, so regions of one shape may differ in it.
+  // The stiffness may depend on the interfaces of a region, so regions that share an operator may have different ones.
   stiffness_ = own_stiffness(preparation);
   if (cracks_ && preparation.options.text_value("contact") == "faces")
     closing_ = std::make_unique<const bem::NormalOpenings>(cracked());
@@ -226,7 +228,7 @@ std::optional<coupling::DenseOperator> BoundaryRegion::dense_operator(std::span<
 }
 
 std::shared_ptr<const Eigen::MatrixXd> BoundaryRegion::stiffness_of_nodes() const {
-  // The region's nodes are the mesh's, in their order, unless mid nodes follow their ends.
+  // The region's nodes are those of the mesh, in the same order, unless mid nodes are slaved.
   const bool all_nodes = trace_.rows() == trace_.cols();
   if (all_nodes && stiffness_.size() == 0) return {operator_, &operator_->stiffness()};
   if (all_nodes) return std::make_shared<const Eigen::MatrixXd>(stiffness_);
@@ -235,7 +237,7 @@ std::shared_ptr<const Eigen::MatrixXd> BoundaryRegion::stiffness_of_nodes() cons
 }
 
 std::optional<Eigen::VectorXd> BoundaryRegion::outflow(Eigen::Index dof_count) const {
-  // An open crack can take up a change of volume.
+  // A region with cracks is not incompressible as a whole, because opening cracks can take up a change of volume.
   if (!elasticity().incompressible() || cracks_) return std::nullopt;
   Eigen::VectorXd on_mesh = Eigen::VectorXd::Zero(2 * static_cast<Eigen::Index>(mesh_.nodes.size()));
   bem::add_normal_integrals(mesh_, on_mesh);

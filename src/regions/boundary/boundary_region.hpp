@@ -18,9 +18,9 @@ namespace bempd::regions {
 
 class RegionCracks;
 
-// Boundary element region on its nodes, those of its mesh. Mid nodes of elements that follow a grid are not nodes of
-// the scene: there the displacement is linear between the grid's points, so that a constant traction gives them their
-// exact forces. Other schemes override the protected virtual functions.
+// Boundary element region of the symmetric scheme. Mid nodes of elements at a grid are not nodes of the scene: the
+// displacement there is linear between grid points, so that a constant traction has its exact nodal forces. Other
+// schemes override the protected virtual functions.
 class BoundaryRegion : public Region {
  public:
   BoundaryRegion(int id, const BoundaryDescription& described, const scene::Material& material);
@@ -28,7 +28,7 @@ class BoundaryRegion : public Region {
 
   const BoundaryMesh& boundary_mesh() const { return mesh_; }
   const bem::BoundaryOperator* boundary_operator() const { return operator_.get(); }
-  // Number of pieces into which cracks cut the region (boundary_pieces.cpp).
+  // Number of separate pieces into which cracks cut the region (boundary_pieces.cpp).
   int piece_count() const;
   bool is_cut() const override { return piece_count() > 1; }
   bool has_inner_crack(int crack) const override;
@@ -46,7 +46,8 @@ class BoundaryRegion : public Region {
                     Eigen::Ref<Eigen::VectorXd> force) const override;
   std::vector<Point> forces_on_edge(const EdgeSpan& span, const std::vector<int>& nodes_of_scene,
                                     const FieldsOfRegion& fields) const override;
-  // Adds the forces of a body force by a state of stress that has it everywhere: the remaining state has no body force.
+  // Adds the nodal forces of a body force by a particular solution that carries the body force; the rest of the
+  // solution then has none.
   void add_body_force(const BodyForce& body_force, Eigen::Ref<Eigen::VectorXd> force) const override;
 
   Eigen::Matrix2d work_within(const std::array<BodyForce, 2>& body_force,
@@ -55,7 +56,8 @@ class BoundaryRegion : public Region {
   coupling::Affine face_offsets(const std::array<BodyForce, 2>& body_force,
                                 const std::vector<CrackLoad>& crack_loads) const override;
 
-  // Takes a swelling strain, which has to be linear, so that the inside follows freely.
+  // Takes a swelling strain. Throws Error (argument) if it is not linear in the place, because the interior could not
+  // swell without stress.
   void swell(const Swelling& strain, LatticeSwelling& lattices) override;
   const coupling::Affine* rest_of_operator() const override { return rest_.rows() > 0 ? &rest_ : nullptr; }
   std::optional<Eigen::Matrix2d> free_displacement(const Point& place) const override;
@@ -87,12 +89,12 @@ class BoundaryRegion : public Region {
  protected:
   virtual MeshingRules meshing_rules(const Preparation& preparation) const;
   virtual BoundaryMesh make_mesh(const std::vector<std::vector<Panel>>& loops) const { return mesh_boundary(loops); }
-  // Method that solves systems with the region's stiffness in them.
+  // Solver for systems that contain the stiffness of this region.
   virtual const coupling::SolutionMethod& solution_method() const { return coupling::symmetric_solution(); }
   virtual std::shared_ptr<const bem::BoundaryOperator> make_operator(const Preparation& preparation,
                                                                      const bem::AssemblyOptions& assembly) const;
-  // Stiffness on the mesh's nodes that replaces the operator's own, if forces depend on the neighbours of edges; empty
-  // for none.
+  // Stiffness on the mesh's nodes that replaces that of the operator, for schemes in which it depends on the neighbours
+  // of edges; empty to keep the operator's.
   virtual Eigen::MatrixXd own_stiffness(const Preparation& /*preparation*/) const { return {}; }
 
   const std::vector<PanelSource>& panels() const { return panels_; }
@@ -109,12 +111,13 @@ class BoundaryRegion : public Region {
   bool has_operator_of(const BoundaryRegion& other) const;
   std::vector<coupling::BodyPiece> pieces() const;
   LinearBodyForce particular(const BodyForce& body_force) const;
-  // Displacements of the mesh's nodes in the particular solution; then the nodal forces that remain for the rest.
+  // Particular solution of a body force at the mesh's nodes: displacement_of() gives its displacements u_p,
+  // force_besides() the forces K u_p - f(t_p) by which it changes the nodal forces.
   Eigen::VectorXd displacement_of(const LinearBodyForce& particular) const;
   Eigen::VectorXd force_besides(const LinearBodyForce& particular) const;
   double work_within(const BodyForce& body_force, const BodyForce& other) const;
-  // Tractions on crack faces: forces of those of a particular solution; then of loads, and the work of all of them on
-  // each other's displacements.
+  // Forces on crack faces: face_forces_of() those of a particular solution's tractions, forces_on_cracks() those of
+  // loads (constant and proportional part).
   Eigen::VectorXd face_forces_of(const LinearBodyForce& particular) const;
   Eigen::MatrixX2d forces_on_cracks(const std::vector<CrackLoad>& loads) const;
   struct Particulars {
@@ -124,19 +127,23 @@ class BoundaryRegion : public Region {
   Eigen::Matrix2d work_within_cracks(const std::array<BodyForce, 2>& body_force,
                                      const std::vector<CrackLoad>& loads) const;
   std::shared_ptr<const coupling::ExactConstraints> exact_constraints() const;
-  // Displacements of the mesh's nodes without those of swelling.
+  // Displacements of the mesh's nodes without those of free swelling. `displacement` is that of the scene's nodes;
+  // `constant` and `proportional` are the factors of the swelling's two parts.
   Eigen::VectorXd elastic(const Eigen::VectorXd& displacement, double constant, double proportional) const;
-  // Displacements of the mesh's nodes without those of swelling and of the particular solution.
+  // Displacements of the mesh's nodes without those of free swelling and of a particular solution; interior_without()
+  // evaluates the interior for them.
   Eigen::VectorXd displacement_without(const LinearBodyForce& particular, const Solution& solution) const;
   bem::InteriorEvaluator interior_without(const LinearBodyForce& particular, const Solution& solution) const;
-  // Evaluators of the inside under such displacements, for each piece into which cracks cut the region.
+  // Evaluators of the interior for a solution without free swelling and the solution `particular`, one for each piece
+  // into which cracks cut the region.
   InteriorOfPieces inside_without(const LinearBodyForce& particular, const Solution& solution) const;
-  // Operator of a region with cracks, and its state under displacements of the scene and loads on faces.
+  // cracked(): operator of a region with cracks. cracked_state(): openings and tractions for displacements of the
+  // scene's nodes and the loads on faces, `constant` and `proportional` being the factors of the loads' two parts.
   const bem::CrackedOperator& cracked() const;
   bem::CrackedState cracked_state(const Eigen::VectorXd& displacement, const Solution& solution, double constant,
                                   double proportional) const;
   bem::CrackedState cracked_state(const Solution& solution) const;
-  // Tractions on the boundary that belong to displacements of its nodes.
+  // Tractions on the boundary for displacements of the mesh's nodes.
   Eigen::VectorXd tractions_under(const Eigen::VectorXd& displacement, const Solution& solution) const;
   FieldValues element_tractions(const Solution& solution) const;
   FieldValues element_stress(const Solution& solution) const;

@@ -16,7 +16,8 @@ Point traction_of(const Eigen::Vector3d& stress, const Point& normal) {
   return {stress[0] * normal.x() + stress[2] * normal.y(), stress[2] * normal.x() + stress[1] * normal.y()};
 }
 
-// Evaluates Somigliana's identity for the state without body force and swelling, and adds the solutions that have them.
+// Evaluates the interior by Somigliana's identity for the part of the solution without body force and swelling, and
+// adds the particular solution and the free swelling.
 class BoundaryEvaluator final : public Evaluator {
  public:
   BoundaryEvaluator(const BoundaryRegion& region, InteriorOfPieces interior, const LinearBodyForce& particular,
@@ -47,7 +48,8 @@ class BoundaryEvaluator final : public Evaluator {
 
 }  // namespace
 
-// Entries of the region's nodes; mid nodes of elements that follow a grid may be no nodes of the scene.
+// Entries of the region's nodes in fields on the mesh. Mid nodes of elements at a grid are left out if they are no
+// nodes of the scene.
 std::vector<int> BoundaryRegion::entries_of_nodes() const {
   std::vector<int> entries;
   for (std::size_t i = 0; i < node_of_mesh_node_.size(); ++i)
@@ -103,7 +105,7 @@ FieldValues BoundaryRegion::element_tractions(const Solution& solution) const {
   return field;
 }
 
-// Stress at the three nodes of every element, from its own traction and tangential strain.
+// Stress at the three nodes of every element, from the element's traction and tangential strain.
 FieldValues BoundaryRegion::element_stress(const Solution& solution) const {
   const LinearBodyForce particular = this->particular(solution.body_force(id()));
   const bem::InteriorEvaluator rest = interior_without(particular, solution);
@@ -115,7 +117,7 @@ FieldValues BoundaryRegion::element_stress(const Solution& solution) const {
   return field;
 }
 
-// Stress at nodes: the mean of the elements that meet there.
+// Stress at the mesh's nodes: the mean of the elements that meet there.
 FieldValues BoundaryRegion::boundary_stress(const Solution& solution) const {
   const FieldValues sides = element_stress(solution);
   Eigen::Matrix3Xd sums = Eigen::Matrix3Xd::Zero(3, static_cast<Eigen::Index>(mesh_.nodes.size()));
@@ -147,7 +149,8 @@ SnapshotBlock BoundaryRegion::snapshot_block() const {
           {{"displacement", Field::displacement}, {"traction", Field::traction}, {"stress", Field::stress}}};
 }
 
-// Values at nodes for pictures: the mean of both elements there, whose tractions differ at corners.
+// Field for pictures, one value for each node of the mesh. For tractions, which differ between the two elements at a
+// corner, it is the mean of both.
 FieldValues BoundaryRegion::at_nodes(Field which, const FieldValues& values) const {
   if (which != Field::traction) return values;
   FieldValues field{std::vector<double>(2 * mesh_.nodes.size(), 0.0), 2};

@@ -7,14 +7,14 @@ namespace bempd::regions {
 
 namespace {
 
-// Number of divisions; each element is `ratio` times as far from the end as the one before. The error of displacements,
-// which falls like the size of the last element (crack tips) to its square (weak corners), drops to 2e-3 and less of
-// its value.
+// Division of an element at a singular end: number of divisions, and the distance of each new element end from the
+// singular end over that of the previous one. The error of displacements drops to 2e-3 of its value or less, because it
+// falls at least like the size of the last element (crack tips).
 constexpr int levels = 5;
 constexpr double ratio = 0.3;
 
-// Angle up to which stress is finite, by the conditions that meet there. A support that holds one component counts as a
-// plane of symmetry, in which the other side is reflected.
+// Largest angle of a corner [rad] without a stress singularity, for the conditions on its two sides. A support that
+// holds one component counts as a plane of symmetry.
 double largest_regular_angle(Held a, Held b) {
   constexpr double pi = std::numbers::pi;
   if (a == b && a != Held::one_component) return pi;
@@ -44,7 +44,7 @@ std::vector<SingularEnds> singular_ends(const std::vector<BoundaryPiece>& loop) 
 
 std::vector<double> refined_towards(const SingularEnds& singular, const std::vector<double>& stations) {
   std::vector<double> all = stations;
-  // A single element is halved first, so that it can be divided towards both ends.
+  // A single element with two singular ends is halved first, so that each half is divided towards one end.
   if (singular.start && singular.end && all.size() == 2) all = {0, 0.5, 1};
   const double first = all[1], last = 1 - all[all.size() - 2];
   std::vector<double> refined;

@@ -12,8 +12,8 @@ namespace bempd::regions {
 
 namespace {
 
-// Estimated error of the finer level over the difference of both levels (measured: the difference is 4 to 30 times the
-// error, less where the error comes mostly from elements at tips, which both levels share).
+// Ratio for estimating errors: error of the finer of two discretizations over the difference between both. The measured
+// difference is 4 to 30 times the error, less where the error comes mostly from tip elements, which both share.
 constexpr double error_of_difference = 1.0 / 3;
 
 Point traction_of(const LinearBodyForce& particular, const Point& x, const Point& normal) {
@@ -48,7 +48,8 @@ const bem::CrackedOperator& BoundaryRegion::cracked() const {
   return static_cast<const bem::CrackedOperator&>(*operator_);
 }
 
-// State of the cracked body without the particular solution of a force per volume, which has tractions on faces, too.
+// State of the cracked body without the particular solution of a body force. That solution has tractions on the crack
+// faces too, which are subtracted from the loads there.
 bem::CrackedState BoundaryRegion::cracked_state(const Eigen::VectorXd& displacement, const Solution& solution,
                                                 double constant, double proportional) const {
   bem::CrackedState state;
@@ -92,7 +93,7 @@ void BoundaryRegion::add_crack_load(const CrackLoad& load, int part, Eigen::Ref<
   scatter(trace_.transpose() * on_boundary, force);
 }
 
-// Forces on all openings: constant and proportional ones.
+// Nodal forces of loads on the openings of all cracks: constant part (column 0) and proportional part (column 1).
 Eigen::MatrixX2d BoundaryRegion::forces_on_cracks(const std::vector<CrackLoad>& loads) const {
   const Eigen::Index size = 2 * static_cast<Eigen::Index>(cracks_->elements().nodes.size());
   Eigen::MatrixX2d forces = Eigen::MatrixX2d::Zero(size, 2);
@@ -138,10 +139,11 @@ BoundaryRegion::Particulars BoundaryRegion::particulars(const std::array<BodyFor
   return all;
 }
 
-// Work of loads inside the body that nodal forces do not include. With K of boundary and openings, openings are  w =
-// K_ww^-1 (f - K_wu u): f does the work f.w, of which the nodal forces have the part that depends on u. Where forces
-// per volume have the particular solution u_p with forces f_p on faces, u and f are without these, and by Betti's
-// theorem such a force does the work -v.f beside that of the boundary, with v = K_ww^-1 (f_p - K_wu u_p).
+// Work of loads inside the body that nodal forces do not include. The stiffness K couples the boundary's displacements
+// u and the openings  w = K_ww^-1 (f - K_wu u)  due to forces f on crack faces. These do the work f.w, of which the
+// nodal forces contain the part that depends on u.
+// A body force has a particular solution u_p with forces f_p on the faces; u and f are then without these. By Betti's
+// theorem a force f does the additional work -v.f, with v = K_ww^-1 (f_p - K_wu u_p).
 Eigen::Matrix2d BoundaryRegion::work_within_cracks(const std::array<BodyForce, 2>& body_force,
                                                    const std::vector<CrackLoad>& loads) const {
   const Eigen::MatrixX2d forces = forces_on_cracks(loads);

@@ -31,7 +31,7 @@ std::int64_t InteriorOfPieces::kernel_evaluations() const {
   return sum;
 }
 
-// Piece at a place; if rounding puts the place on the boundary outside all of them, the nearest piece.
+// Index of the piece in which a place lies; the nearest piece if rounding puts the place outside all of them.
 std::size_t InteriorOfPieces::piece_at(const Point& x) const {
   if (interiors_.size() == 1) return 0;
   for (const Cut& cut : cuts_)

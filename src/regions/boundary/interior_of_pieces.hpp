@@ -8,18 +8,19 @@
 
 namespace bempd::regions {
 
-// Displacement and stress inside a region, from the piece of it in which a place lies.
+// Evaluates displacement and stress inside a region that cracks may have cut into pieces, by the evaluator of the piece
+// in which a place lies.
 class InteriorOfPieces {
  public:
-  // Evaluator for a region of one piece.
+  // Creates the evaluator for a region of one piece.
   explicit InteriorOfPieces(bem::InteriorEvaluator whole) { interiors_.push_back(std::move(whole)); }
-  // Evaluator for a region of several pieces, with the evaluators of these.
+  // Creates the evaluator for a region of several pieces out of one evaluator for each piece.
   InteriorOfPieces(std::vector<bem::InteriorEvaluator> interiors, const BoundaryMesh& mesh,
                    const bem::CrackMesh& cracks, double tolerance);
 
   bem::InteriorEvaluator::Value at(const Point& x) const { return interiors_[piece_at(x)].at(x); }
   Point displacement_at(const Point& x) const { return interiors_[piece_at(x)].displacement_at(x); }
-  // Chooses the right face of cracks, also of those between pieces.
+  // Chooses the right face for places on cracks, including those between two pieces; the left face if `right` is false.
   void choose_right_face(bool right);
   std::int64_t kernel_evaluations() const;
 

@@ -13,14 +13,15 @@ namespace bempd::regions {
 
 namespace {
 
-// Bytes of the matrices that exist at the same time while an operator with cracks is built, over the square of the
-// number of elements: measured with 400 to 900 elements.
+// Memory estimate: bytes per square of the number of elements, for the matrices that exist at the same time while an
+// operator with cracks is built. Measured with 400 to 900 elements.
 constexpr double bytes_per_square_with_cracks = 600;
 
-// Number of elements from which on preparing takes seconds; gap over a crack's length that is then the reason.
+// Limits for a warning: number of elements from which on preparing takes seconds, and ratio of a gap's width to the
+// crack's length below which the gap is given as the reason.
 constexpr double elements_to_tell_of = 500, narrow_gap = 0.03;
 
-// visit(crack, its number, part) for all parts of cracks that have elements in a region.
+// Calls visit(crack, its id, part) for all parts of cracks that have elements in the region.
 template <class Visit>
 void for_each_part(const Preparation& p, int region, const Visit& visit) {
   for (std::size_t c = 0; c < p.cracks.size(); ++c)
@@ -28,7 +29,7 @@ void for_each_part(const Preparation& p, int region, const Visit& visit) {
       if (part.region == region) visit(p.cracks[c].crack, static_cast<int>(c) + 1, part);
 }
 
-// Distances along a crack to where the described part of it begins and ends.
+// Distances along a grown crack at which the crack as described by the host begins and ends.
 std::pair<double, double> described_part(const scene::Crack& crack) {
   const auto first = crack.points.begin();
   return {polyline_length({first, first + crack.grown_at_start + 1}),
@@ -63,8 +64,8 @@ std::vector<bem::MouthOnRow> mouths_on_rows(const Preparation& p, int region) {
   return mouths;
 }
 
-// Length of the elements at a mouth behind which the crack goes on in another region with elements, over the distance
-// from there to where it ends or bends.
+// Largest length of elements at a mouth shared with another boundary element region, over the crack's distance from the
+// mouth to its next bend or end there.
 constexpr double longest_before_end = 0.5;
 
 std::vector<bem::MouthOnRow> short_elements_at(const Preparation& p, int region, std::vector<bem::MouthOnRow> mouths) {
@@ -75,7 +76,7 @@ std::vector<bem::MouthOnRow> short_elements_at(const Preparation& p, int region,
   return mouths;
 }
 
-// Values of the element's functions at a fraction of its length.
+// Values of an element's three shape functions at a fraction `part` of its length; `tip`: the end that is a crack tip.
 std::array<double, 3> shape_at(bem::TipEnd tip, double part) {
   if (tip == bem::TipEnd::none) return bem::ElementGeometry{}.shape(2 * part - 1);
   bem::ElementGeometry geometry{};
@@ -195,7 +196,7 @@ bool RegionCracks::has_inside(int crack) const {
                      [&](const bem::CrackElement& e) { return paths_[lines_.lines[e.line].crack].id == crack; });
 }
 
-// Openings at the three nodes of an element.
+// Openings at the three nodes of an element on a crack.
 std::array<Point, 3> RegionCracks::openings_on(const bem::CrackElement& e, const bem::CrackedState& state) {
   std::array<Point, 3> openings;
   for (int k = 0; k < 3; ++k) openings[k] = state.openings.segment<2>(2 * e.nodes[k]);
@@ -267,7 +268,7 @@ std::optional<Overlap> RegionCracks::overlap(const bem::CrackedState& state) con
       if (depth > worst.depth) worst = {paths_[lines_.lines[e.line].crack].id, e.places[k], depth};
     }
   }
-  // An overlap within rounding is none: it comes of faces that slide on each other.
+  // An overlap within rounding is not reported; it occurs where faces slide on each other.
   if (worst.depth <= 1e-9 * largest) return std::nullopt;
   return worst;
 }
@@ -286,7 +287,7 @@ void refine_at_cracks(const Preparation& p, const RegionCracks* own, BoundaryPan
       const PanelSource& source = panels.sources[number++];
       const bool at_mouth = own && (own->is_on_row(panel.start) || own->is_on_row(panel.end));
       if (source.border == Border::grid && !(source.tied && at_mouth)) continue;
-      // Regions on both sides of an interface come to the same elements if both begin with the same one of them.
+      // Regions on an interface get the same elements if both refine for the same region's cracks first.
       const auto other = source.border == Border::elements ? cracks_of(p, source.other_region) : nullptr;
       std::array<const RegionCracks*, 2> both{own, other.get()};
       if (own && other && other->region() < own->region()) std::swap(both[0], both[1]);

@@ -60,7 +60,7 @@ void BondedRegion::add_own_bonds(const Preparation& preparation, const Contribut
   }
 }
 
-// Share of the edge in the force that the stress at a node makes on all of its surface.
+// Nodal forces for the stress at each node, from the tractions on this edge only.
 std::vector<Point> BondedRegion::forces_on_edge(const EdgeSpan& span, const std::vector<int>& nodes_of_scene,
                                                 const FieldsOfRegion& fields) const {
   const std::vector<double>& stress = fields(Field::stress).values;
@@ -149,7 +149,7 @@ void BondedRegion::add_statistics(RegionStatistics& statistics) const {
 void BondedRegion::tie_points(const LeadingElements& leading, int leader, const std::vector<int>& points, double apart,
                               coupling::NodeTies& ties) const {
   const Point &start = leading.places.front(), &end = leading.places.back();
-  // The interface begins and ends half a spacing beyond its outer points where a crack has its mouth.
+  // An interface that ends at the mouth of a crack reaches half a spacing beyond its last point.
   const bool from_point = (position(points.front()) - start).norm() < 0.25 * apart;
   const bool to_point = (position(points.back()) - end).norm() < 0.25 * apart;
   std::vector<double> stations;

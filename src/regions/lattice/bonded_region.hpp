@@ -9,21 +9,23 @@
 
 namespace bempd::regions {
 
-// Bonds at the points of a region. Its row of the scene's bonds comes first: those between two of its points, unless a
-// region before that acts as one with it has both ends, too.
+// Bonds at the points of a region, including those to other regions of its body. `first` and `listed` give its own
+// consecutive bonds in the scene. These are the bonds between two of its points, except those that an earlier region of
+// the same body also has both ends of.
 struct RegionBonds {
   std::shared_ptr<const pd::Network> network;  // shared by regions that are alike
   std::size_t first = 0, listed = 0;           // start and length of its row
   std::vector<int> of_scene;                   // per bond; empty if all are in its row
-  // Points of other regions where bonds end, numbered after its own.
+  // Points of other regions at which bonds of this region end; they are numbered after the region's own points.
   std::vector<int> far_nodes;     // of the scene
   std::vector<Point> far_points;  // in grid coordinates
-  // First square of the cell whose lower left corner is a point of the grid, per point: a term of the scene, -1 without
-  // a cell. With points on the outline: first square of each patch of cells. Empty where bonds alone make the material.
+  // Number of the first square (a term of the scene) for each grid point that is the lower left corner of a cell, -1
+  // for other points. In regions with points on their outline: for each patch of cells. Empty if the material has no
+  // squares.
   std::vector<int> squares;
 };
 
-// Peridynamic region as material points and bonds between them, wherever they lie.
+// Peridynamic region: material points and the bonds between them. Derived classes say where the points lie.
 class BondedRegion : public Region {
  public:
   BondedRegion(int id, const scene::Material& material, double spacing, int horizon_ratio)
@@ -52,7 +54,7 @@ class BondedRegion : public Region {
   void swell(const Swelling& strain, LatticeSwelling& lattices) override;
   void set_rests(const LatticeSwelling& lattices, coupling::Terms& terms) const override;
   std::optional<Eigen::Matrix2d> free_displacement(const Point& place) const override;
-  // Whether bonds cross to the other region where both touch.
+  // Whether bonds connect this region to another one where the two touch.
   virtual bool shares_bonds_with(const BondedRegion& other) const { return this == &other; }
 
   FieldSize field_size(Field field) const override;
@@ -69,32 +71,33 @@ class BondedRegion : public Region {
   Contributions::Breaking breaking(const Preparation& preparation, const Contributions& contributions) const;
 
  protected:
-  // Share of a full cell's volume that every point takes of a force per volume.
+  // Volume of each point over that of a full cell, for body forces.
   virtual std::vector<double> cell_shares() const = 0;
-  // 1 - intact bonds / bonds before any crack.
+  // Damage of each point: 1 - number of intact bonds / number of bonds without any crack.
   virtual FieldValues damage(const std::vector<char>& intact) const;
-  // Whether a crack may pass through points, which then stay bonded to both of its faces.
+  // on_grid(): points of a crack in grid coordinates. cracks_may_meet_points(): whether a crack may pass through
+  // material points, which then stay bonded to both faces.
   std::vector<Point> on_grid(const scene::Crack& crack) const;
   virtual bool cracks_may_meet_points() const { return false; }
 
-  // Corrects stresses of points where more than bonds is broken.
+  // Corrects the stress at points that have lost squares of cells, not only bonds.
   virtual void correct_at_losses(const Solution& /*solution*/, const std::vector<Eigen::Vector3d>& /*strains*/,
                                  const pd::BondStates& /*states*/, std::vector<Eigen::Vector3d>& /*stresses*/) const {}
-  // Swelling strains at the region's points, then at the far ones: constant and proportional part.
+  // Swelling strains (constant and proportional part) at the region's points and then at the far points of RegionBonds.
   std::vector<Eigen::RowVector2d> strains_of_points(const LatticeSwelling& lattices) const;
 
-  // Adds the bonds of its network to the scene's, as a row.
+  // Adds the bonds of the region's network to the scene's; they become consecutive there.
   void add_own_bonds(const Preparation& preparation, const Contributions& contributions);
 
-  // Ties points of a straight interface, in order and at a distance `apart`, to the elements of the region that leads
-  // there.
+  // Ties `points` on a straight interface to the elements of the region `leader`. The points are given in order, with
+  // the distance `apart` between neighbours.
   void tie_points(const LeadingElements& leading, int leader, const std::vector<int>& points, double apart,
                   coupling::NodeTies& ties) const;
 
   int point_count() const { return static_cast<int>(points_.size()); }
   int horizon_ratio() const { return horizon_ratio_; }
   double critical_stretch(const scene::Options& options) const;
-  // One entry for each bond at its points, nonzero where it is broken or cut.
+  // Flags of all bonds at the region's points: nonzero if the bond is broken or cut.
   std::vector<std::uint8_t> broken_bonds(const std::vector<char>& intact) const;
   Point position(int point) const { return from_grid(points_[static_cast<std::size_t>(point)]); }
   std::vector<Point> positions() const;
@@ -110,7 +113,7 @@ class BondedRegion : public Region {
     return bonds_.of_scene.empty() ? bonds_.first + bond : static_cast<std::size_t>(bonds_.of_scene[bond]);
   }
   pd::BondStates bond_states(const Solution& solution) const;
-  // Ends of bonds in grid coordinates: its own points, then the far ones.
+  // Positions in grid coordinates of all ends of bonds: the region's points, then the far points.
   std::vector<Point> bond_ends() const;
   FieldValues stress(const Solution& solution) const;
   FieldValues bond_stretch(const Solution& solution) const;

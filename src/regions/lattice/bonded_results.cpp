@@ -113,7 +113,7 @@ std::vector<Point> BondedRegion::positions() const {
   return all;
 }
 
-// Picture of the region, split along broken bonds between neighbours.
+// Cells of the region for a picture, split along broken bonds between neighbouring points.
 RegionPicture BondedRegion::picture(const Solution& solution) const {
   const std::vector<std::uint8_t> broken = broken_bonds(solution.intact);
   std::vector<std::array<int, 2>> parted;

@@ -7,11 +7,11 @@
 
 namespace bempd::regions {
 
-// Peridynamic region as described: a rectilinear outline on a square lattice and a horizon.
+// Peridynamic region as the host described it: a rectilinear outline on a square lattice, and a horizon.
 class LatticeDescription : public scene::Region {
  public:
-  // Checks the description. Throws Error (argument) for an outline that the spacing does not divide, a horizon out of
-  // range, and a Poisson's ratio out of range; `material_id` names the material in sentences.
+  // Checks the description. Throws Error (argument) for an outline that is not a multiple of the spacing, and for a
+  // horizon or Poisson's ratio out of range. `material_id` names the material in sentences.
   LatticeDescription(int material_id, const scene::Material& material, Outline outline, double spacing,
                      int horizon_ratio);
 
@@ -28,7 +28,7 @@ class LatticeDescription : public scene::Region {
   std::unique_ptr<regions::Region> build(int id, const Preparation& preparation) const override;
 
  protected:
-  // Description with a choice: without `on_rows` the outline may be any one, and the lattice has a spacing only.
+  // Constructor for derived classes. Without `on_rows` any outline is accepted, and only the lattice's spacing is set.
   LatticeDescription(int material_id, const scene::Material& material, Outline outline, double spacing,
                      int horizon_ratio, bool on_rows);
 
@@ -38,7 +38,7 @@ class LatticeDescription : public scene::Region {
   LatticeOutline lattice_;
 };
 
-// Adds a lattice region to the scene and returns its id.
+// Adds a lattice region with the outline `vertices` to the scene and returns its id.
 int add_lattice_region(scene::Scene& scene, int material, const std::vector<Point>& vertices, double spacing,
                        int horizon_ratio);
 

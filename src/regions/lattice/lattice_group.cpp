@@ -13,12 +13,13 @@ namespace {
 
 constexpr int nobody = -1;
 
-// Material point as a member numbers it.
+// Number of a material point in a member region of the group.
 struct Holder {
   int member, point;
 };
 
-// All cells of the members, in grid coordinates of the first one, and the members that hold each point.
+// Union of the cells of all member regions in grid coordinates of the first one. It knows which members have each
+// point.
 class Union {
  public:
   explicit Union(const std::vector<LatticeRegion*>& members)
@@ -41,31 +42,31 @@ class Union {
     });
   }
 
-  // Whether there is one node at each place, and no two cells share only a corner.
+  // Whether each point is one and the same node for all members, and no two cells share only a corner.
   bool is_sound() const { return sound_; }
   const pd::CellLattice& cells() const { return cells_; }
   int node(int point) const { return nodes_[point]; }
 
-  // Number that a member gives a point, or nobody.
+  // Number of a point of the union in a member; `nobody` if the member does not have it.
   int number_in(int member, int point) const {
     for (int h : holders_at_.of(point)) {
       if (holders_[h].member == member) return holders_[h].point;
     }
     return nobody;
   }
-  // First member that has both ends of a bond, or nobody.
+  // First member that has both ends of a bond of the union; `nobody` if there is none.
   int owner(const pd::Bond& bond) const {
     for (int h : holders_at_.of(bond.first)) {
       if (number_in(holders_[h].member, bond.second) != nobody) return holders_[h].member;
     }
     return nobody;
   }
-  // Whether one member has both ends and no other member has any.
+  // Whether one member has both ends of a bond and no other member has either end.
   bool is_within_one(const pd::Bond& bond) const {
     const auto first = holders_at_.of(bond.first), second = holders_at_.of(bond.second);
     return first.size() == 1 && second.size() == 1 && holders_[first[0]].member == holders_[second[0]].member;
   }
-  // Members that have an end of a bond.
+  // Members that have at least one end of a bond.
   std::set<int> members_at(const pd::Bond& bond) const {
     std::set<int> found;
     for (int end : {bond.first, bond.second}) {
@@ -74,7 +75,8 @@ class Union {
     return found;
   }
 
-  // Values at a member's points, from those at the points of all cells; only at points whose cell the member has.
+  // Values at the points of a member, taken from those at the points of the union; -1 at points that are not the lower
+  // left corner of one of the member's cells.
   std::vector<int> of_member(const pd::CellLattice& grid, const Eigen::Vector2i& shift,
                              const std::vector<int>& values) const {
     std::vector<int> own(static_cast<std::size_t>(grid.point_count()), -1);
@@ -104,7 +106,7 @@ class Union {
   bool sound_ = true;
 };
 
-// Bonds of one member, collected one by one.
+// Builder that collects the bonds of one member one by one.
 class MemberBonds {
  public:
   MemberBonds(const Union& all, const pd::Network& network, int member, const Eigen::Vector2i& shift, int own_points)
@@ -149,7 +151,7 @@ class MemberBonds {
   std::unordered_map<int, int> far_;  // numbers of points that other members have
 };
 
-// Bonds by the members that list them; bonds that nobody lists come last.
+// Bonds of the union sorted by the member that lists them (its owner); those without an owner are the last list.
 std::vector<std::vector<std::size_t>> bonds_by_owner(const Union& all, const pd::Network& network, std::size_t count) {
   std::vector<std::vector<std::size_t>> rows(count + 1);
   for (std::size_t b = 0; b < network.bonds.size(); ++b) {

@@ -6,19 +6,20 @@
 
 namespace bempd::regions {
 
-// The region and those with which it acts as one, directly or through others, by id.
+// Regions that form one lattice with a region, touching it directly or through others, itself included; by ascending
+// id.
 std::vector<LatticeRegion*> regions_acting_as_one(LatticeRegion& region, const Preparation& preparation);
 
-// Regions that act as one: their bonds are those of the body that all their cells make together.
+// Group of lattice regions that touch and form one lattice: bonds are made for the union of their cells.
 class LatticeGroup {
  public:
   explicit LatticeGroup(std::vector<LatticeRegion*> members) : members_(std::move(members)) {}
 
   const std::vector<LatticeRegion*>& members() const { return members_; }  // by id
 
-  // Adds the bonds, once all members have numbered their nodes. The scene's bonds come in the order of the regions that
-  // list them, then those that no region lists. Returns false without a change if there is no network for all cells
-  // together.
+  // Adds the bonds of the group, once all members have numbered their nodes. The order of the scene's bonds is: those
+  // of each member in turn, then those that belong to no single member. Returns false and changes nothing if no network
+  // exists for the union of all cells.
   bool add_bonds(const Preparation& preparation, const Contributions& contributions) const;
 
  private:

@@ -5,7 +5,8 @@ namespace bempd::regions {
 
 namespace {
 
-// Lines grow in scheme symmetric and from event to event; elsewhere bonds break one by one.
+// Rule of crack growth: cracks grow as lines only in the scheme symmetric, event by event; otherwise bonds break one by
+// one.
 std::string crack_rule_in_effect(const scene::Options& options) {
   const std::string rule = options.text_value("crack.rule");
   const bool has_lines = options.text_value("scheme") == "symmetric" && options.text_value("paper.mode") == "event";

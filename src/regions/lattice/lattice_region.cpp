@@ -72,7 +72,7 @@ void LatticeRegion::build(const Preparation& preparation, Contributions& contrib
   if (!group_) {
     bond_alone(preparation, contributions);
   } else if (group_->members().back() == this) {
-    // The last region of a group adds its bonds, for which the other ones have waited.
+    // The last region of a group adds the bonds of all members, because all need to have their nodes.
     const std::shared_ptr<LatticeGroup> group = std::move(group_);
     const bool as_one = group->add_bonds(preparation, contributions);
     for (LatticeRegion* member : group->members()) {
@@ -95,7 +95,8 @@ pd::Network LatticeRegion::make_network(const pd::CellLattice& cells, int thread
   return pd::build_network(cells, horizon_ratio(), elasticity(), threads);
 }
 
-// Takes the network of a region before that differs by a translation or the spacing only, or builds one.
+// Takes the network of an earlier region that differs only by a translation or the spacing; builds one if there is
+// none.
 void LatticeRegion::take_network(const Preparation& preparation, std::vector<std::string>& warnings) {
   for (const auto& other : preparation.regions) {
     if (other.get() == this) break;
@@ -130,7 +131,7 @@ void LatticeRegion::follow(const LeadingElements& leading, int leader, coupling:
     const Point scaled = to_grid(place), nearest = scaled.array().round();
     return (scaled - nearest).norm() < 0.25;
   };
-  // The row of points may begin or end half a spacing from a crack's mouth.
+  // An interface that ends at the mouth of a crack reaches half a spacing beyond its last point.
   const Point first = is_point(start) ? start : start + half, last = is_point(end) ? end : end - half;
   tie_points(leading, leader, points_along(first, last), spacing(), ties);
 }

@@ -12,8 +12,8 @@ namespace bempd::regions {
 
 class LatticeGroup;
 
-// Peridynamic region on its material points, the corners of its cells. Other lattices override the protected virtual
-// functions.
+// Peridynamic region whose material points are the corners of lattice cells. Other schemes override the protected
+// virtual functions.
 class LatticeRegion : public BondedRegion {
  public:
   LatticeRegion(int id, const LatticeDescription& described, const scene::Material& material);
@@ -37,9 +37,9 @@ class LatticeRegion : public BondedRegion {
   std::unique_ptr<Evaluator> evaluator(const Solution& solution, const FieldsOfRegion& fields,
                                        bool with_stress) const override;
 
-  // --- For the group of regions that it acts as one with
+  // --- Functions for the group of regions that form one lattice
 
-  // Whether two regions act as one where they touch along an edge: one material, spacing and horizon.
+  // Whether two regions form one lattice where they touch along an edge: material, spacing and horizon are equal.
   virtual bool acts_as_one_with(const LatticeRegion& other) const;
   virtual pd::Network make_network(const pd::CellLattice& cells, int threads) const;
   const pd::CellLattice& grid() const { return *grid_; }
@@ -48,37 +48,39 @@ class LatticeRegion : public BondedRegion {
   bool shares_bonds_with(const BondedRegion& other) const override;
 
  protected:
-  // Point where supports and loads on an edge act.
+  // Material point on which supports and loads on an edge act.
   struct EdgePoint {
     int point;
     double fraction;  // of the edge
   };
 
-  // Adds points where the edges of neighbours ask for them; the points of the grid exist already.
+  // Adds material points that the edges of neighbours need; the points of the grid exist already.
   virtual void place_points(const Preparation& /*preparation*/) {}
-  // Material points that are nodes of other regions, too: all on interfaces that match, the ends of others.
+  // Flags of material points that are nodes of other regions too: all points on matching interfaces, only the end
+  // points of others.
   virtual std::vector<char> shared_points(const Preparation& preparation) const;
-  // Whether another region, of the same class, has the same network.
+  // Whether another region of the same class has the same network of bonds, so that both can share it.
   virtual bool is_alike(const LatticeRegion& other) const;
   virtual std::vector<EdgePoint> edge_points(int edge) const;
-  // Adds the forces at points of a traction on a straight piece of boundary, all in coordinates of the cells.
+  // Adds the nodal forces of a traction on the straight piece of boundary from a to b, in grid coordinates.
   virtual void add_edge_forces(const Point& a, const Point& b, const std::function<Point(const Point&)>& traction,
                                Eigen::Ref<Eigen::VectorXd> forces) const;
   std::vector<double> cell_shares() const override;
-  // Distance beyond the grid's cells up to which values are asked for, in spacings.
+  // Distance in spacings outside the grid's cells up to which places are still evaluated.
   virtual double reach_beyond_cells() const { return 0; }
 
   void use_grid(pd::CellLattice grid, const Point& origin);
 
   const LatticeOutline& outline() const { return outline_; }
-  // Points on an edge or a part of it between corners of cells, ends included; only where the corners are the points.
+  // Material points on an edge or a part of it between two corners of cells, ends included. Only for lattices whose
+  // points are the corners of cells.
   std::vector<int> points_along(const Point& start, const Point& end) const;
 
  private:
   class LatticeEvaluator;
 
-  // Replaces the stresses where bonds or squares of cells are broken by those of the remaining ones, the mean over the
-  // cells at a point.
+  // Corrects stresses at points where bonds or squares of cells are broken: the mean over the cells at the point of
+  // what the remaining bonds and squares carry.
   void correct_at_losses(const Solution& solution, const std::vector<Eigen::Vector3d>& strains,
                          const pd::BondStates& states, std::vector<Eigen::Vector3d>& stresses) const override;
   Eigen::Vector3d stress_of_squares(const Solution& solution, int first_square) const;

@@ -55,13 +55,13 @@ Cells LatticeRegion::cells() const {
     const Eigen::Vector2i corner = grid_->point(i);
     if (!grid_->has_cell(corner)) continue;
     const auto corners = grid_->cell_corners(corner);
-    // Corners are turned from the order of rows to the counter-clockwise one.
+    // Corners are reordered from rows to counter-clockwise.
     cells.nodes.insert(cells.nodes.end(), {corners[0], corners[1], corners[3], corners[2]});
   }
   return cells;
 }
 
-// Evaluates by bilinear interpolation in a cell of the grid.
+// Evaluates places in a lattice by bilinear interpolation in a cell of the grid.
 class LatticeRegion::LatticeEvaluator final : public Evaluator {
  public:
   LatticeEvaluator(const LatticeRegion& region, const FieldsOfRegion& fields, bool with_stress)
@@ -91,7 +91,7 @@ class LatticeRegion::LatticeEvaluator final : public Evaluator {
     const Point p = region_.to_grid(place);
     const double reach = region_.reach_beyond_cells() + 1e-6;
     const Eigen::Vector2i base(static_cast<int>(std::floor(p.x())), static_cast<int>(std::floor(p.y())));
-    // The cell of a place on a boundary may lie on the other side of a lattice line.
+    // A place on the boundary may be rounded into a neighbouring cell that does not exist, so neighbours are tried too.
     for (const Eigen::Vector2i& shift :
          {Eigen::Vector2i(0, 0), {-1, 0}, {0, -1}, {-1, -1}, {1, 0}, {0, 1}, {1, 1}, {-1, 1}, {1, -1}}) {
       const Eigen::Vector2i cell = base + shift;

@@ -43,8 +43,8 @@ std::vector<Eigen::RowVector2d> BondedRegion::strains_of_points(const LatticeSwe
   return strains;
 }
 
-// Sets rest elongations: a bond takes the mean of the strains at its ends, a square that of its corners. So a linear
-// strain, which the body follows freely, leaves all of them without force.
+// Sets rest elongations for swelling: a bond takes the mean strain of its ends, a square that of its corners. A linear
+// strain, which the body follows without stress, then causes no force in any of them.
 void BondedRegion::set_rests(const LatticeSwelling& lattices, coupling::Terms& terms) const {
   const std::vector<Eigen::RowVector2d> strains = strains_of_points(lattices);
   for (std::size_t b = 0; b < network()->bonds.size(); ++b) {

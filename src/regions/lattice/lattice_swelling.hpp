@@ -10,14 +10,14 @@ namespace bempd::regions {
 
 class BondedRegion;
 
-// Swelling strains of lattices at the scene's nodes: one field for all regions that act as one where they touch, since
-// bonds cross from one to the other; the mean of their strains where these differ.
+// Swelling strains at the nodes of lattices. Regions that share bonds have one field, with the mean of their strains at
+// nodes where these differ.
 class LatticeSwelling {
  public:
   explicit LatticeSwelling(const std::vector<Point>& positions) : positions_(positions) {}
 
   void add(const BondedRegion& region, const Swelling& strain);
-  // Strain at a node, constant and proportional part.
+  // Swelling strain at a node of a region: constant and proportional part.
   Eigen::RowVector2d at(const BondedRegion& region, int node) const;
 
  private:

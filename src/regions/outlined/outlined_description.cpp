@@ -19,7 +19,8 @@ bool is_rectilinear(const Outline& outline) {
                      [&](const Edge& edge) { return edge.direction().cwiseAbs().minCoeff() <= tolerance; });
 }
 
-// Throws unless the horizon is wide enough: points on an outline need more bonds than those to the nearest neighbours.
+// Throws Error (argument) for a horizon of less than three spacings: points on an outline need more bonds than those to
+// their nearest neighbours.
 void require_horizon(int horizon_ratio) {
   require(horizon_ratio >= 3, "horizon_ratio is ", horizon_ratio,
           "; a peridynamic region with slanted or round edges needs at least 3");

@@ -6,7 +6,8 @@
 
 namespace bempd::regions {
 
-// Throws unless a peridynamic neighbour, which has points of its own, has the same points on the interface.
+// Throws Error (argument) if a peridynamic neighbour would have other points on the interface: the spacings must be
+// equal, and the interface must end at lattice points of the neighbour.
 void OutlinedRegion::require_common_points(const Preparation& preparation, const Contact& contact) const {
   const int other = contact.other_region + 1;
   const auto* points = dynamic_cast<const LatticeDescription*>(&preparation.scene.region(other));
@@ -39,8 +40,8 @@ std::vector<Point> OutlinedRegion::interface_points(const Preparation& preparati
   return found;
 }
 
-// Pieces whose chords may differ: those with points that elements follow, or on which no neighbour relies; and only on
-// a loop with points that neighbours rely on.
+// Flags of the pieces of the outline whose chords may differ in length. They lie on loops with interfaces. No neighbour
+// relies on their points: the edge is free, or the elements there follow the points.
 std::vector<char> OutlinedRegion::pieces_that_may_vary(const Preparation& preparation) const {
   std::vector<char> may_vary(pieces_.size(), 0);
   std::size_t first = 0;
@@ -87,8 +88,8 @@ std::vector<char> OutlinedRegion::shared_points(const Preparation& preparation) 
   return shared;
 }
 
-// Ties points on the interface to elements as points of a lattice whose spacing is the length of the interface's
-// chords.
+// Ties the points on an interface to the elements of the region `leader`, as points of a row whose spacing is the
+// length of the interface's chords.
 void OutlinedRegion::follow(const LeadingElements& leading, int leader, coupling::NodeTies& ties) const {
   const Point &start = leading.places.front(), &end = leading.places.back();
   std::vector<int> points;
@@ -96,7 +97,7 @@ void OutlinedRegion::follow(const LeadingElements& leading, int leader, coupling
     if (distance(Segment{start, end}, position(i)) < 1e-6 * spacing()) points.push_back(i);
   const auto along = [&](int i) { return (position(i) - start).dot(end - start); };
   std::sort(points.begin(), points.end(), [&](int i, int j) { return along(i) < along(j); });
-  // The interface reaches half a chord beyond its last point where it ends at a crack's mouth.
+  // An interface that ends at the mouth of a crack reaches half a chord beyond its last point.
   const double beyond = (position(points.front()) - start).norm() + (end - position(points.back())).norm();
   const double at_mouths = beyond > 1e-6 * spacing() ? beyond : 0;
   const double chord =

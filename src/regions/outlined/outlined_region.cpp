@@ -11,14 +11,15 @@ namespace bempd::regions {
 
 namespace {
 
-// Gauss rule on [0, 1].
+// Gauss rule with four points on [0, 1].
 constexpr double abscissa[4] = {0.0694318442029737, 0.3300094782075719, 0.6699905217924281, 0.9305681557970263};
 constexpr double weight[4] = {0.1739274225687269, 0.3260725774312731, 0.3260725774312731, 0.1739274225687269};
 
-// Least length of a piece between required places, in spacings.
+// Least length of a piece of the outline between two required places, in spacings.
 constexpr double shortest_piece = 0.75;
 
-// Distance of a segment from the points of a lattice beside it, along the axis across its steeper direction.
+// Smallest distance of a segment from lattice points, in spacings, measured along the axis that the segment is steeper
+// to. `shift` is the position of the lattice.
 double distance_from_points(const Segment& segment, const Point& shift) {
   const Point along = segment.direction();
   const int axis = std::abs(along.x()) >= std::abs(along.y()) ? 0 : 1;
@@ -62,7 +63,7 @@ std::vector<double> OutlinedRegion::stations_on(const Preparation& preparation, 
       wanted.insert(wanted.end(), breaks.begin(), breaks.end());
     }
   }
-  // The outline has a chord whose middle is the mouth of a crack.
+  // A crack's mouth is to lie in the middle of a chord.
   for (const scene::Crack& crack : preparation.scene.cracks()) {
     for (const Point& p : crack.given()) {
       if (distance(edge, p) > 8 * preparation.tolerance) continue;
@@ -102,13 +103,14 @@ void OutlinedRegion::divide_outline(const Preparation& preparation) {
   }
   body_.chords = pd::make_chords(loops_);
   shared_points(preparation);
-  // Chords of different lengths are tried where the points that neighbours rely on leave too few points to balance the
-  // rest.
+  // Chords of different lengths are tried if the points that neighbours rely on leave too few chords to balance the
+  // outline.
   if (pd::imbalance(body_.chords, pd::balancing_factors(body_.chords)) > 1e-13)
     body_.chords = pd::make_chords(loops_, pieces_that_may_vary(preparation));
 }
 
-// Position of the lattice. Its lower left corner is a lattice point, unless another position keeps farther from cracks.
+// Position of the lattice inside the outline. A lattice point lies at the lower left corner, unless another position
+// keeps the points farther from cracks.
 pd::LatticePlace OutlinedRegion::place_of_lattice(const Preparation& preparation) const {
   constexpr int steps = 8;
   const Eigen::Matrix2d turn(Eigen::Rotation2Dd(choice_.angle));
@@ -184,9 +186,9 @@ std::optional<LatticeGrid> OutlinedRegion::lattice_grid() const {
   return LatticeGrid{from_grid(body_.place.origin), spacing(), horizon_ratio() * spacing(), choice_.angle};
 }
 
-// Cuts bonds. A crack that begins at a corner, or where two pieces of a round edge meet, meets a point there: it passes
-// on the right of it. At a round hole the bonds between neighbouring points of the outline lie off the body, so that a
-// crack that ends on the hole has to reach a little farther to part them.
+// Adds the bonds that a crack cuts. If the crack begins at a material point (at a corner, or between two pieces of a
+// round edge), it is moved to the right of it. If it ends on a round hole it is lengthened, because bonds between
+// neighbouring points on the hole run outside the body and would not be cut.
 void OutlinedRegion::cut(const scene::Crack& crack, int number, std::vector<int>& bonds,
                          std::vector<std::string>& warnings) const {
   constexpr double on_point = 1e-8, on_arc = 1e-6, aside = 1e-3, beyond_arc = 0.5;  // in spacings
@@ -238,10 +240,11 @@ std::vector<PlacedNode> OutlinedRegion::nodes_on(const EdgeSpan& span, double to
   return found;
 }
 
-// Nodal forces f_i = (1 + a_i) integral of phi_i t ds, where a_i balances the chords of the outline. phi_i are linear
-// hats along straight edges. Along a round edge the traction of a constant stress turns with the normal, and its
-// integral over an arc is that over the chord: halves for both ends of a whole chord pass it on exactly, and are of
-// second order, too.
+// Nodal forces of a traction t: f_i = (1 + a_i) integral of phi_i t ds, where the factors 1 + a_i balance the chords of
+// the outline. Along straight edges phi_i is the linear hat function.
+// Along a round edge a constant stress has a traction that turns with the normal; its integral over an arc equals that
+// over the chord. Therefore each end of a whole chord takes half, which is exact for a constant stress and of second
+// order otherwise.
 void OutlinedRegion::add_traction(const EdgeSpan& span, const std::function<Point(const Point&)>& traction,
                                   Eigen::Ref<Eigen::VectorXd> force) const {
   Eigen::VectorXd nodal = Eigen::VectorXd::Zero(2 * point_count());

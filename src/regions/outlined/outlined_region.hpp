@@ -10,8 +10,8 @@
 
 namespace bempd::regions {
 
-// Peridynamic region with any outline: material points on equal chords along its edges and, inside, those of a lattice.
-// Its stresses are balanced on the chords, which are the edges where these are straight.
+// Peridynamic region with any outline: material points on equal chords along its edges and, inside, on a lattice.
+// Uniform stress is in balance with the tractions on the chords, which coincide with straight edges.
 class OutlinedRegion final : public BondedRegion {
  public:
   OutlinedRegion(int id, const OutlinedDescription& described, const scene::Material& material);
@@ -45,28 +45,28 @@ class OutlinedRegion final : public BondedRegion {
 
  private:
   class CellEvaluator;
-  // Part of an edge that has equal chords.
+  // Piece of an edge that is divided into equal chords.
   struct Piece {
     int edge;  // number
     double from, to;
     Arc arc;  // in grid coordinates
   };
 
-  // Squares of cells (outlined_squares.cpp).
+  // Terms called squares of cells (outlined_squares.cpp).
   void add_squares(const Contributions& contributions);
   void correct_at_losses(const Solution& solution, const std::vector<Eigen::Vector3d>& strains,
                          const pd::BondStates& states, std::vector<Eigen::Vector3d>& stresses) const override;
-  // Mean stress in a patch of cells [Pa].
+  // Mean stress [Pa] that the squares cause in a patch of cells.
   Eigen::Vector3d stress_of_squares(const Solution& solution, std::size_t patch) const;
 
   void require_common_points(const Preparation& preparation, const Contact& contact) const;
   void divide_outline(const Preparation& preparation);
   std::vector<char> pieces_that_may_vary(const Preparation& preparation) const;
-  // Marks the points that are nodes of other regions, too: all on interfaces that match, the ends of others. It also
-  // keeps the surface vectors of all of them.
+  // Flags of material points that are nodes of other regions too: all points on matching interfaces, only the end
+  // points of others. The surface vectors of these points are marked to be kept when the outline is balanced.
   std::vector<char> shared_points(const Preparation& preparation);
-  // Fractions of an edge where pieces end: at the ends of interfaces, and at other required places as far as they leave
-  // room for chords.
+  // Fractions of an edge at which pieces end: the ends of interfaces, and other required places where there is room for
+  // chords.
   std::vector<double> stations_on(const Preparation& preparation, int edge) const;
   pd::LatticePlace place_of_lattice(const Preparation& preparation) const;
   void require_possible_corners() const;

@@ -9,7 +9,7 @@ namespace bempd::regions {
 
 namespace {
 
-// Weights of a cell's corners at a place, which may lie a little outside.
+// Weights of a cell's corners (its shape functions) at a place, which may lie slightly outside the cell.
 std::array<double, 4> weights_in(const std::vector<Point>& points, const std::array<int, 4>& cell, const Point& place) {
   const Point &a = points[cell[0]], &b = points[cell[1]], &d = points[cell[3]];
   const double area = cross(b - a, d - a);
@@ -18,7 +18,7 @@ std::array<double, 4> weights_in(const std::vector<Point>& points, const std::ar
   return {(1 - x) * (1 - y), x * (1 - y), x * y, (1 - x) * y};
 }
 
-// Distance of a place outside of the cell, in spacings or so; not positive inside.
+// Distance of a place from a cell in grid units, an estimate; not positive inside the cell.
 double excess(const std::vector<Point>& points, const std::array<int, 4>& cell, const Point& place) {
   double most = -std::numeric_limits<double>::infinity();
   const int count = pd::is_triangle(cell) ? 3 : 4;
@@ -37,8 +37,8 @@ Cells OutlinedRegion::cells() const {
   return cells;
 }
 
-// Evaluates bilinearly in cells of the lattice and linearly in the triangles around them; between a round edge and its
-// chord as in the triangle at the chord.
+// Evaluates places by interpolation: bilinear in lattice cells, linear in the triangles around them. Between a round
+// edge and its chord the triangle at the chord is extrapolated.
 class OutlinedRegion::CellEvaluator final : public Evaluator {
  public:
   CellEvaluator(const OutlinedRegion& region, const FieldsOfRegion& fields, bool with_stress)

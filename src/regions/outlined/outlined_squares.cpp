@@ -1,4 +1,4 @@
-// Squares of cells in bodies with any outline, by which they have any Poisson's ratio.
+// Squares of cells in bodies with any outline: terms of the energy that make any Poisson's ratio possible.
 #include <algorithm>
 #include <limits>
 
@@ -11,7 +11,8 @@ namespace bempd::regions {
 
 namespace {
 
-// Mean over the patch of the stress (xx, yy, xy) that a unit of force in the square makes, for spacing and thickness 1.
+// Mean stress (xx, yy, xy) over a patch of cells due to a unit force in a square, for unit spacing and thickness. `at`
+// are the patch's points, `area` its area.
 Eigen::Vector3d unit_stress_of(const pd::StencilSquare& square, std::span<const int> at, double area,
                                const std::vector<Point>& points) {
   Eigen::Matrix2d moment = Eigen::Matrix2d::Zero();
@@ -54,8 +55,8 @@ Eigen::Vector3d OutlinedRegion::stress_of_squares(const Solution& solution, std:
   return stress;
 }
 
-// Replaces the stresses where bonds or squares of cells are broken by those of the remaining ones: the mean over the
-// cells at a point by their shares of its area.
+// Corrects stresses at points where bonds or squares are broken: the mean of what the remaining bonds and squares
+// carry, over the cells at the point, weighted by their shares of its area.
 void OutlinedRegion::correct_at_losses(const Solution& solution, const std::vector<Eigen::Vector3d>& strains,
                                        const pd::BondStates& states, std::vector<Eigen::Vector3d>& stresses) const {
   if (stencils_.empty()) return;
@@ -81,8 +82,8 @@ void OutlinedRegion::correct_at_losses(const Solution& solution, const std::vect
   }
 }
 
-// Sets rest elongations to those of the body that follows the strain freely, if that is linear: e = e0 + a x + b y is
-// the strain of the displacement (e0 x + a (x^2 - y^2) / 2 + b x y, e0 y + a x y + b (y^2 - x^2) / 2).
+// Sets the rest elongations for a swelling strain. If the strain is linear, e = e0 + a x + b y, they are those of the
+// stress-free displacement (e0 x + a (x^2 - y^2) / 2 + b x y, e0 y + a x y + b (y^2 - x^2) / 2).
 void OutlinedRegion::set_rests(const LatticeSwelling& lattices, coupling::Terms& terms) const {
   BondedRegion::set_rests(lattices, terms);
   const std::vector<Eigen::RowVector2d> strains =

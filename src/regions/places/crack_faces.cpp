@@ -23,7 +23,7 @@ void CrackFaces::add_load(const scene::Scene& scene, const Discretization& d, in
 
 void CrackFaces::add_to_elements(const scene::Scene& scene, const Discretization& d, int load,
                                  DofConditions& conditions) const {
-  // The condition is copied, since it may get new values while this result is in use.
+  // A copy of the condition is stored, because the host may change its values while this result is in use.
   const scene::Condition condition = scene.loads()[load];
   conditions.crack_loads.push_back({crack_, [condition](double fraction) -> std::array<Point, 2> {
                                       const auto value = condition.acting_value(Point::Zero(), fraction);

@@ -4,8 +4,9 @@
 
 namespace bempd::regions {
 
-// Two faces of a crack, loaded by a pressure (component x of a condition) that pushes them apart and by a shear
-// (component y) that drives the left face, seen along the crack, forward and the right one back [Pa].
+// Faces of a crack, the left and the right one. The x component of a load's value is a pressure that pushes the faces
+// apart; the y component is a shear that drives the left face (seen along the crack) forward and the right face back
+// [Pa].
 class CrackFaces : public OffEdges {
  public:
   explicit CrackFaces(int crack) : crack_(crack) {}
@@ -24,7 +25,7 @@ class CrackFaces : public OffEdges {
 
  protected:
   int crack() const { return crack_; }
-  // Adds the load on those parts of the crack that have elements.
+  // Adds the load to `conditions` for those parts of the crack that have boundary elements.
   void add_to_elements(const scene::Scene& scene, const Discretization& discretization, int load,
                        DofConditions& conditions) const;
 

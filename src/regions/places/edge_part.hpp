@@ -5,7 +5,7 @@
 
 namespace bempd::regions {
 
-// Part of an edge between two fractions of its length; loads on it are tractions [Pa].
+// Part of an edge between two fractions of its length; values of loads on it are tractions [Pa].
 class EdgePart : public scene::Place {
  public:
   EdgePart(int region, int edge, double from, double to) : region_(region), edge_(edge), from_(from), to_(to) {}
@@ -18,7 +18,7 @@ class EdgePart : public scene::Place {
     hash.add(region_), hash.add(edge_), hash.add(from_), hash.add(to_);
   }
   std::vector<double> breaks_on(const scene::Scene& scene, int region, int edge, double tolerance) const override;
-  // Nodes of the scene on the part, in order from its start.
+  // Nodes of the scene on this part of the edge, in order from its start.
   std::vector<PlacedNode> nodes(const scene::Scene& scene, const Discretization& discretization) const;
   bool covers(int region, int edge, double fraction) const override;
   std::vector<PlacedNode> held_nodes(const scene::Scene& scene, const Discretization& discretization,
@@ -27,10 +27,11 @@ class EdgePart : public scene::Place {
                 DofConditions& conditions) const override;
 
  protected:
-  // Traction that values of a load stand for at a fraction of the edge.
+  // Traction [Pa] at a fraction of the edge for the value of a load; derived classes give the value another meaning.
   virtual Point traction(const Edge& /*edge*/, double /*fraction*/, const Point& value) const { return value; }
 
-  // Throws Error (argument) if the part is an interface.
+  // Throws Error (argument) if this part of the edge touches another region: loads act on free edges only. `load` is
+  // the load's number (from 0) for the sentence.
   void require_free_edge(const scene::Scene& scene, const Discretization& discretization, int load) const;
 
  private:

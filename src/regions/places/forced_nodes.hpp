@@ -4,7 +4,7 @@
 
 namespace bempd::regions {
 
-// Nodes of a part of a free edge; loads on it are a force on each of them [N].
+// Nodes on a part of a free edge; the value of a load is the force on each of the nodes [N].
 class ForcedNodes final : public EdgePart {
  public:
   using EdgePart::EdgePart;

@@ -4,7 +4,7 @@
 
 namespace bempd::regions {
 
-// Whole region; loads on it are changes of its temperature [K]: the x of their values.
+// Whole region that is heated: the x component of a load's value is the change of its temperature [K].
 class HeatedRegion final : public OffEdges {
  public:
   explicit HeatedRegion(int region) : region_(region) {}

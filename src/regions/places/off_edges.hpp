@@ -4,7 +4,7 @@
 
 namespace bempd::regions {
 
-// Place that lies on no edge: elements need not end for it, and it covers no piece of boundary.
+// Place that is not on an edge: no element needs to end there, and it covers no part of the boundary.
 class OffEdges : public scene::Place {
  public:
   std::vector<double> breaks_on(const scene::Scene&, int, int, double) const final { return {}; }

@@ -4,8 +4,8 @@
 
 namespace bempd::regions {
 
-// Two faces of a crack and of all its growth, in either kind of region, pushed apart by a uniform pressure (component
-// x of a condition) [Pa].
+// Faces of a crack, including those that its growth adds, under a uniform pressure that pushes them apart: the x
+// component of a load's value [Pa]. Works in boundary elements and in lattices.
 class PressedCrack final : public CrackFaces {
  public:
   using CrackFaces::CrackFaces;

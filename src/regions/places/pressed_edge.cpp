@@ -4,7 +4,8 @@
 
 namespace bempd::regions {
 
-// The outward normal is to the right, as the body lies on the left of its edges.
+// The traction of a pressure points inwards, to the left of the edge's direction, because the body lies on the left of
+// its edges.
 Point PressedEdge::traction(const Edge& edge, double fraction, const Point& value) const {
   const Point along = edge.tangent(std::clamp(fraction, 0.0, 1.0)).normalized();
   return value.x() * Point(-along.y(), along.x());

@@ -4,7 +4,7 @@
 
 namespace bempd::regions {
 
-// Part of an edge under a pressure: the first component of a load's values [Pa] pushes against the body.
+// Part of an edge under pressure: the x component of a load's value [Pa] pushes against the body.
 class PressedEdge final : public EdgePart {
  public:
   using EdgePart::EdgePart;

@@ -5,7 +5,7 @@
 
 namespace bempd::regions {
 
-// A node or material point; loads on it are forces [N].
+// Single node or material point; values of loads on it are forces [N].
 class SinglePoint final : public scene::Place {
  public:
   explicit SinglePoint(const Point& where) : where_(where) {}

@@ -4,8 +4,8 @@
 
 namespace bempd::regions {
 
-// Whole region that turns about an axis: loads on it are the force per volume that drives it outwards, per distance
-// from the axis (component x of a condition), its density times the square of the angular velocity [N/m^4].
+// Whole region that rotates about an axis. The x component of a load's value is the centrifugal force per volume and
+// per distance from the axis: density times angular velocity squared [N/m^4].
 class TurningRegion final : public WholeRegion {
  public:
   TurningRegion(int region, const Point& axis) : WholeRegion(region), axis_(axis) {}

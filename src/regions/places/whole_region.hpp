@@ -5,7 +5,7 @@
 
 namespace bempd::regions {
 
-// Whole region; loads on it are forces per volume [N/m^3], the same everywhere.
+// Whole region; values of loads on it are uniform forces per volume [N/m^3].
 class WholeRegion : public OffEdges {
  public:
   explicit WholeRegion(int region) : region_(region) {}
@@ -22,7 +22,7 @@ class WholeRegion : public OffEdges {
                 DofConditions& conditions) const override;
 
  protected:
-  // Force per volume that values of a load stand for.
+  // Body force for the value of a load; derived classes give the value another meaning.
   virtual BodyForce force(const Point& value) const { return value; }
 
  private:
