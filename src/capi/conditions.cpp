@@ -46,7 +46,7 @@ std::shared_ptr<const scene::Place> at_point(double x, double y) {
   return std::make_shared<const regions::SinglePoint>(Point(x, y));
 }
 
-// `make` is called within the guard: it takes memory.
+// Adds a support made by `make`, which is called inside the guard because it allocates memory.
 template <class Make>
 bempd_status add_support(bempd_model* handle, const char* function, std::int32_t* id, const Make& make) {
   return with_model(handle, function, [&](model::Model& m) {

@@ -11,7 +11,7 @@ namespace bempd::capi {
 
 namespace {
 
-// Largest number of points in one call; more are a mistaken count.
+// Largest number of points in one call; more come from a mistaken count.
 constexpr std::int64_t most_points = std::int64_t{1} << 31;
 
 bempd_status status_of(Failure failure) {
@@ -32,7 +32,8 @@ bempd_status status_of(Failure failure) {
   return BEMPD_ERROR_INTERNAL;
 }
 
-// Runs `body` and turns every exception into a status and a message.
+// Runs `body` and turns every exception into a status and a message for `error`. An internal error also sets *broken,
+// if `broken` is not null.
 template <class Message>
 bempd_status catch_all(const char* function, Message& error, bool* broken, const Work<>& body) noexcept {
   try {
@@ -63,7 +64,7 @@ bempd_status catch_all(const char* function, Message& error, bool* broken, const
   }
 }
 
-// Runs a call on a model; a failed call gives up what it has prepared, so that the scene can be corrected.
+// Runs a call on a model. After a failure, what the call has prepared is discarded, so that the scene can be corrected.
 void run(model::Model& engine, const Work<model::Model&>& body) {
   const bool was_prepared = engine.prepared_or_null() != nullptr;
   const CancellationScope cancellation = engine.hear_requests();

@@ -18,7 +18,8 @@ enum class Use { idle, in_a_call, to_be_freed };  // the last: once the call tha
 
 }  // namespace bempd::capi
 
-// Handles of the C interface. A const model keeps its engine as it is; the records of calls are not part of that.
+// Handles of the C interface. Calls on a const model do not change its engine; error message and flags are mutable,
+// because every call sets them.
 struct bempd_model {
   bempd::model::Model engine;
   mutable std::string error;
@@ -32,9 +33,9 @@ struct bempd_state {
 
 namespace bempd::capi {
 
-// Message of the last failure of a call without a model, cut off where it is too long. It is no std::string: a thread's
-// own would be registered for its destruction, for which the C library takes memory and ends the process where there is
-// none.
+// Message of the last failed call without a model on this thread, cut off at 2047 bytes. It is not a std::string: the
+// destructor of a thread-local string has to be registered, and if memory for that is missing the C library ends the
+// process.
 class ThreadError {
  public:
   void assign(std::string_view message) noexcept {
@@ -51,8 +52,8 @@ class ThreadError {
 
 ThreadError& thread_error();
 
-// Reference to the work of a call, by two pointers, so that the guards are compiled once and not for every function. It
-// takes no memory and is to be used only as an argument.
+// Reference to the work of a call, so that the guards are compiled once and not for every function. It consists of two
+// pointers, allocates nothing, and may only be used as an argument.
 template <class... Arguments>
 class Work {
  public:
@@ -68,10 +69,11 @@ class Work {
   void (*call_)(const void*, Arguments...);
 };
 
-// Runs a call that has no model. Every exception becomes a status and a message that starts with the function's name.
+// Runs a call without a model. Every exception becomes a status and a message that begins with the function's name.
 bempd_status without_model(const char* function, const Work<>& body) noexcept;
 
-// Runs a call on a model, const or not; `body` receives its engine.
+// Runs a call on a model; `body` receives the model's engine. Every exception becomes a status and a message on the
+// model.
 bempd_status with_model(bempd_model* model, const char* function, const Work<model::Model&>& body) noexcept;
 bempd_status with_model(const bempd_model* model, const char* function, const Work<const model::Model&>& body) noexcept;
 
@@ -87,7 +89,8 @@ inline void require_finite(double value, const char* name) {
 
 std::vector<Point> points_from(const double* values, std::int64_t count, const char* name);
 
-// Size of a caller's struct as it says, which must be at least the given one.
+// Size of a caller's struct as its first member says; throws Error (argument) if `given` is null or the size is below
+// `least`.
 template <class T>
 std::size_t struct_bytes(const T* given, const char* name, std::size_t least) {
   require(given != nullptr, name, " is NULL; give a struct filled by its _init function");
@@ -96,7 +99,7 @@ std::size_t struct_bytes(const T* given, const char* name, std::size_t least) {
   return static_cast<std::size_t>(given->struct_size);
 }
 
-// Copies into a caller's struct as much as its size allows, keeping that size.
+// Copies values into a caller's struct, as many as its size allows, and keeps that size.
 template <class T>
 void write_struct(T* target, const T& values, const char* name) {
   const std::size_t size = std::min(struct_bytes(target, name, sizeof(std::int64_t)), sizeof(T));
@@ -105,10 +108,11 @@ void write_struct(T* target, const T& values, const char* name) {
   target->struct_size = keep;
 }
 
-// Copies text to a caller's buffer and tells how many bytes it needs, with the final zero.
+// Copies text with its final zero to a caller's buffer; `needed` receives its size in bytes. With `capacity` 0 the
+// buffer may be null and only the size is returned; throws Error (argument) if the capacity is too small.
 void write_text(const std::string& words, char* buffer, std::int64_t capacity, std::int64_t* needed);
 
-// Fills a caller's struct of the size it was compiled with.
+// Fills a caller's struct with defaults. `size` is the size with which the caller was compiled.
 template <class T>
 bempd_status init_struct(const char* function, const char* name, T* target, std::int64_t size, const T& defaults) {
   return without_model(function, [&] {

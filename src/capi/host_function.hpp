@@ -5,7 +5,7 @@
 
 namespace bempd::capi {
 
-// Values on a boundary by a function of the host, which is asked once for each place.
+// Values on a boundary from a function of the host, which is called once for each place.
 scene::BoundaryFunction host_function(bempd_boundary_function function, void* user);
 
 }  // namespace bempd::capi

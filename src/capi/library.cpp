@@ -21,7 +21,7 @@ const char* bempd_build_info(void) {
 }
 
 const char* bempd_status_name(bempd_status status) {
-  // The number is read as an integer: a host may pass any, also one that no enumerator has.
+  // The status is read as an integer, because a host may pass a number that no enumerator has.
   std::int32_t value;
   static_assert(sizeof value == sizeof status);
   std::memcpy(&value, &status, sizeof value);

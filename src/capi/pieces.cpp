@@ -7,7 +7,7 @@ using namespace bempd::capi;
 
 namespace {
 
-// 0 for several.
+// Number of the piece if there is exactly one; 0 if there are several or none.
 std::int32_t the_one(const std::vector<int>& pieces) { return pieces.size() == 1 ? pieces.front() : 0; }
 
 }  // namespace

@@ -19,7 +19,7 @@ void require_capacity(std::int64_t capacity, std::int64_t needed, const char* wh
   require(capacity >= needed, "capacity is ", capacity, "; ", needed, " ", what, " are needed");
 }
 
-// State of a run whose history has this line; throws without the line.
+// State of a run whose history has a line `index`; throws Error (argument) if it has not.
 const fracture::EvolutionState& with_line(const model::Model& m, std::int64_t index) {
   const model::PreparedScene* p = m.prepared_or_null();
   const auto count = p ? static_cast<int64_t>(p->evolution->progress().history.size()) : 0;

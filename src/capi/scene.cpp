@@ -13,7 +13,7 @@ namespace {
 
 constexpr bempd_material material_defaults{sizeof(bempd_material), 0, 0, 1, 0, 0, BEMPD_PLANE_STRESS, 0, 0};
 
-// Loop of vertices and bulges as a caller gives it.
+// Loop of vertices and bulges as the caller gives it.
 struct GivenLoop {
   std::int64_t vertex_count;
   const double* vertices;

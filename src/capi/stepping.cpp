@@ -149,14 +149,14 @@ bempd_status bempd_set_log(bempd_model* model, bempd_log_function function, void
 }
 
 bempd_status bempd_request_cancel(bempd_model* model) {
-  // Another call may run on the same model, so only one atomic flag is touched.
+  // Another call may be running on the model, so this one only sets an atomic flag.
   if (!model) return with_model(model, __func__, [](model::Model&) {});
   model->engine.request_cancel();
   return BEMPD_OK;
 }
 
 bempd_status bempd_request_stop(bempd_model* model) {
-  // Another call may run on the same model, so only one atomic flag is touched.
+  // Another call may be running on the model, so this one only sets an atomic flag.
   if (!model) return with_model(model, __func__, [](model::Model&) {});
   model->engine.request_stop();
   return BEMPD_OK;

@@ -4,7 +4,7 @@
 
 #include "fracture/crack_evolution.hpp"
 
-// Results that calls of a model return.
+// Result of a step (a run of the model).
 namespace bempd::model {
 
 struct StepResult {

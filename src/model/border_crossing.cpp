@@ -11,26 +11,26 @@
 #include "model/driven_growth.hpp"
 #include "model/model.hpp"
 
-// Lines that leave their lattice go on in the boundary elements behind it.
+// Crack lines that leave their lattice continue in the boundary elements behind it.
 namespace bempd::model {
 
 namespace {
 
-// Distance behind the interface of a crack's first tip with elements, in spacings.
+// Distance of a crack's first tip with elements behind the interface with the lattice, in spacings.
 constexpr double into_elements = 1.5;
 
-// Least room in the region ahead of that tip, in spacings; with less the line stops at the interface.
+// Least room ahead of the first tip with elements, in spacings; with less, the line stops at the interface.
 constexpr double room_in_elements = 0.5;
 
-// Closer than this to the interface, in horizons, the points ahead of a line no longer tell what its tip carries: from
-// there on it goes on in elements at once (docs/mixed_cracks.md).
+// Distance from the interface, in horizons, below which the stress points ahead of a line no longer give the load on
+// its tip; the line then continues in elements at once (docs/mixed_cracks.md).
 constexpr double near_elements = 2;
 
 bool is_in(const scene::Scene& scene, int id, const Point& place, double tolerance) {
   return locate(scene.region(id).outline(), place, tolerance) != Location::outside;
 }
 
-// Whether a step among bonds ends where boundary elements begin.
+// Whether an extension of a crack line ends at the border of a boundary element region.
 bool is_at_border(const scene::Scene& scene, const fracture::CrackExtension& e, double tolerance) {
   constexpr double closely = 0.25;  // of a step
   const Point from(e.from_x, e.from_y), to(e.x, e.y), ahead = to + closely * (to - from);
@@ -43,8 +43,8 @@ bool is_at_border(const scene::Scene& scene, const fracture::CrackExtension& e, 
   return any(false, from) && any(true, ahead);
 }
 
-// The place behind an interface at which a line becomes a tip of elements: the line leaves its lattice on its straight
-// way within so many spacings, into elements of the same material.
+// Place of the first tip with elements of a line that leaves its lattice. The line's straight continuation has to
+// reach, within `spacings`, a straight interface with boundary elements of the same material. Empty if it does not.
 std::optional<Point> tip_behind_border(const scene::Scene& scene, const fracture::CrackExtension& e, double spacings,
                                        double tolerance) {
   const Point from(e.from_x, e.from_y), to(e.x, e.y), along = (to - from).normalized();
@@ -70,7 +70,7 @@ std::optional<Point> tip_behind_border(const scene::Scene& scene, const fracture
   return std::nullopt;
 }
 
-// The last of an end of a crack.
+// Last extension of one end of a crack; empty (default values) if it has not grown.
 fracture::CrackExtension last_of(const crack::TipId& tip, std::span<const fracture::CrackExtension> extensions) {
   const auto found = std::find_if(extensions.rbegin(), extensions.rend(),
                                   [&](const auto& e) { return e.crack == tip.crack && e.end == tip.end; });
@@ -79,8 +79,8 @@ fracture::CrackExtension last_of(const crack::TipId& tip, std::span<const fractu
 
 }  // namespace
 
-// Whether a tip among bonds has come to where boundary elements begin, where it would run along the interface, or so
-// close that it can go on in them.
+// Whether a tip of a crack line has come to a border with boundary elements, where it would run along the interface, or
+// so close that the line can continue in them.
 bool leaves_lattice(const fracture::CrackExtension& e, const scene::Scene& scene, const regions::Discretization& d) {
   if (is_at_border(scene, e, d.tolerance)) return true;
   double horizons = 0;  // in spacings
@@ -90,7 +90,8 @@ bool leaves_lattice(const fracture::CrackExtension& e, const scene::Scene& scene
          tip_behind_border(scene, e, near_elements * horizons, d.tolerance).has_value();
 }
 
-// True if all lines that have come to a border go on in elements; those that cannot stop.
+// Continues the lines that have come to a border in boundary elements. True if none of them has to stop (one that is
+// only near the border may also grow on in its lattice); lines that have to stop remain in run.stopped_lines.
 bool Model::go_on_in_elements(ElementTips& tips, DrivenRun& run) {
   if (run.stopped_lines.empty()) return false;
   const double tolerance = prepared_->discretization.tolerance;
@@ -102,7 +103,8 @@ bool Model::go_on_in_elements(ElementTips& tips, DrivenRun& run) {
   return true;
 }
 
-// The crack becomes its path, which lattices know already, and a piece behind the interface.
+// Continues one line in the boundary elements behind its lattice; false if it cannot. The scene's crack is extended by
+// the line's path, whose bonds are broken already, and by a piece behind the interface.
 bool Model::cross_border(const crack::TipId& tip, ElementTips& tips, DrivenRun& run) {
   const auto number = static_cast<std::size_t>(tip.crack) - 1;
   const std::vector<scene::Crack> before = scene_.cracks();
@@ -148,10 +150,11 @@ bool Model::cross_border(const crack::TipId& tip, ElementTips& tips, DrivenRun& 
   return true;
 }
 
-// Grown again event by event, so that what regions take over from the scene before has the same digits. What grows
-// among bonds leaves the scene as it is, until it goes on in elements.
+// Scene with the growth of a saved state; null if the present scene has it already. Cracks are extended event by event
+// as in the run, so that operators get the same digits. Growth in lattices does not change the scene, unless the line
+// has continued in elements.
 std::unique_ptr<PreparedScene> Model::as_grown(const std::vector<fracture::CrackExtension>& extensions) {
-  // Lines may begin or end a little beyond the outline of their lattice.
+  // Crack lines may begin or end slightly outside their lattice's outline, so both ends of an extension are tested.
   const auto lies_in_elements = [&](double x, double y) {
     const std::vector<int> ids = scene_.region_ids();
     return std::any_of(ids.begin(), ids.end(), [&](int id) {

@@ -1,4 +1,4 @@
-// Checks of the part of a state's bytes from which its run continues.
+// Checks of the part of a saved state from which its run continues.
 #include <algorithm>
 #include <cmath>
 #include <set>
@@ -75,7 +75,7 @@ bool is_sound(const fracture::FaceState& faces, const PreparedScene& scene) {
          std::all_of(faces.closed.begin(), faces.closed.end(), is_flag) && are_below(faces.pending, terms);
 }
 
-// Whether tips are those of an earlier state: they may grow or end in a window, but none begins there.
+// Whether `tips` can be the earlier state of the tips `later`: in a window tips may grow or end, but none begins.
 bool are_those_of(const std::vector<fracture::GrowingTip>& tips, const std::vector<fracture::GrowingTip>& later,
                   std::size_t laws) {
   const auto is_same = [&](const fracture::GrowingTip& tip, const fracture::GrowingTip& then) {

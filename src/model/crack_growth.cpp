@@ -10,14 +10,14 @@
 #include "model/growth_options.hpp"
 #include "model/model.hpp"
 
-// Growth of cracks with boundary elements: the scene is prepared again with the longer cracks, and its run continues.
+// Growth of cracks with boundary elements: the scene is prepared again with longer cracks, and its run continues.
 namespace bempd::model {
 
 namespace {
 
 constexpr int most_rounds_of_faces = 64;
 
-// Thickness at each extension, in the scene before it.
+// Thickness of the body at each extension, by the regions of the scene before the growth.
 std::vector<double> thickness_at(const scene::Scene& scene, const PreparedScene& prepared,
                                  const std::vector<fracture::CrackExtension>& extensions) {
   std::vector<double> thickness;
@@ -31,7 +31,8 @@ std::vector<double> thickness_at(const scene::Scene& scene, const PreparedScene&
 constexpr const char* no_tip_with_elements =
     "no crack in a BEM region has a tip; add one, or let cracks in peridynamic regions grow by steps";
 
-// Load factor at which the first tip grows, rising from zero, and that tip.
+// Smallest load factor from zero upwards at which a tip grows, and the index of that tip. Throws Error (unsolvable) if
+// none grows.
 std::pair<double, std::size_t> first_growth(const std::vector<regions::TipValues>& tips,
                                             const scene::Options& options) {
   std::vector<crack::Candidate> candidates;
@@ -67,7 +68,8 @@ std::span<const fracture::CrackExtension> Model::extensions() const {
   return prepared_->evolution->progress().extensions;
 }
 
-// Factors of tips as functions of the load factor, which stay valid between events while the loads are the same.
+// Stress intensity factors of tips with elements as affine functions of the load factor. They are computed again only
+// if the scene, the displacement or the closed faces have changed.
 const std::vector<regions::TipValues>& Model::tip_factors() {
   const coupling::Affine& displacement = prepared_->evolution->state().displacement;
   const std::vector<char>& closed = prepared_->system->constraints().closed();
@@ -82,7 +84,7 @@ const std::vector<regions::TipValues>& Model::tip_factors() {
   return tip_factors_.tips;
 }
 
-// Tips with elements that may grow.
+// Tips with elements that may grow: neither frozen by the host nor stopped before an interface.
 std::vector<regions::TipValues> Model::growing_tips() {
   std::vector<regions::TipValues> tips = tip_factors();
   const fracture::EvolutionState& state = prepared_->evolution->progress();
@@ -92,7 +94,7 @@ std::vector<regions::TipValues> Model::growing_tips() {
   return tips;
 }
 
-// Tips that may grow; throws if there is none, which refuses bempd_grow_cracks().
+// Tips for bempd_grow_cracks(): throws Error (argument) if none may grow.
 std::vector<regions::TipValues> Model::free_tips() {
   const std::vector<regions::TipValues> tips = growing_tips();
   if (!tips.empty()) return tips;
@@ -101,8 +103,8 @@ std::vector<regions::TipValues> Model::free_tips() {
        "all tips are frozen, or have stopped before an interface; let one grow again with bempd_set_tip_frozen()");
 }
 
-// Goes to the load factor at which the first tip is critical. Tips are computed anew whenever faces close or open, or
-// bonds break, on the way.
+// Moves to the load factor at which the first tip becomes critical. If faces close or open or bonds break before that,
+// the tips are computed again.
 Growing Model::go_to_growth(double length) {
   for (int round = 0;; ++round) {
     const std::vector<regions::TipValues> tips = free_tips();
@@ -124,14 +126,15 @@ Growing Model::go_to_growth(double length) {
   }
 }
 
-// Prepared scene of the cracks with their extensions. `on_way` are the values that load them; null stands for those of
-// the scene.
+// Prepared scene with the extensions of `growing`. `on_way` are the values of loads that act; null for those of the
+// host.
 std::unique_ptr<PreparedScene> Model::extended_scene(const std::vector<scene::Crack>& before, Growing& growing,
                                                      const scene::SceneValues* on_way) {
   return with_cracks(extended(scene_, before, prepared_->discretization.tolerance, growing), on_way);
 }
 
-// Scene with the extended cracks, after their growth is entered in its history, and its tips.
+// Prepares the scene with the extended cracks and enters the growth in its history. `chosen`: the library has chosen
+// the extensions' lengths and may shorten them where the path turns sharply.
 Grown Model::grown(const std::vector<scene::Crack>& before, Growing growing, bool chosen,
                    const scene::SceneValues* on_way) {
   constexpr double turns = 0.01, turns_too_much = 0.35;  // [rad]

@@ -9,7 +9,8 @@
 
 namespace bempd::model {
 
-// Vertex of a crack's path. Its growth is NaN if it was described, or if the crack began there.
+// Vertex of a crack's path. Load factor, stress intensity factors and rates of the growth to it are NaN if the vertex
+// was described by the host or is where the crack began.
 struct PathVertex {
   static constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 
@@ -21,8 +22,8 @@ struct PathVertex {
   double energy_release_rate = unknown, resistance = unknown;  // in its direction, and met there [J/m^2]
 };
 
-// Path of a crack from its start to its end: the described points (none for a crack that began in the run), and the
-// extensions.
+// Path of a crack from its start to its end: the points that the host described (none for a crack that began in the
+// run) and the end points of its extensions.
 std::vector<PathVertex> path_of(int crack, std::span<const Point> described,
                                 std::span<const fracture::CrackExtension> extensions);
 

@@ -16,14 +16,14 @@ namespace bempd::model {
 
 namespace {
 
-// Tells the load factors and angles at which a tip grows, as its carrier has them.
+// Copies the load factors and kink angles of growth from a carrier's tip to the results.
 void tell_growth(regions::TipValues& values, const crack::Tip& tip) {
   values.kink_angle = tip.kink_angle, values.critical_kink_angle = tip.critical_kink_angle;
   values.critical_load_factor = in_range(tip.range.highest);
   values.critical_load_factor_down = in_range(tip.range.lowest);
 }
 
-// Computes them for a tip with known stress intensity factors, by the criterion in force.
+// Computes the results of the growth criterion in force for a tip with known stress intensity factors.
 void complete(regions::TipValues& tip, const scene::Options& options) {
   if (!tip.factors.allFinite() || !tip.constant_factors.allFinite() || !tip.proportional_factors.allFinite()) return;
   tell_growth(tip, carried(tip, options));
@@ -36,7 +36,8 @@ void never_grows(regions::TipValues& tip) {
   tip.critical_kink_angle = regions::TipValues::unknown;
 }
 
-// Takes the factors by which the tip grows, from the stress ahead, for tips around which no ring fits.
+// Uses the stress intensity factors that the run has fitted to the stress ahead of the tip, for tips around which no
+// ring fits.
 void take_stress_ahead(regions::TipValues& values, const crack::Tip& tip, double load_factor) {
   if (!tip.factors.at(load_factor).allFinite()) return;
   values.method = regions::TipMethod::stress_ahead;
@@ -46,7 +47,7 @@ void take_stress_ahead(regions::TipValues& values, const crack::Tip& tip, double
   values.energy_release_rate = in_range(values.factors.squaredNorm() / tip.law.plane_modulus);
 }
 
-// Length by which an end of a crack has grown in a lattice, which the scene's crack does not have.
+// Length by which an end of a crack has grown in lattices, without extensions that the scene's crack contains.
 double grown_among_bonds(int crack, int end, const scene::Crack& described,
                          std::span<const fracture::CrackExtension> extensions) {
   double sum = 0;
@@ -78,7 +79,7 @@ std::vector<regions::TipValues> Model::tips_of(const PreparedScene& prepared, re
     tips.insert(tips.end(), found.begin(), found.end());
   }
   for (regions::TipValues& tip : tips) complete(tip, options_);
-  // Tips are ordered by crack, the first point's end first.
+  // Tips are sorted by crack id; the tip at the first point comes before that at the last point.
   std::stable_sort(tips.begin(), tips.end(), [](const regions::TipValues& a, const regions::TipValues& b) {
     return std::pair(a.crack, a.end) < std::pair(b.crack, b.end);
   });
@@ -95,7 +96,7 @@ std::vector<regions::TipValues> Model::compute_tips() const {
   return all;
 }
 
-// Tips found among broken bonds.
+// Tips found among the broken bonds of the lattices, in growth bond by bond.
 std::vector<regions::TipValues> Model::tips_in_lattices() const {
   const regions::BondedBody body = bonded_body();
   std::vector<regions::TipValues> tips =
@@ -104,7 +105,7 @@ std::vector<regions::TipValues> Model::tips_in_lattices() const {
   return tips;
 }
 
-// Tips of crack lines as the run grows them: place, direction and load factors.
+// Tips of crack lines: place, direction and load factors as in the run, stress intensity factors by rings.
 std::vector<regions::TipValues> Model::tips_of_lines() const {
   const std::vector<crack::Tip> carried = prepared_->evolution->tips_of_lines();
   std::vector<regions::KnownTip> known;
@@ -219,7 +220,7 @@ std::vector<std::vector<Point>> Model::paths_in_lattices() const {
   return paths;
 }
 
-// Crack in lattices that is nearest to a place; of all described cracks, if none is in a lattice.
+// Id of the crack in a lattice that is nearest to a place; among all described cracks if none lies in a lattice.
 int Model::crack_nearest(const Point& place, const std::vector<std::vector<Point>>& paths) const {
   int nearest = 0;
   double least = std::numeric_limits<double>::infinity();

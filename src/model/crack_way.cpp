@@ -13,25 +13,26 @@ using crack::TipState;
 
 namespace {
 
-// Reach of an extension over its length: a tip that would stop closer before an edge or a crack goes on to it.
+// Search distance ahead of a tip over the extension's length: a tip that would stop closer than that before an edge or
+// a crack is extended to it.
 constexpr double reach = 1.25;
 
-// Share of an extension's length within which a tip that passes an end of a crack joins that end: the ligament would
-// break.
+// Distance over the extension's length within which a tip that passes the end of a crack joins it, because the ligament
+// would break.
 constexpr double near_an_end = 0.1;
 
-// Share of an extension's length within which a tip joins a corner of an outline, beside which elements would become
-// tiny.
+// Distance over the extension's length within which a tip joins a corner of an outline, because elements beside the
+// corner would become tiny.
 constexpr double near_a_corner = 1e-3;
 
-// Share of an extension's length (or half of the distance, if less) that is left before an interface, since elements
-// neither cross an interface nor lie on it.
+// Distance left before an interface over the extension's length (at most half of the distance to it). Elements can
+// neither cross such an interface nor lie on it.
 constexpr double before_an_interface = 0.25;
 
-// Tips do not lie closer than this part of the way to an interface that the crack crosses, before it or behind it.
+// Smallest distance of a tip before or behind an interface that its crack crosses, over the extension's length.
 constexpr double beside_a_crossing = 0.25;
 
-// Whether a place lies on the interface of regions with boundary elements of one material.
+// Whether a place lies on an interface of boundary element regions of one material, which cracks can cross.
 bool is_among_elements(const scene::Scene& scene, const Point& place, double tolerance) {
   std::vector<int> ids;
   for (const int id : scene.region_ids())
@@ -47,8 +48,8 @@ bool is_inside(const scene::Scene& scene, const Point& place, double tolerance) 
                      [&](int id) { return locate(scene.region(id).outline(), place, tolerance) == Location::inside; });
 }
 
-// A step that crosses interfaces at some ways ends at its length, or a little before or behind that where it would end
-// too close to one of them.
+// Length of an extension that crosses interfaces at the distances `crossings`: as given, or a little shorter or longer
+// if its tip would lie too close to one of them.
 double length_beside_crossings(double length, const std::vector<double>& crossings) {
   const double clear = beside_a_crossing * length;
   const auto gap = [&](double way) {
@@ -81,7 +82,8 @@ class Meetings {
     }
   }
 
-  // Adds a crack, all of it except the segment that ends at the tip itself.
+  // Adds a crack as an obstacle. Of the growing crack itself (`own`) the segment that ends at its tip `own_end` is left
+  // out.
   void with(const scene::Crack& crack, bool own, int own_end) {
     const std::size_t last = crack.points.size() - 1;
     for (std::size_t i = 0; i < last; ++i) {
@@ -98,10 +100,10 @@ class Meetings {
     if (!own || own_end == 0) ends_.push_back(crack.points.back());
   }
 
-  // Ways to interfaces that the crack crosses, because it goes on in elements behind them.
+  // Distances to interfaces that the crack crosses, because it continues in boundary elements behind them.
   const std::vector<double>& crossings() const { return crossings_; }
 
-  // First meeting on the path. Ends of cracks come last: they replace a meeting next to them.
+  // First obstacle on the path. Ends of cracks are tested last and replace an obstacle next to them.
   std::optional<TipWay> first() {
     for (const Point& end : ends_) {
       const double fraction = closest_fraction(way_, end), close = near_an_end * length_;
@@ -132,15 +134,18 @@ class Meetings {
   std::vector<Point> ends_;
 };
 
-// Distances in spacings: a tip of elements that would come closer than the first to material points goes on to them, so
-// that no element becomes much shorter than their spacing; and into_a_lattice is how far behind the interface it then
-// is, half way between two columns: on a column its first load is twice as far off.
+// Distances in spacings. A tip with elements that would come closer than near_a_lattice to the lattice ahead is
+// extended into it, so that no element becomes much shorter than a spacing.
+// It then lies into_a_lattice behind the interface, but at most in the middle of the lattice, and at least
+// least_into_a_lattice. The half puts it midway between two columns of points: on a column the error of the load factor
+// of its first growth is twice as large.
 constexpr double near_a_lattice = 2, into_a_lattice = 4.5, least_into_a_lattice = 1;
 
-// Least cosine of the angle between a path and the normal of an interface by which into_a_lattice is divided.
+// Smallest cosine of the angle between a path and the interface's normal for which into_a_lattice is divided by the
+// cosine.
 constexpr double least_cosine = 1.0 / 3;
 
-// Straight edge of a lattice of the same material that a path through one region meets first.
+// First straight edge of a lattice of the same material on the path of a tip.
 struct LatticeAhead {
   Point place;
   double way, spacing, width;  // width: of the lattice on the way
@@ -189,7 +194,8 @@ bool is_on_interface(const scene::Scene& scene, const Point& place, double toler
   return regions > 1;
 }
 
-// Distance of a place from an edge; parts of the edge on which cracks go on in the region behind are nothing.
+// Distance of a place from an edge, without the parts of the edge that are interfaces which cracks can cross. Infinite
+// if all of it can be crossed.
 double distance_without_crossable(const scene::Scene& scene, const Edge& edge, const Point& x, double tolerance) {
   const double whole = distance(edge, x);
   std::vector<double> ends{0.0, edge.joint(), 1.0};

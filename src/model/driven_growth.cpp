@@ -7,10 +7,10 @@
 #include "model/element_growth.hpp"
 #include "model/model.hpp"
 
-// Steps that let cracks with boundary elements grow on their way.
+// Steps in which cracks with boundary elements grow.
 namespace bempd::model {
 
-// A material without a fracture energy has stationary cracks.
+// Whether cracks with elements can grow in this step; in a material without a fracture energy they are stationary.
 bool Model::drives_elements(const fracture::SteppingOptions& stepping) const {
   if (stepping.mode != fracture::SteppingMode::events) return false;
   const std::vector<regions::PartedCrack>& cracks = prepared_->discretization.cracks;
@@ -21,7 +21,7 @@ bool Model::drives_elements(const fracture::SteppingOptions& stepping) const {
   });
 }
 
-// The run goes from one growth to the next, each in a scene of its own.
+// Runs from one growth of cracks with elements to the next; each growth continues in a scene prepared anew.
 fracture::StopReason Model::advance_growing(DrivenRun& run) {
   ElementTips tips(options_, [this] { return growing_tips(); });
   if (drives_elements(run.stepping)) {
@@ -53,7 +53,7 @@ fracture::StopReason Model::advance_growing(DrivenRun& run) {
   }
 }
 
-// The step ends where one does.
+// Collects crack lines that have come to the border of their lattice and asks the run to end its step there.
 void Model::look_after_lines(DrivenRun& run) {
   const std::vector<fracture::CrackExtension>& all = prepared_->evolution->progress().extensions;
   for (; run.extensions_seen < all.size(); ++run.extensions_seen) {
@@ -80,7 +80,7 @@ fracture::StopReason Model::with_stopped_lines(fracture::StopReason reason, cons
 
 namespace {
 
-// One of several tips that were to grow together.
+// One tip with its extension, out of several that were to grow together.
 Growing alone(const Growing& together, std::size_t number) {
   Growing one = together;
   one.tips = {together.tips[number]}, one.extensions = {together.extensions[number]};
@@ -90,8 +90,8 @@ Growing alone(const Growing& together, std::size_t number) {
 
 }  // namespace
 
-// False if the tip cannot grow: it stops, and the step ends. Of several that were to grow together those stop that
-// cannot grow alone either; the first one if each can.
+// Lets the tip that is due grow, with those that tie with it. Returns false if that is impossible: the tips that cannot
+// grow alone either are stopped (the due tip if each could), and the step ends.
 bool Model::grow_next(ElementTips& tips, DrivenRun& run) {
   const fracture::CrackEvolution::Due due = prepared_->evolution->due();
   Growing growing = growing_with(tips.values(), tips.number_of(due.tip), load_factor(), options_);
@@ -139,7 +139,7 @@ void Model::go_on_in(std::unique_ptr<PreparedScene> next, const fracture::Growth
   if (!run.start) run.start = std::move(next);
 }
 
-// Brings the model back to the start of the run after a failure, wherever the run has come.
+// Returns the model to the start of the run after a failure, at whatever point that happened.
 void Model::take_back(DrivenRun& run) noexcept {
   if (run.stepping.elements) scene_.set_cracks(std::move(run.cracks));
   if (run.start) prepared_ = std::move(run.start);

@@ -13,20 +13,20 @@ namespace bempd::model {
 
 struct PreparedScene;
 
-// A scene with longer cracks, whose growth is in its books, and its tips.
+// Prepared scene with longer cracks, in whose history the growth is entered, and its tips.
 struct Grown {
   std::unique_ptr<PreparedScene> scene;
   std::vector<regions::TipValues> tips;
   fracture::Growth growth;
 };
 
-// Times that a scene has taken so far.
+// Time that a scene has taken so far, by kinds of work [s].
 struct Seconds {
   double solve = 0, update = 0, search = 0;
 };
 Seconds seconds_of(const PreparedScene& prepared);
 
-// One run of a host, in which cracks with elements may grow, and what it takes to be back at its start.
+// One run of a host in which cracks with elements may grow, and what is needed to return to its start.
 struct DrivenRun {
   double target = 0;
   fracture::Goal goal = fracture::Goal::load_factor;
@@ -43,7 +43,7 @@ struct DrivenRun {
   Seconds seconds;                          // of the present scene before the run, less those of scenes before it
 };
 
-// Whether a step among bonds has come to where boundary elements begin, or so close that its crack can go on in them
+// Whether a crack line has come to the border of a boundary element region, or so close that it can continue there
 // (border_crossing.cpp).
 bool leaves_lattice(const fracture::CrackExtension& extension, const scene::Scene& scene,
                     const regions::Discretization& discretization);

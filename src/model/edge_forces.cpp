@@ -34,7 +34,8 @@ std::vector<int> EdgeResults::cells(int region, int edge) {
   return regions::edge_cells(model_.prepared().discretization, region, nodes(region, edge));
 }
 
-// The forces of elements or bonds on all nodes, less those of the loads on them.
+// Forces that the elements and bonds of a body (ids of regions) exert on all nodes, less the loads on these regions:
+// what neighbours and supports exert on the body.
 Eigen::VectorXd EdgeResults::forces_from_outside(const std::vector<int>& body) {
   const PreparedScene& prepared = model_.prepared();
   const regions::Discretization& d = prepared.discretization;
@@ -53,8 +54,8 @@ Eigen::VectorXd EdgeResults::forces_from_outside(const std::vector<int>& body) {
   }
   force += system.force_of_terms(terms, state.total_displacement, state.load_factor);
   coupling::Affine loads = model_.loads_in_force_on(body);
-  // Two kinds of loads are corrected: those that free fragments have lost, and the pressure of a fluid in broken bonds,
-  // which is no load of its own.
+  // Loads are corrected for two things: fragments lose their loads, and the fluid pressure in broken bonds is a load
+  // that the conditions do not contain.
   coupling::Affine given = prepared.conditions.force;
   system.ties().collect(given);
   const coupling::Affine beside = system.force() - given;
@@ -71,8 +72,8 @@ Eigen::VectorXd EdgeResults::forces_from_outside(const std::vector<int>& body) {
   return force - coupling::evaluate(loads, state.load_factor);
 }
 
-// Forces of neighbouring regions at the nodes of an interface. A node of several interfaces of a body has for each the
-// force of the tractions there on its side, plus the same share of the difference to the whole force.
+// Forces of neighbouring regions at the nodes of an interface. Where several interfaces of a body meet in a node, each
+// gets the force of its own tractions plus an equal part of what these leave of the node's whole force.
 std::map<int, Point> EdgeResults::forces_of_neighbours(int region_id, int edge) {
   const regions::Discretization& d = model_.prepared().discretization;
   const scene::Scene& scene = model_.scene();

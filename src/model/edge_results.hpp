@@ -10,7 +10,8 @@ namespace bempd::model {
 
 class Model;
 
-// Edges as a host that couples sees them: nodes in order, and what supports and neighbours exert on the region [N].
+// Results on edges for coupled hosts: nodes and cells in order, and the forces of supports and neighbours on the region
+// [N].
 class EdgeResults {
  public:
   explicit EdgeResults(Model& model) : model_(model) {}
@@ -23,7 +24,7 @@ class EdgeResults {
     Eigen::Vector2d force;
     double moment;
   };
-  // Reaction of all supports on an edge, with the moment about a place.
+  // Reaction of all supports on an edge, with its moment about a place.
   Reaction reaction(int region, int edge, const Point& about);
 
  private:

@@ -11,9 +11,9 @@ namespace bempd::model {
 
 namespace {
 
-// Steps that the library chooses: shares of the crack's length and of the way to the nearest edge, hole or other crack,
-// and beside these no less than a share of the crack's length. So stress intensity factors change by a tenth or so in a
-// step, and a ligament shorter than the last is cut by the last step.
+// Lengths of extensions that the library chooses: shares of the crack's length and of the distance to the nearest edge,
+// hole or other crack, where the latter counts as at least a share of the crack's length. Stress intensity factors then
+// change by about a tenth in a step. A ligament shorter than the last extension breaks with it.
 constexpr double step_over_crack = 0.1, step_over_clearance = 0.12, least_step_over_crack = 0.01;
 
 Kink kink_at(const regions::TipValues& tip, double load_factor, const scene::Options& options) {
@@ -26,8 +26,8 @@ const regions::TipValues* tip_of(const fracture::CrackExtension& e, const std::v
   return found == tips.end() ? nullptr : &*found;
 }
 
-// Load factor at which a tip that is overloaded at a load factor just reaches its toughness; there, if it always
-// exceeds it.
+// Load factor at which a tip just reaches its toughness, if it exceeds it at `load_factor`; else `load_factor` itself,
+// also if the toughness is exceeded at every load factor.
 double critical_load_factor(const regions::TipValues& tip, double load_factor, const scene::Options& options) {
   const crack::GrowthRange range = law_of(tip, options).range(factors_of(tip));
   if (range.is_empty() || range.holds(load_factor)) return load_factor;
@@ -102,7 +102,7 @@ double chosen_length(const scene::Scene& scene, const Growing& growing, const sc
   return least;
 }
 
-// One after another, so that two that run into each other meet.
+// Cracks are extended one after another, so that two that grow into each other meet.
 std::vector<scene::Crack> extended(const scene::Scene& scene, std::vector<scene::Crack> cracks, double tolerance,
                                    Growing& growing) {
   for (std::size_t k = 0; k < growing.tips.size(); ++k) {
@@ -154,8 +154,9 @@ std::optional<double> end_of_path(const Growing& growing, const std::vector<regi
   return common.is_empty() || !std::isfinite(end) ? std::nullopt : std::optional(end);
 }
 
-// Each took the integral of its rate; what others leave where it has ended, for the rate on the way to an edge is not
-// known. On the path of equilibrium the rate is all along what it was at first.
+// Energies of a growth. Each extension releases the integral of its energy release rate (trapezoidal rule). On the
+// equilibrium path the rate stays what it was before. For tips that have ended, whose last rate is unknown, the
+// remainder of `released` is divided by length.
 fracture::Growth booked(Growing growing, const std::vector<regions::TipValues>& after,
                         const std::vector<double>& thickness, double released, std::optional<double> beyond_path) {
   fracture::Growth growth{growing.ratio,           growing.critical_load_factor,  0,

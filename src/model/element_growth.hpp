@@ -10,10 +10,10 @@
 #include "scene/options.hpp"
 #include "scene/scene.hpp"
 
-// Growth of cracks with boundary elements: which tips, by how much, and what that takes.
+// Growth of cracks with boundary elements: choice of tips, lengths of extensions, and energies.
 namespace bempd::model {
 
-// The tips that grow at a load factor, each with its extension, and how long that is to be.
+// Tips that grow together at a load factor, each with its extension and the length that it is to have.
 struct Growing {
   double load_factor = 0;
   double ratio = 1;                 // of the first tip: equivalent factor over toughness
@@ -28,45 +28,49 @@ struct Growing {
 
 crack::AffineFactors factors_of(const regions::TipValues& tip);
 crack::GrowthLaw law_of(const regions::TipValues& tip, const scene::Options& options);
-// The tip of a carrier, with known factors.
+// Tip with known stress intensity factors as a carrier of cracks (crack::Carrier) describes it.
 crack::Tip carried(const regions::TipValues& tip, const scene::Options& options);
 
-// The tip with this number, and with it those that the option crack.tie_share lets grow too.
+// Growth of the tip with the index `first`, and of the tips that the option crack.tie_share lets grow with it.
 Growing growing_with(const std::vector<regions::TipValues>& tips, std::size_t first, double load_factor,
                      const scene::Options& options);
 
-// Every tip grows by this length, or by less as the option crack.exponent has it.
+// Sets the lengths of the extensions: `length` times (equivalent K_I / toughness)^(2 m) for each tip, where m is the
+// option crack.exponent.
 void set_lengths(Growing& growing, double length, const scene::Options& options);
 
-// How far growing tips go at once: a share of the crack's length and of the way to what is near, or what the option
-// crack.step says.
+// Length of the extensions [m]: the option crack.step, or else a share of the crack's length and of the distance to the
+// nearest obstacle.
 double chosen_length(const scene::Scene& scene, const Growing& growing, const scene::Options& options);
 
-// The cracks with their extensions, which become known.
+// Copies of the cracks with the extensions added. The extensions in `growing` get their end points, lengths and states.
 std::vector<scene::Crack> extended(const scene::Scene& scene, std::vector<scene::Crack> cracks, double tolerance,
                                    Growing& growing);
 
-// Largest angle by which an extension's end would turn on.
+// Largest angle [rad] by which a crack would turn at the end of its extension; `after` are the tips of the extended
+// cracks.
 double largest_turn(const Growing& growing, const std::vector<regions::TipValues>& after,
                     const scene::Options& options);
 
-// Extensions become the chords of curved paths: each turns on by half of what its end would.
+// Turns extensions so that they become chords of curved paths: by half of the angle by which the crack would turn at
+// its end.
 void turn_to_chords(Growing& growing, const std::vector<regions::TipValues>& after, const scene::Options& options);
 
-// Load factor to which the path of equilibrium has come to after growth that began in equilibrium; nothing if it is not
-// known, as where a tip has ended.
+// Load factor of the equilibrium path after growth that began in equilibrium; empty if it began out of equilibrium, or
+// is not known because a tip has ended.
 std::optional<double> end_of_path(const Growing& growing, const std::vector<regions::TipValues>& after,
                                   const scene::Options& options);
 
-// What growth that released an energy at constant loads is in the books, some of that beyond the path of equilibrium:
-// its extensions with their energies. `thickness` by extension.
+// Record of a growth with the energies of its extensions. `thickness` is given by extension, `released` is the energy
+// released at constant loads. `beyond_path` is the part of that which exceeds the release along the equilibrium path;
+// empty if that is not known.
 fracture::Growth booked(Growing growing, const std::vector<regions::TipValues>& after,
                         const std::vector<double>& thickness, double released, std::optional<double> beyond_path);
 
-// What such an event did, without the energy released.
+// Summary of a growth for the host, without the energy released.
 GrowthResult result_of(const fracture::Growth& growth);
 
-// The ends of cracks that have stopped before an interface.
+// Whether the end of a crack has stopped, before an interface or because it cannot grow.
 bool has_stopped(const crack::TipId& tip, const fracture::EvolutionState& state);
 
 }  // namespace bempd::model

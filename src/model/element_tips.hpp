@@ -11,15 +11,14 @@
 
 namespace bempd::model {
 
-// Cracks with boundary elements in a run: where their tips grow on the way of the load factor, upwards or downwards,
-// held at the load factor or on the path of equilibrium.
+// Carrier of cracks with boundary elements: it finds the load factors at which their tips grow.
 class ElementTips final : public crack::Carrier {
  public:
-  // `tips` gives those that may grow, as affine functions of the load factor, in the present state.
+  // Function that returns the tips that may grow in the present state, with factors affine in the load factor.
   using Tips = std::function<std::vector<regions::TipValues>()>;
   ElementTips(const scene::Options& options, Tips tips) : options_(options), find_(std::move(tips)) {}
 
-  // Run whose state the tips are in.
+  // Follows a run: tips are computed for its present state. Called again when a growth continues in another scene.
   void follow(const fracture::CrackEvolution& evolution) {
     evolution_ = &evolution;
     is_known_ = false;
@@ -28,7 +27,7 @@ class ElementTips final : public crack::Carrier {
   std::vector<crack::Tip> tips() override;
   std::vector<crack::Candidate> candidates(const crack::LoadWay& way) override;
 
-  // Values of these tips: all that regions know of them.
+  // Results of the tips as regions have computed them, in the order of tips().
   const std::vector<regions::TipValues>& values() const { return values_; }
   std::size_t number_of(const crack::TipId& tip) const;
 
@@ -38,7 +37,7 @@ class ElementTips final : public crack::Carrier {
   const scene::Options& options_;
   Tips find_;
   const fracture::CrackEvolution* evolution_ = nullptr;
-  // What changes between two events changes no tip.
+  // Tips are computed again only after an event or a contact change: nothing changes them in between.
   bool is_known_ = false;
   std::int64_t events_ = 0, switches_ = 0;
   std::vector<regions::TipValues> values_;

@@ -22,7 +22,8 @@ std::string name_of(const crack::TipId& tip) {
 
 std::string place_of(const Point& place) { return text("(", place.x(), ", ", place.y(), ")"); }
 
-// Load factor at which a tip grows on this way; infinite if it never does, NaN if that is not known.
+// Load factor at which a tip grows if the load factor rises (`upwards`) or falls; infinite if it never grows, NaN if
+// not known.
 double critical_load_factor(const regions::TipValues& tip, bool upwards) {
   const double critical = upwards ? tip.critical_load_factor : tip.critical_load_factor_down;
   return std::abs(critical) == std::numeric_limits<double>::max()
@@ -34,7 +35,7 @@ bool breaks(const scene::Material& material) {
   return material.fracture_energy > 0 || (material.critical_stretch > 0 && std::isfinite(material.critical_stretch));
 }
 
-// Collects sentences, each of them once.
+// Collects sentences; a sentence that is added twice appears once.
 class Reasons {
  public:
   void add(const std::string& sentence) {
@@ -71,13 +72,14 @@ class Explainer {
  private:
   bool is_before(double one, double other) const { return upwards_ ? one < other : one > other; }
 
-  // Bond by bond tips in lattices are found among broken bonds and do not grow themselves; in increments none does.
+  // Whether a tip grows by itself in this stepping mode: not in load increments, and in a lattice only as a crack line
+  // (in growth bond by bond, tips are only read from broken bonds).
   bool grows(const regions::TipValues& tip) const {
     if (stepping_.mode != fracture::SteppingMode::events) return false;
     return tip.method == regions::TipMethod::elements || evolution_.grows_lines();
   }
 
-  // Finds the tip that grows next; an overloaded one grows where the load factor is, if that is held.
+  // Finds the tip that grows next. An overloaded tip grows at the present load factor if that is held constant.
   void find_tip() {
     const bool is_held = stepping_.control == fracture::Control::load;
     for (const regions::TipValues& tip : model_.tips()) {
@@ -166,7 +168,7 @@ class Explainer {
     reasons.add(which + " does not reach its toughness on this way of the load factor.");
   }
 
-  // A tip that ended is not among tips any more.
+  // Tips that have ended are no longer among the model's tips, so extensions are searched for them.
   void tell_of_ended(Reasons& reasons) const {
     for (const fracture::CrackExtension& e : model_.extensions()) {
       const char* where = nullptr;

@@ -10,7 +10,7 @@ namespace bempd::model {
 
 class Model;
 
-// What breaks or grows next on the way of the load factor, and what holds the rest back.
+// Explanation for the host: what breaks or grows next as the load factor changes, and what prevents everything else.
 struct Explanation {
   static constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 

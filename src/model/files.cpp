@@ -2,7 +2,7 @@
 #include "results/history_table.hpp"
 #include "results/tip_table.hpp"
 
-// What a model writes into files.
+// Output files of a model.
 namespace bempd::model {
 
 void Model::write_snapshot(const std::string& prefix) {

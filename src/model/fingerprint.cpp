@@ -35,7 +35,8 @@ void add_place(Hash& hash, const scene::Condition& condition) {
   hash.add(condition.components);
 }
 
-// Adds the values of a condition; returns false if the host gave a function, whose values are not numbers of its own.
+// Adds the values of a condition to a hash; returns false if the host gave a function, whose values cannot be hashed
+// here.
 bool add_values(Hash& hash, const scene::Condition& condition) {
   const auto add_parts = [&](const auto& values) {
     add(hash, values.constant);
@@ -58,8 +59,8 @@ void add_option(Hash& hash, const scene::OptionDescription& option, const scene:
   }
 }
 
-// An option counts where it is in effect other than by default, so that states outlive options that come and go. A
-// default that changes needs a new format of states.
+// Adds an option to a hash if its value in effect is not the default, so that states survive when options are added or
+// removed. A changed default needs a new format of states.
 void add_changed_option(Hash& hash, const scene::OptionDescription& option, const scene::Options& options) {
   const scene::Options defaults;
   const bool is_default = option.is_text ? options.text_in_effect(option.name) == defaults.text_in_effect(option.name)
@@ -67,7 +68,8 @@ void add_changed_option(Hash& hash, const scene::OptionDescription& option, cons
   if (!is_default) add_option(hash, option, options);
 }
 
-// Options of format 14 in their order, which counted at their defaults as well.
+// Options that the fingerprint of state format 14 contains, in their order; it also contained options with default
+// values.
 constexpr std::array options_of_format_14 = {
     "scheme",  "critical_stretch",         "pd.crack_tip", "pd.criterion", "crack.rule",
     "contact", "bem.quadrature_tolerance", "bem.grading"};
@@ -105,7 +107,7 @@ SceneFingerprint fingerprint(const scene::Scene& scene, const scene::Options& op
   for (const scene::OptionDescription& option : scene::option_descriptions()) {
     if (option.shapes_operators) add_changed_option(body, option, options);
   }
-  // Options of other schemes are left out, because they have no effect here.
+  // Options of other schemes have no effect and are left out.
   for (const scene::OptionDescription& option : regions::scheme_options(options))
     add_changed_option(body, option, options);
   Hash supports;

@@ -8,7 +8,7 @@
 
 namespace bempd::model {
 
-// Fingerprint of what the host has described: two scenes share it if that is the same. Computed values stay out,
+// Fingerprint of what the host has described: equal descriptions have equal fingerprints. Computed values are left out,
 // because their last digits depend on the processor.
 struct SceneFingerprint {
   std::uint64_t body = 0;               // regions with their materials, initial cracks, options that shape the system
@@ -19,8 +19,8 @@ struct SceneFingerprint {
 
 SceneFingerprint fingerprint(const scene::Scene& scene, const scene::Options& options);
 
-// Fingerprint of the loads with their values, and of the values of supports. `values` stand for those that the host
-// gives by functions.
+// Hash of the loads with their values, and of the values of supports. `values` gives the numbers where the host has
+// given functions.
 std::uint64_t load_fingerprint(const scene::Scene& scene, const regions::DofConditions& values);
 
 }  // namespace bempd::model

@@ -5,7 +5,7 @@
 
 namespace bempd::model {
 
-// Criterion that the option crack.criterion names.
+// Growth criterion that the option crack.criterion names.
 KinkCriterion growth_criterion(const scene::Options& options);
 
 }  // namespace bempd::model

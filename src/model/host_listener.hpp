@@ -9,17 +9,17 @@
 
 namespace bempd::model {
 
-// Reports to a host how far a long part of a call is, ten times a second at most.
+// Reports the progress of long phases of a call to the host, at most ten times a second.
 class HostListener final : public PhaseListener {
  public:
-  // Host's function, with the seconds that the part has taken and those that it is expected to take in all, 0 if
-  // nothing is known; it returns false to cancel the call.
+  // Function of the host. It receives the phase, the share done, the seconds so far and the expected total (0 if
+  // unknown), and returns false to cancel the call.
   using Function = std::function<bool(const char* phase, double share, double seconds, double expected)>;
 
   HostListener() = default;
   explicit HostListener(Function function) : function_(std::move(function)) {}
 
-  // The listener, or null if the host does not listen.
+  // Returns this listener, or null if the host has given no function.
   PhaseListener* or_null() { return function_ ? this : nullptr; }
 
   void hear(const char* phase, double share, double seconds) override {

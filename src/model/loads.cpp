@@ -7,7 +7,7 @@
 #include "regions/places/edge_part.hpp"
 #include "regions/swelling.hpp"
 
-// Values of loads and supports, and when they take effect.
+// Values of loads and supports, and the time at which they take effect.
 namespace bempd::model {
 
 template <class Values>
@@ -18,7 +18,8 @@ void Model::set_load_values(int load, Values values) {
   values_were_set();
 }
 
-// Rest lengths of bonds and operators under the present temperatures; empty if there are none, or if nothing changes.
+// Temperature loads: sets the rest lengths of bonds and operators for the present temperatures. Returns what is needed
+// to undo that; empty if there are no temperatures, or if nothing changes.
 std::optional<fracture::CrackEvolution::Heat> Model::heat(const regions::DofConditions& conditions) {
   coupling::EquilibriumSystem& system = *prepared_->system;
   if (conditions.swelling.empty()) return std::nullopt;
@@ -92,7 +93,7 @@ fracture::CrackPressures Model::pressures_of(const regions::DofConditions& condi
   return sums;
 }
 
-// Keeps the values that act now, for states that are saved before the new ones take effect.
+// Keeps the values that act now, because a state may be saved before the new values take effect.
 void Model::values_will_be_set() {
   if (!prepared_ || loads_.acting == Acting::others) return;
   loads_.others = acting_values();
@@ -135,7 +136,7 @@ void Model::go_back_to(LoadsBefore before) noexcept {
   if (before.faces) prepared_->evolution->unload_faces(std::move(*before.faces));
   if (before.heat) prepared_->evolution->restore_rest_lengths(std::move(*before.heat));
   prepared_->evolution->restore_loads(std::move(before.run));
-  // Regions keep their swelling for results; if memory for that is missing, they get it with the next loads.
+  // Regions keep their swelling for results. If memory for restoring it is missing, they get it with the next loads.
   say([&] {
     if (before.heat)
       regions::swell_again(prepared_->discretization, before.conditions.swelling, prepared_->system->terms());
@@ -203,8 +204,8 @@ StepResult Model::advance_to_values(double target, fracture::Goal goal) {
   }
 }
 
-// Ends a path at its values, which act already, under the conditions of the path's end; these are computed again if
-// cracks have grown since. A failure leaves the model at that point of its path.
+// Ends a path of values: its end values, which act already, become the conditions `known`. These are computed here if
+// empty (cracks have grown since). A failure leaves the model at that point of the path.
 void Model::arrive(std::optional<regions::DofConditions> known, std::optional<scene::SceneValues> said) noexcept {
   say([&] {
     regions::DofConditions conditions =

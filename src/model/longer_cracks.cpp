@@ -5,7 +5,7 @@
 #include "model/driven_growth.hpp"
 #include "model/model.hpp"
 
-// Prepared scene with longer cracks, in which the run of the scene before it continues.
+// Scenes with longer cracks, in which the run of the previous scene continues.
 namespace bempd::model {
 
 namespace {
@@ -16,8 +16,8 @@ struct HashOfPoint {
   }
 };
 
-// Whether lattices have the same bonds in the same order, so that broken ones can be taken over: a lattice whose
-// material points lie on outlines may move out of the way of a longer crack.
+// Whether the lattices of two scenes have the same bonds in the same order, so that broken bonds can be taken over. A
+// lattice with points on its outline may have moved to avoid a longer crack.
 bool has_same_bonds(const PreparedScene& now, const PreparedScene& before) {
   const coupling::Terms &a = now.system->terms(), &b = before.system->terms();
   if (a.size() != b.size()) return false;
@@ -32,8 +32,8 @@ bool has_same_bonds(const PreparedScene& now, const PreparedScene& before) {
   return true;
 }
 
-// Node before of every node now: the one that the same region had at this place, in order where it has several there;
-// otherwise the closest one.
+// Map from each node of the new scene to the node of the previous one whose displacement it takes: the region's node at
+// the same place (if there are several, in their order), else the region's nearest node.
 std::vector<int> nodes_before(const regions::Discretization& now, const regions::Discretization& before) {
   std::vector<int> found(now.positions.size(), -1);
   for (std::size_t r = 0; r < now.regions.size(); ++r) {
@@ -60,7 +60,7 @@ std::vector<int> nodes_before(const regions::Discretization& now, const regions:
 
 }  // namespace
 
-// Crack ends that had elements before and lie in a lattice now.
+// Ends of cracks that have entered a lattice: they had elements in the previous scene.
 std::vector<crack::TipId> Model::entering(const regions::Discretization& next) const {
   std::vector<crack::TipId> tips;
   const std::vector<regions::PartedCrack>& before = prepared_->discretization.cracks;
@@ -71,8 +71,8 @@ std::vector<crack::TipId> Model::entering(const regions::Discretization& next) c
   return tips;
 }
 
-// Prepared scene with these cracks. The scene was good before: an argument error means that the longer cracks cannot
-// be.
+// Builds the prepared scene with longer cracks. An argument error becomes CannotGrow: the scene was valid before, so
+// the longer cracks are the reason.
 std::unique_ptr<PreparedScene> Model::built_with(std::vector<scene::Crack> longer, const scene::SceneValues* on_way) {
   scene_.set_cracks(std::move(longer));
   const auto build_next = [&] { return build(prepared_.get()); };
@@ -86,7 +86,8 @@ std::unique_ptr<PreparedScene> Model::built_with(std::vector<scene::Crack> longe
   }
 }
 
-// Prepared scene with these cracks, in which the run continues.
+// Builds the prepared scene with longer cracks and continues the present run in it. Throws CannotGrow if the longer
+// cracks are impossible.
 std::unique_ptr<PreparedScene> Model::with_cracks(std::vector<scene::Crack> longer, const scene::SceneValues* on_way) {
   std::unique_ptr<PreparedScene> next = built_with(std::move(longer), on_way);
   if (!has_same_bonds(*next, *prepared_))

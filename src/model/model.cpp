@@ -24,14 +24,14 @@ namespace bempd::model {
 
 namespace {
 
-// Number of the first event at which equilibrium was lost; 0 if there is none.
+// Number of the first event in `lines` at which equilibrium was lost; 0 if there is none.
 std::int64_t first_unstable(std::span<const fracture::HistoryEntry> lines) {
   const auto unstable = [](const fracture::HistoryEntry& h) { return h.stretch_ratio > 1 + fracture::ratio_rounding; };
   const auto found = std::find_if(lines.begin(), lines.end(), unstable);
   return found == lines.end() ? 0 : found->event;
 }
 
-// Whether nodes are those of a piece that cracks alone bound, inside one region.
+// Whether `nodes` belong to a piece inside one region that only cracks bound.
 bool is_island(const scene::Scene& scene, const regions::Discretization& d, const std::vector<int>& nodes) {
   const auto has = [&](const std::unique_ptr<regions::Region>& region) {
     const std::vector<int>& own = region->nodes();
@@ -51,7 +51,8 @@ double extent(const std::vector<Point>& positions, const std::vector<int>& nodes
   return farthest;
 }
 
-// Supports on a very small part of a body prevent its rotation on paper, but not within the digits of a number.
+// Throws Error (unsolvable) for a body that can move freely. Supports on a very small part of a body prevent its
+// rotation in theory, but not within rounding errors, which has a sentence of its own.
 [[noreturn]] void fail_free(const std::string& regions, const std::string& motion, double held, double size,
                             const std::string& gap) {
   constexpr double small_part = 1e-5;
@@ -63,8 +64,8 @@ double extent(const std::vector<Point>& positions, const std::vector<int>& nodes
        "; add supports that prevent this, for example with bempd_fix_point()");
 }
 
-// Nodes of lattices on their interfaces with boundary elements of the same material, by number. The ends of such an
-// interface are left out, unless another one begins there.
+// Flags of nodes of lattices on interfaces with boundary elements of the same material. The two ends of an interface
+// are left out, unless another such interface begins there.
 std::vector<char> nodes_where_material_goes_on(const scene::Scene& scene, const regions::Discretization& d) {
   constexpr int on_interface = 2, at_its_end = 1;
   std::vector<int> found(d.positions.size(), 0);
@@ -122,7 +123,7 @@ void Model::check_mechanism(const PreparedScene& p) const {
   }
 }
 
-// Prepares the growth of cracks as lines, unless they grow bond by bond.
+// Prepares crack lines in lattices: laws of growth and initial tips. Nothing is done if cracks grow bond by bond.
 void Model::grow_lines(PreparedScene& p) const {
   const std::string rule = options_.text_in_effect("crack.rule");
   if (rule == "bond") return;

@@ -39,24 +39,24 @@ struct Grown;
 class ElementTips;
 struct DrivenRun;
 
-// Model of a host: a scene and its state. It prepares the scene, drives loads and cracks, and keeps states; Results,
-// Pieces and EdgeResults answer requests.
+// Model of a host: its scene and the state of the run. It prepares the scene, applies loads, grows cracks, and saves
+// states; Results, Pieces and EdgeResults answer requests for results.
 class Model {
  public:
   scene::Options& options() { return options_; }
   const scene::Options& options() const { return options_; }
   const scene::Scene& scene() const { return scene_; }
 
-  // Scene to be changed. Throws Error (order) once the model is prepared.
+  // Scene for changes. Throws Error (order) once the model is prepared.
   scene::Scene& editable_scene();
-  // Cleans up after a failed call: what it has prepared is given up, and so is a body whose first equilibrium was not
-  // found, so that the scene can be corrected.
+  // Cleans up after a failed call: discards what the call has prepared. A body whose first equilibrium was not found
+  // (`unsolvable`) is discarded too, so that the host can correct the scene.
   void call_failed(bool was_prepared, bool unsolvable) noexcept;
   template <class Values>
   void set_load_values(int load, Values values);
   template <class Values>
   void set_support_values(int support, Values values);
-  // Sets one value for each node of the edge part, in x and y.
+  // Sets one value for each node of a support's or load's edge part, as pairs of x and y.
   void set_nodal_values(bool of_support, int id, std::vector<double> constant, std::vector<double> proportional);
 
   void prepare();
@@ -64,20 +64,20 @@ class Model {
   PreparedScene& in_equilibrium();  // likewise, under the values that were set
   const PreparedScene* prepared_or_null() const { return prepared_.get(); }
 
-  // Conditions of the degrees of freedom under given values of supports and loads.
+  // Conditions on degrees of freedom for given values of supports and loads.
   regions::DofConditions conditions_under(scene::SceneValues values);
-  // Forces [N] on all nodes of the loads on some regions, with the values that act.
+  // Nodal forces [N] of the loads on some regions, with the values that act at present.
   coupling::Affine loads_in_force_on(const std::vector<int>& regions_of_body);
 
-  // Steps (loads.cpp). advance() moves the load factor; advance_to_values() also moves loads and supports, on a
-  // straight line from the values with which the last step ended to those that the host has set since.
+  // Steps (loads.cpp). advance() changes the load factor. advance_to_values() also changes loads and supports, linearly
+  // from the values at the end of the last step to those that the host has set since.
   StepResult advance(double target, fracture::Goal goal);
   StepResult advance_to_values(double target, fracture::Goal goal);
-  // Steps row by row through a table, from the present load factor, which is the time of the table (programs.cpp).
+  // Runs a table of load values row by row from the present load factor, which is the table's time (programs.cpp).
   StepResult run_program(const scene::LoadTable& table, fracture::Goal goal);
 
-  // Lets the tips that are critical first grow by a length, at their critical load factor; what they do not touch of
-  // the scene stays prepared. Throws Error if no tip can grow; then nothing has changed (crack_growth.cpp).
+  // Extends the tips that become critical first by a length, at their critical load factor; unchanged operators of the
+  // scene are kept. Throws Error and changes nothing if no tip can grow (crack_growth.cpp).
   GrowthResult grow_cracks(double length);
   void set_tip_frozen(int crack, int end, bool frozen);
   bool is_frozen(const crack::TipId& tip) const { return frozen_tips_.contains(tip); }
@@ -91,9 +91,9 @@ class Model {
   void request_stop() { stop_requested_ = true; }
   void set_phase_progress(HostListener::Function function) { phases_ = HostListener(std::move(function)); }
   PhaseListener* phase_listener() { return phases_.or_null(); }
-  // Number of threads that a call may let the BLAS have.
+  // Number of threads that the BLAS may use in a call.
   int blas_threads() const { return std::max(1, options_.whole_number("threads")); }
-  // Scope of a call, which hears requests made while it runs.
+  // Begins a call: forgets earlier requests to cancel or stop, and lets the returned scope listen to new ones.
   [[nodiscard]] CancellationScope hear_requests() {
     cancel_requested_ = stop_requested_ = false;
     return CancellationScope(&cancel_requested_);
@@ -103,42 +103,43 @@ class Model {
   fracture::LoadInterval admissible_load_factors();
   std::int64_t generation() const { return generation_; }
 
-  // Results of the body in equilibrium; those of cracks are below.
+  // Results of the body in equilibrium, of pieces and of edges; crack results have functions of their own.
   Results& results() { return results_; }
   Pieces& pieces() { return pieces_; }
   EdgeResults& edges() { return edges_; }
-  // Whether the body is separated although bonds still connect what is held and loaded (a hinge).
+  // Whether the body counts as separated although bonds still connect the held part and the loaded part, like a hinge.
   bool hangs();
 
-  // Tips of cracks with elements, by crack, then tips in lattices; computed once per generation (crack_results.cpp).
+  // Tips of cracks with elements, then tips in lattices, each sorted by crack; computed once for each generation
+  // (crack_results.cpp).
   const std::vector<regions::TipValues>& tips();
   const std::vector<results::TipRecord>& tip_history() const { return tip_history_; }
-  // Number of cracks, described ones and, with the next ids, those that began in the run; and their paths
-  // (crack_results.cpp).
+  // Number of cracks: described ones, then those that began in the run. The other functions give path and length of a
+  // crack (crack_results.cpp).
   int crack_count() const;
   std::vector<PathVertex> crack_path(int crack) const;
   double crack_length(int crack) const;  // 0: of all
-  // Openings along a crack and normal to it [m].
+  // Tangential and normal openings of a crack at fractions of its length [m].
   std::vector<Point> crack_openings(int crack, const std::vector<double>& fractions);
 
-  // States (state.cpp).
+  // Saving and restoring states (state.cpp).
   SavedState save(bool with_values = false) const;
   void restore(const SavedState& state);
 
-  // Files of results.
+  // Result files (files.cpp).
   void write_snapshot(const std::string& prefix);
   void write_history(const std::string& path) const;
   void write_tips(const std::string& path) const;
 
  private:
   void restore_body(const SavedState& state);
-  // `on_way`: values that act; null: those that were set.
+  // Runs to a target. `on_way` are the values of loads and supports that act; null for those that the host has set.
   StepResult run(double target, fracture::Goal goal, const scene::SceneValues* on_way = nullptr);
   StepResult run_to_row(const scene::LoadTable& table, std::size_t row, const scene::SceneValues& given,
                         fracture::Goal goal);
   struct Loads {
     Acting acting = Acting::values;
-    // Values with which the last step ended, at the present load factor; none before the first one, when the body is at
+    // Values at the end of the last step, at the present load factor. Empty before the first step, when the body is at
     // rest.
     std::optional<scene::SceneValues> in_force;
     double end_of_way = 0;                     // load factor
@@ -171,7 +172,8 @@ class Model {
   bool has_crack_elements() const;
   bool records_tips() const { return options_.whole_number("tips.record") > 0; }
   void record_tips();
-  // Runs, records tips and asks the host whether to go on; returns to the start if that fails (recording.cpp).
+  // Runs, records tips and calls the host's progress function; returns to the start of the run if that fails
+  // (recording.cpp).
   void run_recording(DrivenRun& run, StepResult& result);
   regions::BondedBody bonded_body() const;
   std::vector<regions::TipValues> compute_tips() const;
@@ -180,7 +182,8 @@ class Model {
   std::vector<std::vector<Point>> paths_in_lattices() const;  // none of a crack with elements
   int crack_nearest(const Point& place, const std::vector<std::vector<Point>>& paths) const;
   std::vector<regions::CrackPicture> crack_pictures() const;
-  // `before`: one whose cracks were shorter, of which regions keep what has not changed.
+  // Builds the prepared scene. `before` is the scene with shorter cracks, whose unchanged operators are reused; null if
+  // there is none.
   std::unique_ptr<PreparedScene> build(const PreparedScene* before) const;
   std::vector<regions::TipValues> tips_of(const PreparedScene& prepared, regions::TipDetail detail) const;
   const std::vector<regions::TipValues>& tip_factors();
@@ -192,9 +195,9 @@ class Model {
   std::vector<crack::TipId> entering(const regions::Discretization& next) const;
   std::unique_ptr<PreparedScene> built_with(std::vector<scene::Crack> longer, const scene::SceneValues* on_way);
   std::unique_ptr<PreparedScene> with_cracks(std::vector<scene::Crack> longer, const scene::SceneValues* on_way);
-  // `chosen`: the library has chosen the lengths, and may shorten them.
+  // Prepares the scene after a growth. `chosen`: the library has chosen the lengths and may shorten them.
   Grown grown(const std::vector<scene::Crack>& before, Growing growing, bool chosen, const scene::SceneValues* on_way);
-  // Whether tips with elements grow in steps (driven_growth.cpp).
+  // Whether cracks with elements grow during steps (driven_growth.cpp).
   bool drives_elements(const fracture::SteppingOptions& stepping) const;
   fracture::StopReason advance_growing(DrivenRun& run);
   bool grow_next(ElementTips& tips, DrivenRun& run);
@@ -204,7 +207,7 @@ class Model {
   void take_back(DrivenRun& run) noexcept;
   void look_after_lines(DrivenRun& run);
   fracture::StopReason with_stopped_lines(fracture::StopReason reason, const DrivenRun& run);
-  // Scene with the growth that its cracks had when a state was saved; null if the present scene has just that.
+  // Scene with the crack growth of a saved state; null if the present scene has it already.
   std::unique_ptr<PreparedScene> as_grown(const std::vector<fracture::CrackExtension>& extensions);
   void check_mechanism(const PreparedScene& prepared) const;
   void grow_lines(PreparedScene& prepared) const;
@@ -213,8 +216,8 @@ class Model {
   static fracture::CrackPressures pressures_of(const regions::DofConditions& conditions);
   regions::Solution solution() const { return solution_of(*prepared_); }
   void log(int level, const std::string& message) const;
-  // Runs code that only reports on finished work: a failure is ignored, since a call must not fail because memory for a
-  // message is missing.
+  // Runs code that only reports on finished work. Failures are ignored: a call must not fail for lack of memory for a
+  // message.
   template <class Body>
   static void say(const Body& body) noexcept {
     try {

@@ -87,7 +87,7 @@ std::vector<int> Pieces::of_support(int support) {
   return numbers_of(std::move(nodes));
 }
 
-// The nodes on which a load puts forces where its values are 1.
+// Nodes on which a load (id) exerts forces when its values are 1.
 std::vector<int> Pieces::loaded_nodes(int load) {
   const std::size_t place = static_cast<std::size_t>(load) - 1;
   scene::SceneValues values = scene::at_rest(model_.scene().values());

@@ -10,7 +10,7 @@ namespace bempd::model {
 class Model;
 struct PreparedScene;
 
-// Sets of nodes that bonds and boundary elements join, the largest first.
+// Pieces of the body: sets of nodes that bonds and boundary elements connect, the largest first.
 struct PieceNodes {
   std::vector<std::vector<int>> nodes;
   std::vector<int> of_node;  // number of each node's piece, from 1
@@ -23,14 +23,14 @@ struct PieceState {
   coupling::RigidFit motion;
 };
 
-// What supports hold of some nodes.
+// Directions of displacement that supports hold at some nodes.
 std::vector<coupling::HeldDirection> held_directions(const PreparedScene& prepared, const std::vector<int>& nodes);
 
-// Throws Error (unsolvable) where cracks free a piece that loads inside a boundary element region push: boundary
-// elements know such loads for a region as a whole, so that a piece cannot lose its part of them.
+// Throws Error (unsolvable) if cracks free a piece of a boundary element region with loads inside it (body forces).
+// Such loads belong to the region as a whole, so they cannot be removed from one piece.
 void check_loads_inside_free_pieces(const PreparedScene& prepared);
 
-// The pieces of a model's body, and what holds and loads each of them.
+// Pieces of a model's body, with the supports and loads of each.
 class Pieces {
  public:
   explicit Pieces(Model& model) : model_(model) {}
@@ -40,7 +40,7 @@ class Pieces {
   std::vector<int> of_load(int load);
   std::vector<int> of_nodes_in(int region);  // one number for each entry of the region's fields
   PieceState state(int number);
-  // How many pieces something holds or loads.
+  // Number of pieces that have a support or a load.
   int anchored_count();
 
  private:

@@ -16,7 +16,7 @@
 
 namespace bempd::model {
 
-// Everything that is built from a finished scene.
+// Prepared scene: all that is built from the host's finished scene.
 struct PreparedScene {
   SceneFingerprint fingerprint;
   regions::Discretization discretization;

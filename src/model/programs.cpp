@@ -3,7 +3,7 @@
 #include "error.hpp"
 #include "model/model.hpp"
 
-// Load programs: tables of factors by time; the time is the load factor while they run.
+// Load programs: tables of values by time, where the load factor is the time.
 namespace bempd::model {
 
 namespace {
@@ -24,7 +24,7 @@ void add(StepResult& sum, const StepResult& step) {
 
 }  // namespace
 
-// Runs to the time of a row, on a straight line of values.
+// Runs to the time of one row of a table, with values that change linearly from those of the previous row.
 StepResult Model::run_to_row(const scene::LoadTable& table, std::size_t row, const scene::SceneValues& given,
                              fracture::Goal goal) {
   const double present = load_factor(), end = table.times[row];
@@ -39,7 +39,7 @@ StepResult Model::run_to_row(const scene::LoadTable& table, std::size_t row, con
   }
   replace_loads(conditions_under(*way), Acting::on_a_way);
   StepResult result = run(end, goal, &*way);
-  // The run goes on to the end even where nothing can break any more.
+  // If nothing can break any more before the row's time, the run still moves on to it.
   if (result.reason == fracture::StopReason::no_further_event && load_factor() != end) {
     add(result, run(end, fracture::Goal::load_factor, &*way));
   }
@@ -67,7 +67,7 @@ StepResult Model::run_program(const scene::LoadTable& table, fracture::Goal goal
     StepResult sum{fracture::StopReason::load_factor};
     auto row = static_cast<std::size_t>(std::lower_bound(table.times.begin(), table.times.end(), present) -
                                         table.times.begin());
-    // A row whose time is reached is done, unless it is the first.
+    // A row whose time has been reached is skipped, unless it is the first one.
     if (row + 1 < table.times.size() && row > 0 && table.times[row] == present) ++row;
     for (; row < table.times.size(); ++row) {
       add(sum, run_to_row(table, row, given, goal));

@@ -13,18 +13,18 @@
 
 namespace bempd::model {
 
-// Values that act on a body: those that the host has set, or others before these take effect.
+// Origin of the values of loads and supports that act on the body.
 enum class Acting : std::uint8_t {
   values,   // the values that the host has set
   others,   // earlier values: they have to be replaced before anything else is done
   on_a_way  // values between, where a step on a straight line was left: results show them, steps replace them
 };
 
-// Format of a state's bytes, raised when their content changes. The oldest one that is still read: hosts restore states
-// that an earlier version of the library wrote.
+// Version of the bytes of states, raised when their content changes, and the oldest version that is still read, so that
+// hosts can restore states of earlier versions of the library.
 constexpr int state_format = 15, oldest_state_format = 14;
 
-// State of a run, tied to a scene by its fingerprint.
+// Saved state of a run, tied to a scene by its fingerprint.
 struct SavedState {
   int format = state_format;  // of the bytes that it was read from
   SceneFingerprint scene;
@@ -32,7 +32,7 @@ struct SavedState {
   fracture::EvolutionState evolution;
   fracture::Continuation continuation;
   std::vector<results::TipRecord> tips;  // not among its bytes
-  // Values with which the last step had ended, none before the first; functions are not written to bytes.
+  // Values at the end of the last step; empty before the first one. Functions are not written to bytes.
   std::optional<scene::SceneValues> in_force;
   Acting acting = Acting::values;
   double end_of_way = 0;
@@ -41,11 +41,12 @@ struct SavedState {
   std::vector<int> frozen;                 // crack and end of each tip that the host keeps, together with `said`
 };
 
-// Bytes of a saved state and back (state_bytes.cpp); throws Error (argument) for damaged bytes.
+// Conversion of a saved state to bytes and back (state_bytes.cpp); from_bytes() throws Error (argument) for damaged
+// bytes.
 std::vector<std::uint8_t> to_bytes(const SavedState& state);
 SavedState from_bytes(const std::uint8_t* bytes, std::size_t size);
 
-// Writes a state to a file, which is replaced as a whole, or reads it (state_files.cpp). Throws Error (io).
+// Writes a state to a file, which is replaced as a whole, or reads it (state_files.cpp). Both throw Error (io).
 void write_state(const SavedState& state, const std::string& path);
 SavedState read_state(const std::string& path);
 

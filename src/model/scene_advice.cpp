@@ -26,7 +26,7 @@ constexpr double smallest_strain = 1e-7;     // and below which
 constexpr std::size_t most_alike = 3;        // sentences of one kind
 constexpr double initiation_number = 1.384;  // stress at initiation over sqrt(E' G0 / horizon), docs/theory.md
 
-// Number with as many digits as an estimate has.
+// Text of a number with three digits, as many as an estimate has.
 std::string about(double number) {
   std::ostringstream stream;
   stream.imbue(std::locale::classic());
@@ -35,7 +35,7 @@ std::string about(double number) {
   return stream.str();
 }
 
-// Edge of a region that bounds the body: no other region continues it.
+// Edge of a region that bounds the body, because no other region borders on it.
 struct FreeEdge {
   int region, number;
   Edge geometry;
@@ -89,7 +89,8 @@ class Adviser {
 
   // --- Cells
 
-  // A direction in which another region continues the body is not counted.
+  // Warns of a lattice with few cells across its narrower direction. A direction in which another region continues the
+  // body is not counted.
   void tell_of_cells(const regions::Region& region) {
     const std::optional<regions::LatticeGrid> grid = region.lattice_grid();
     if (!grid || !breaks(region.id())) return;
@@ -189,7 +190,7 @@ class Adviser {
     return nearest;
   }
 
-  // Straight ahead of a tip: the first edge of the body or other crack.
+  // First edge of the body or other crack straight ahead of a tip, with its distance.
   Ahead first_ahead(int crack, const Point& tip, const Point& direction) const {
     Ahead first;
     const double farthest = 2 * scene_.bounding_box().diagonal().norm();
@@ -210,7 +211,8 @@ class Adviser {
 
   // --- Materials
 
-  // A material breaks in its lattice with the smallest horizon and, at the lowest strain, at its longest crack.
+  // Adds a sentence about a material that breaks, for its lattice with the smallest horizon and its longest crack, at
+  // which it breaks at the lowest strain.
   void tell_of_material(int id) {
     const scene::Material& material = scene_.material(id);
     int lattice = 0, longest = 0;

@@ -8,7 +8,7 @@
 
 namespace bempd::model {
 
-// Sentences about a scene that is sound, but whose results a host may not expect.
+// Advice on a scene that is valid but may give results that the host does not expect.
 struct Advice {
   std::vector<std::string> warnings;  // scenes that are too coarse, tips right before an edge, numbers of mixed units
   std::vector<std::string> facts;  // of each material that breaks: toughness, internal length, strain at first growth

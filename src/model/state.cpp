@@ -18,7 +18,8 @@ bool is_sound(const fracture::GrowingTip& tip) {
 
 namespace {
 
-// Throws unless a state belongs to this body: its numbers may be consistent and still be those of another one.
+// Throws Error (argument) unless a state belongs to this body: its numbers may be consistent and still be those of
+// another body.
 void require_fit(const SavedState& saved, const PreparedScene& scene) {
   const fracture::EvolutionState& state = saved.evolution;
   const auto dofs = static_cast<Eigen::Index>(2 * scene.discretization.positions.size());
@@ -39,7 +40,8 @@ void require_fit(const SavedState& saved, const PreparedScene& scene) {
   }
   for (const coupling::Terms::Following& pair : terms.following)
     must(!is_broken(static_cast<std::size_t>(pair.leader)) || is_broken(static_cast<std::size_t>(pair.follower)));
-  // Every grown face of a state belongs to a broken bond, and the list of closed constraints has room for it.
+  // Each grown contact place of a state must belong to a broken bond, and the list of closed constraints must have an
+  // entry for it.
   std::set<int> grown;
   for (const fracture::GrownFace& face : state.faces.grown) {
     must(face.term >= 0 && face.term < static_cast<int>(terms.size()) && grown.insert(face.term).second &&
@@ -50,7 +52,8 @@ void require_fit(const SavedState& saved, const PreparedScene& scene) {
     for (const int term : terms_of_event)
       must(term >= 0 && term < static_cast<int>(terms.size()) && is_broken(static_cast<std::size_t>(term)));
   const std::vector<int>& cut = scene.cut_bonds;
-  // A crack line that has gone on in elements has broken bonds that the crack cuts now.
+  // A crack line that has continued in elements may have broken bonds that the scene's longer crack cuts now, so these
+  // may be counted twice.
   const bool both = std::any_of(scene.discretization.cracks.begin(), scene.discretization.cracks.end(),
                                 [](const auto& crack) { return crack.has_elements() && crack.cuts_bonds(); });
   const auto most = static_cast<std::int64_t>(cut.size()) + state.broken_bonds;
@@ -59,8 +62,8 @@ void require_fit(const SavedState& saved, const PreparedScene& scene) {
   must(fits(saved.continuation, state, scene));
 }
 
-// Values of a state in the form that the scene's have. Present values stand for those that the state lacks: functions
-// are not written to bytes, and the loads may have been others.
+// Values of a state, for conditions of the scene that are given in the same form. Present values replace those that the
+// state lacks: functions are not written to bytes, and the scene may have other loads.
 scene::SceneValues fitted(const scene::SceneValues& values, const scene::SceneValues& present) {
   const auto fit = [](const std::vector<scene::Values>& of_state, const std::vector<scene::Values>& of_scene) {
     std::vector<scene::Values> all = of_scene;
@@ -71,7 +74,7 @@ scene::SceneValues fitted(const scene::SceneValues& values, const scene::SceneVa
   return {fit(values.supports, present.supports), fit(values.loads, present.loads)};
 }
 
-// Whether all of a state's values are known and fit this scene.
+// Whether all values of a state are known and fit the conditions of this scene.
 bool are_known(const scene::SceneValues& values, const scene::SceneValues& present) {
   return std::equal(values.supports.begin(), values.supports.end(), present.supports.begin(), present.supports.end(),
                     scene::are_alike) &&
@@ -157,7 +160,7 @@ void Model::restore_body(const SavedState& state) {
   if (state.in_force) loads.in_force = fitted(*state.in_force, scene_.values());
   regions::DofConditions conditions = conditions_under(scene_.values());
   const bool same_loads = state.load_fingerprint == load_fingerprint(scene_, conditions);
-  // The saved loads act until the next step if they differ from the present ones, so that the change does work.
+  // If the saved loads differ from the present ones, they act until the next step, so that the change does work.
   loads.acting = same_loads ? state.acting : Acting::others;
   const bool known = loads.acting == Acting::values || are_known(state.acting_values, scene_.values());
   if (!known) {  // functions that its bytes do not have, or other loads: the present ones act at once

@@ -14,7 +14,7 @@ namespace {
 constexpr char magic[8] = {'B', 'E', 'M', 'P', 'D', 'S', 'T', '\0'};
 constexpr std::uint32_t byte_order_mark = 0x01020304;
 
-// Members of the structs in a state, listed once for writing and reading.
+// Members of the structs in a state, listed once for both writing and reading.
 template <class Spring, class Visit>
 requires std::is_same_v<std::remove_const_t<Spring>, coupling::HoldingSpring>
 void visit_members(Spring& s, Visit& visit) {
@@ -105,14 +105,14 @@ void visit_members(State& c, Visit& visit) {
   visit(c.places_met), visit(c.barred), visit(c.changes_that_bar), visit(c.factor), visit(c.window);
 }
 
-// Form in which values are given. Functions are not written.
+// Form in which the values of a condition are written. Functions are not written.
 enum class Form : std::uint8_t { function, samples, places };
 
 template <class Both, class Visit>
 requires std::is_same_v<std::remove_const_t<Both>, scene::SceneValues>
 void visit_members(Both& values, Visit& visit) { visit(values.supports), visit(values.loads); }
 
-// Writes numbers one by one, because the padding of a struct has undefined content.
+// Writes structs number by number, because the padding between their members is undefined.
 class Writer {
  public:
   template <class T>
@@ -219,7 +219,7 @@ class Reader {
   Eigen::Index count_of() {
     std::uint64_t count = 0;
     (*this)(count);
-    // The count is bounded by the bytes left: no entry is shorter than its smallest number, which limits allocation.
+    // The count is limited by the bytes left (no entry is shorter than its smallest number), and so is the memory.
     require(count <= left_ / std::min(sizeof(T), sizeof(double)),
             "the bytes of the state are damaged: an array is longer than what is left");
     return static_cast<Eigen::Index>(count);
@@ -233,7 +233,7 @@ class Reader {
   std::size_t left_;
 };
 
-// Members of a state, listed once for writing and reading.
+// Members of a saved state, listed once for both writing and reading.
 template <class State, class Visit>
 requires std::is_same_v<std::remove_const_t<State>, SavedState>
 void visit_members(State& state, Visit& visit) {
@@ -253,7 +253,7 @@ void visit_members(State& state, Visit& visit) {
   visit(state.scene.loads), visit(state.said), visit(state.continuation);
 }
 
-// Returns the format of the bytes.
+// Reads the header of a state's bytes and returns their format version.
 int read_header(Reader& reader) {
   char found[8];
   reader.raw(found, sizeof found);

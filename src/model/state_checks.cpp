@@ -24,7 +24,8 @@ bool are_finite(std::initializer_list<double> numbers) {
   return std::all_of(numbers.begin(), numbers.end(), [](double number) { return std::isfinite(number); });
 }
 
-// Energies beyond the range of numbers are written as the largest one (in_range).
+// Checks a line of the history: all its numbers are finite, because energies beyond the range of numbers are written as
+// the largest number (in_range).
 bool is_sound(const fracture::HistoryEntry& h) {
   return h.event >= 0 && h.total_broken_bonds >= 0 &&
          are_finite({h.load_factor, h.stretch_ratio, h.stored_energy, h.released_energy, h.work, h.energy_balance_error,
@@ -32,7 +33,7 @@ bool is_sound(const fracture::HistoryEntry& h) {
                      h.stored_energy_before, h.work_before, h.resistance_before, h.resistance});
 }
 
-// Stress intensity factors and energy release rates are NaN where they are not known.
+// Checks an extension. Stress intensity factors and energy release rates may be NaN, where they are not known.
 bool is_sound(const fracture::CrackExtension& e) {
   return e.crack >= 1 && (e.end == 0 || e.end == 1) && e.state <= crack::TipState::separated &&
          are_finite({e.x, e.y, e.from_x, e.from_y, e.angle, e.length, e.crack_length, e.load_factor}) &&

@@ -5,12 +5,12 @@
 
 namespace bempd::model {
 
-// Throws Error (argument) unless the numbers of a state that was read from bytes are consistent.
+// Throws Error (argument) unless the numbers of a state that was read from bytes are consistent with each other.
 void require_consistent(const SavedState& state);
 
 bool is_sound(const fracture::GrowingTip& tip);
 
-// Whether a continuation fits a state, and both fit a scene (continuation_checks.cpp).
+// Whether a continuation fits the state, and the continuation fits the scene (continuation_checks.cpp).
 bool fits(const fracture::Continuation& continuation, const fracture::EvolutionState& state,
           const PreparedScene& scene);
 

@@ -52,7 +52,8 @@ const scene::OptionGroup hooks(scene::OptionPlace::test_hooks, [] {
                            0, 1e4, false)};
 });
 
-// Share of the largest stretch ratio within which bonds break together, where the option says nothing.
+// Tie share of bonds if the option crack.tie_share is not set, and its limit: bonds whose stretch ratio is within this
+// share of the largest one break together.
 constexpr double tie_share_of_bonds = 1e-3, most_tie_share_of_bonds = 0.5;
 
 }  // namespace

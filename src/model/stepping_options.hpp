@@ -5,7 +5,7 @@
 
 namespace bempd::model {
 
-// Stepping options as the host has set them; throws Error (argument) for options that exclude each other.
+// Stepping options from the options of the host; throws Error (argument) for options that exclude each other.
 fracture::SteppingOptions stepping_options(const scene::Options& options);
 
 }  // namespace bempd::model

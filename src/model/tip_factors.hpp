@@ -9,7 +9,8 @@ namespace bempd::model {
 
 struct PreparedScene;
 
-// Factors of tips with elements, without error estimates, as growth needs them, and the state that they belong to.
+// Cached stress intensity factors of tips with elements, as growth needs them (without error estimates), and the state
+// that they belong to.
 struct TipFactors {
   const PreparedScene* scene = nullptr;  // null: to be found anew
   coupling::Affine displacement;

@@ -7,18 +7,18 @@
 #include "model/model.hpp"
 #include "model/scene_advice.hpp"
 
-// Messages for the log.
+// Warnings and other messages for the log.
 namespace bempd::model {
 
 namespace {
 
-// Reciprocal condition that leaves displacements three or four digits.
+// Reciprocal condition number at which three or four digits of the displacements are left.
 constexpr double poor_condition = 1e-12;
 
-// Residual from which on a warning is due: bent strips of 400 : 1 have it, with reactions that are off by 1e-5.
+// Residual above which a warning is logged. Bent strips of 400 : 1 have it, with errors of 1e-5 in reactions.
 constexpr double poor_residual = 1e-8;
 
-// Number of unknowns from which on the speed of the BLAS matters.
+// Number of unknowns above which the speed of the BLAS matters.
 constexpr std::int64_t unknowns_that_need_a_fast_blas = 5000;
 
 }  // namespace
@@ -100,7 +100,8 @@ void Model::warn_of_interface() {
               "peridynamic region more room there if it should go on"));
 }
 
-// The warning names the bond that carries most of the rest: it belongs to the hinge.
+// Logs that the body counts as separated although a hinge remains. The bond with the largest force belongs to the hinge
+// and gives its place.
 void Model::tell_of_hinge() {
   fracture::CrackEvolution& evolution = *prepared_->evolution;
   const fracture::EvolutionState& state = evolution.state();
@@ -133,7 +134,8 @@ void Model::tell_of_growth(const fracture::Growth& growth, const PreparedScene& 
   }
 }
 
-// Tells once why windows save less in a run: tips with elements ask for displacements of the whole body at each event.
+// Logs once that windows save less time in this run: tips with elements need the displacements of the whole body at
+// each event.
 void Model::tell_of_whole_body() {
   if (told_of_whole_body_ || prepared_->system->terms().size() == 0) return;
   told_of_whole_body_ = true;
@@ -155,7 +157,7 @@ void Model::tell_of_step(const StepResult& result, std::int64_t new_fragments, b
   warn_of_equilibrium();
   if (result.broken_bonds > 0) warn_of_interface();
   const fracture::EvolutionState& state = evolution.progress();
-  // A body of boundary elements alone has no bonds that could be a hinge.
+  // A body of boundary elements alone has no bonds that could form a hinge.
   const bool has_bonds = prepared_->system->terms().size() > 0;
   if (log_ && has_bonds && !warned_of_hinge_ && state.separated && fracture::hangs(state.resistance)) {
     warned_of_hinge_ = true;
