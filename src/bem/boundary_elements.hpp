@@ -9,7 +9,7 @@
 
 namespace bempd::bem {
 
-// Quadrature points of one interval, as structure of arrays for the vector unit.
+// Quadrature points of one interval of an element, as structure of arrays for the vector unit.
 struct ElementPoints {
   using Values = std::array<double, max_regular_points>;
   int count = 0;
@@ -23,8 +23,8 @@ struct ElementPoints {
 void fill_points(const ElementGeometry& element, const Interval& interval, int point_count, ElementPoints& points);
 
 // Boundary of a body in scaled coordinates: relative to the centre of its bounding box, in units of the box's diagonal.
-// The diameter is then at most one, which keeps the single layer operator positive definite for every body (no
-// degenerate scale).
+// The diameter is then at most one, for which the single layer operator is positive definite whatever the shape: there
+// is no degenerate scale.
 struct ScaledBoundary {
   explicit ScaledBoundary(const BoundaryMesh& mesh);
 

@@ -6,7 +6,7 @@ namespace bempd::bem {
 
 namespace {
 
-// Calls `add` at the Gauss points of an element with the shape functions, position, dx/dxi and weight there.
+// Calls add(shape functions, position, dx/dxi, weight) at the Gauss points of an element.
 template <class Add>
 void at_gauss_points(const BoundaryMesh& mesh, const BoundaryElement& element, const Add& add) {
   const GaussRule& rule = gauss_rule(8);
@@ -65,7 +65,8 @@ void add_normal_integrals(const BoundaryMesh& mesh, Eigen::Ref<Eigen::VectorXd> 
   }
 }
 
-// The divergence theorem applies: div (r f) = 2 f + r . grad f = (2 + degree) f.
+// Integrates over the boundary only, by the divergence theorem: div (r f) = 2 f + r . grad f = (2 + degree) f, where r
+// is the position relative to `centre`.
 double integral_of_homogeneous(const BoundaryMesh& mesh, const Point& centre, int degree,
                                const std::function<double(const Point&)>& function) {
   const double share = 1.0 / (2 + degree);

@@ -14,7 +14,8 @@ struct AssemblyOptions {
   int threads_for(std::size_t elements) const;
 };
 
-// Interface of an elastic body that is described by its boundary, as the layers above see it.
+// Interface of a body that is described by its boundary: stiffness and tractions of its boundary nodes, as the layers
+// above use them.
 class BoundaryOperator {
  public:
   virtual ~BoundaryOperator() = default;
@@ -23,7 +24,8 @@ class BoundaryOperator {
   // component.
   virtual const Eigen::MatrixXd& stiffness() const = 0;
 
-  // Boundary tractions [Pa], row 2 * traction_node + component; one column for each column of displacements [m].
+  // Boundary tractions [Pa], row 2 * traction_node + component, for displacements [m] of the boundary nodes; each
+  // column of `displacements` gives a column of the result.
   virtual Eigen::MatrixXd tractions(const Eigen::Ref<const Eigen::MatrixXd>& displacements) const = 0;
 
   virtual std::int64_t kernel_evaluations() const = 0;

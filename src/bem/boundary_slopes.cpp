@@ -7,7 +7,7 @@ namespace bempd::bem {
 
 namespace {
 
-// Five consecutive nodes, by their distances along a piece of constant curvature.
+// Five consecutive nodes of the boundary, with their arc lengths along a piece of constant curvature.
 struct Row {
   std::array<int, 5> nodes;
   std::array<double, 5> at;
@@ -19,7 +19,8 @@ struct Row {
   }
 };
 
-// Derivative at node k of the interpolation through all five (Lagrange; Gauss for periodic functions).
+// Derivative along the boundary, at node `k`, of the interpolation of `values` through all five nodes: by Lagrange's
+// polynomial on straight pieces, by Gauss's trigonometric formula on arcs.
 Point derivative_at(const Row& row, int k, const Eigen::VectorXd& values) {
   const auto value = [&](int i) -> Point { return values.segment<2>(2 * row.nodes[i]); };
   Point sum = Point::Zero();
@@ -37,7 +38,8 @@ double length_of(const BoundaryMesh& mesh, const BoundaryElement& e) {
   return Arc{mesh.nodes[e.nodes[0]], mesh.nodes[e.nodes[2]], e.sweep}.length();
 }
 
-// Whether the end nodes determine the position along the element: they do on lines and arcs, not on a parabola.
+// Whether the mid node lies halfway along the line or arc between the end nodes. On a parabola it does not, so that arc
+// lengths do not follow from the end nodes.
 bool has_even_nodes(const BoundaryMesh& mesh, const BoundaryElement& e) {
   const Arc arc{mesh.nodes[e.nodes[0]], mesh.nodes[e.nodes[2]], e.sweep};
   return (arc.at(0.5) - mesh.nodes[e.nodes[1]]).norm() <= 1e-9 * arc.length();

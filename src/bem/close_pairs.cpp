@@ -1,6 +1,6 @@
-// Pairs of elements that lie along each other at a distance far below their lengths. The inner integral, as a function
-// of the position x on the outer element, is smooth except near the ends of the inner element, where it varies over the
-// distance of the two. So the outer element is split towards the ends of the inner one, and for every outer point the
+// Pairs of elements that lie along each other at a distance far below their lengths. The inner integral is a smooth
+// function of the position x on the outer element, except near the ends of the inner element, where it varies over the
+// distance between the two. So the outer element is split towards the ends of the inner one. For every outer point the
 // inner element is split towards that point.
 
 #include <algorithm>
@@ -13,7 +13,8 @@ namespace bempd::bem {
 
 namespace {
 
-// Copies one of the points as often as a whole vector needs it.
+// Makes `one` a set of the single point `p`. The position is repeated, because whole vectors are read; the copies have
+// the weight 0.
 void pick_point(const ElementPoints& points, int p, ElementPoints& one) {
   const auto repeat = [p](const ElementPoints::Values& from, ElementPoints::Values& to) { to.fill(from[p]); };
   const auto alone = [p](const ElementPoints::Values& from, ElementPoints::Values& to) {
@@ -34,8 +35,8 @@ void pick_point(const ElementPoints& points, int p, ElementPoints& one) {
 
 }  // namespace
 
-// Splits a side into pieces that are each as long as the nearest singularity allows: lengths grow geometrically away
-// from it.
+// Splits a side into pieces that one rule can integrate: the length of a piece grows geometrically with its distance
+// from the nearest of `singularities`.
 void PairIntegrator::split(const Side& side, const Singularities* singularities, std::size_t count,
                            std::vector<Piece>& pieces) const {
   constexpr int largest = static_cast<int>(regular_point_counts.size()) - 1;

@@ -10,13 +10,14 @@ namespace {
 
 using Map = Eigen::SparseMatrix<double>;
 
-// Interpolation from the nodes that remain on the coarse level to all nodes.
+// Interpolation of nodal values from the nodes that remain on the coarse level to all nodes.
 class Merging {
  public:
   explicit Merging(int nodes) : keeps_(nodes, 1) {}
 
-  // Merges two elements, the second of which starts where the first one ends. Their common node becomes the middle node
-  // of the merged element, and stands for the middle of that element even if the two meet elsewhere.
+  // Merges two elements, the second of which starts where the first one ends. Their common node becomes the mid node of
+  // the merged element: its coarse value is that at the middle, even if the two elements meet elsewhere (`first_share`
+  // is the first one's share of the length). `sweep` is the angle of the merged arc.
   void merge(const std::array<int, 3>& first, const std::array<int, 3>& second, double first_share, double sweep) {
     const ElementGeometry whole{Point::Zero(), Point::UnitX(), Point::Zero(), ElementBasis(0.5 * sweep)};
     const double joint = -1 + 2 * first_share;
@@ -58,7 +59,7 @@ class Merging {
   }
 
  private:
-  // Number of each node among the remaining ones; -1 for the others.
+  // Number of each node among the nodes that remain; -1 for the others.
   std::vector<int> numbers() const {
     std::vector<char> stays = keeps_;
     for (const int node : middles_) stays[node] = 1;
@@ -116,8 +117,8 @@ Merged merge_pairs(const BoundaryMesh& mesh, const CrackMesh& cracks) {
   return merged;
 }
 
-// Displacements and openings of all nodes from the unknowns of the coarse level. Only remaining nodes take part in the
-// constraints between openings at joints.
+// Displacements and openings of all nodes from the unknowns of the coarse level. The constraints between openings at
+// joints are taken over for the remaining nodes only.
 Map from_coarse_unknowns(const Merging& merging, const Map& from_unknowns) {
   const Map some = merging.selection() * from_unknowns;
   std::vector<Eigen::Triplet<double>> entries;
@@ -135,8 +136,8 @@ Map from_coarse_unknowns(const Merging& merging, const Map& from_unknowns) {
   return merging.map() * kept;
 }
 
-// Adds a stiffness against the rigid motions of every piece, which makes the matrix definite: forces in equilibrium do
-// no work on these motions, so the solution does not change. Openings have no part in rigid motions.
+// Adds a stiffness against the rigid motions of every piece of the body, so that the matrix becomes positive definite.
+// The solution does not change: forces in equilibrium do no work on rigid motions. Openings are zero in rigid motions.
 void hold_rigid_motions(const CrackedOperator& body, const Map& map, Eigen::MatrixXd& stiffness) {
   const BoundaryMesh& mesh = body.mesh();
   const int pieces = body.cracks().pieces.count;
@@ -169,7 +170,7 @@ CrackedState coarse_state(const CrackedOperator& body, const CrackedState& state
   add_forces_of_tractions(double_layer, single_layer, stiffness);
   hold_rigid_motions(body, values, stiffness);
 
-  // Forces that hold the state in equilibrium, over thickness and shear modulus.
+  // Forces that hold the given state in equilibrium, divided by thickness and shear modulus.
   Eigen::VectorXd all(fine.hypersingular.rows());
   all << state.displacements, state.openings;
   const Eigen::VectorXd forces = fine.hypersingular * all + fine.double_layer * (length / shear * state.tractions);

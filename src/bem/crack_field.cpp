@@ -14,15 +14,17 @@ namespace {
 
 using Complex = std::complex<double>;
 
-// I(z) = integral of w(s) / (z - s) over s = 0 .. 1, and its derivatives, for the two components of w.
+// Cauchy integrals I(z) = integral of w(s) / (z - s) over s = 0 .. 1, for the two components of w, and their first two
+// derivatives by z.
 struct CauchyIntegrals {
   std::array<Complex, 2> value, first, second;
 };
 
-// Distance over the element's length below which a point counts as a point of the element.
+// Distance from an element, over its length, below which a point counts as lying on the element.
 constexpr double on_crack = 1e-10;
 
-// Closed form for a polynomial; the branch cut of the logarithm lies on the crack only.
+// Cauchy integrals of the polynomial w[0] + w[1] s + w[2] s^2 in closed form. The branch cut of the logarithm lies on
+// the crack only.
 CauchyIntegrals of_polynomial(const std::array<Point, 3>& w, const Complex& z) {
   const Complex log = std::log(z) - std::log(z - 1.0), log1 = 1.0 / z - 1.0 / (z - 1.0);
   const Complex log2 = 1.0 / ((z - 1.0) * (z - 1.0)) - 1.0 / (z * z);
@@ -36,7 +38,7 @@ CauchyIntegrals of_polynomial(const std::array<Point, 3>& w, const Complex& z) {
   return result;
 }
 
-// Closed form for an element at a tip, in q = sqrt(z).
+// Cauchy integrals of w[0] s^(1/2) + w[1] s^(3/2), the opening of an element at a tip, in closed form with q = sqrt(z).
 CauchyIntegrals of_tip(const std::array<Point, 3>& w, const Complex& z) {
   const Complex q = std::sqrt(z), log = std::log(q + 1.0) - std::log(q - 1.0);
   const Complex log1 = 1.0 / (q + 1.0) - 1.0 / (q - 1.0);
@@ -53,7 +55,7 @@ CauchyIntegrals of_tip(const std::array<Point, 3>& w, const Complex& z) {
   return result;
 }
 
-// Quadrature for distant points, where the closed forms are small differences of large numbers.
+// Cauchy integrals by quadrature, for distant points: there the closed forms are small differences of large numbers.
 CauchyIntegrals by_quadrature(const std::array<Point, 3>& w, bool tip, const Complex& z) {
   const GaussRule& rule = gauss_rule(max_regular_points);
   CauchyIntegrals result{};
@@ -81,7 +83,7 @@ CrackField::CrackField(const ScaledBoundary& boundary, const CrackMesh& cracks, 
     std::array<Point, 3> nodal;
     for (int k = 0; k < 3; ++k) nodal[k] = openings.segment<2>(2 * e.nodes[k]) / boundary.length;
     if (e.tip == TipEnd::end) {
-      // The element is seen from its tip at the end: so its left face becomes the right one.
+      // An element with its tip at its end is turned round to start at the tip: its left face becomes the right one.
       std::swap(start, end);
       nodal = {-nodal[2], -nodal[1], -nodal[0]};
     }
@@ -99,16 +101,16 @@ CrackField::CrackField(const ScaledBoundary& boundary, const CrackMesh& cracks, 
   }
 }
 
-// Derivatives of g = 1 / (4 pi (1 - nu)) integral of w ln r, component by component (Crouch and Starfield, Boundary
-// Element Methods in Solid Mechanics, 1983, section 5.2, with the opposite sign of the discontinuity).
+// Adds displacement and stress of one crack element, from derivatives of g = 1 / (4 pi (1 - nu)) integral of w ln r for
+// both components of the opening w (Crouch and Starfield, Boundary Element Methods in Solid Mechanics, 1983, section
+// 5.2, with the opposite sign of the discontinuity).
 void CrackField::add(const Piece& piece, const Point& x, Value& value) const {
   const Point left = left_of(piece.axis), r = x - piece.start;
   Complex z(r.dot(piece.axis) / piece.length, r.dot(left) / piece.length);
-  // A point at the tip is moved just ahead of it: terms that are unbounded there would be multiplied by 0 in the
-  // displacement.
+  // A point at the tip is moved just ahead of it: the displacement would otherwise contain infinite terms times 0.
   constexpr double at_tip = 1e-24;
   if (piece.tip && std::abs(z) < at_tip) z = -at_tip;
-  // The sign of zero chooses the face; a reversed piece has its left face on the right.
+  // The sign of zero chooses the face of the crack. The left face of a reversed element is on its right.
   if (std::abs(z.imag()) <= on_crack && z.real() >= 0 && z.real() <= 1)
     z.imag(piece.reversed != right_face_ ? -0.0 : 0.0);
   constexpr double far = 3;
@@ -118,7 +120,7 @@ void CrackField::add(const Piece& piece, const Point& x, Value& value) const {
   const double c = 1 / (4 * std::numbers::pi * (1 - nu_)), y = z.imag();
   const auto real = [&](const Complex& f) { return c * f.real(); };
   const auto minus_imaginary = [&](const Complex& f) { return -c * f.imag(); };
-  // Potentials of the shearing (s) and of the opening (o) component, and their derivatives.
+  // First, second and third derivatives of the potentials of the shearing (s) and of the opening (o) component.
   const double sx = real(i.value[0]), sy = minus_imaginary(i.value[0]);
   const double ox = real(i.value[1]), oy = minus_imaginary(i.value[1]);
   const double sxx = real(i.first[0]), sxy = minus_imaginary(i.first[0]);

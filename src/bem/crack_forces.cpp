@@ -11,7 +11,7 @@ ElementGeometry geometry_of(const CrackElement& element, const Point& start, con
                                      : tip_element(start, end, element.tip);
 }
 
-// Integrals of the shape functions times the traction.
+// Integrals of the three shape functions of an element times the traction on its left face.
 std::array<Point, 3> node_forces(const ElementGeometry& geometry, int line, const FaceTraction& traction) {
   const GaussRule& rule = gauss_rule(8);
   std::array<Point, 3> forces{Point::Zero(), Point::Zero(), Point::Zero()};

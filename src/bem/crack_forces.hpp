@@ -7,20 +7,21 @@
 
 namespace bempd::bem {
 
-// Traction [Pa] on the left face of line `line` at a place with the given outward normal of that face; the right face
-// has the opposite traction.
+// Traction [Pa] on the left face of line `line` at the place x, where `normal` is the outward normal of that face. The
+// right face has the opposite traction.
 using FaceTraction = std::function<Point(int line, const Point& x, const Point& normal)>;
 
-// Forces [N] on all openings, numbered 2 * node + component.
+// Forces [N] that act on the openings under tractions on the crack faces, numbered 2 * node + component over all
+// opening nodes.
 Eigen::VectorXd crack_forces(const CrackMesh& cracks, const FaceTraction& traction, double thickness);
 
-// Adds forces [N] on the boundary's nodes, numbered 2 * node + component, of such tractions on the faces of lines that
-// cut the body.
+// Adds the forces [N] of tractions on the faces of those lines that cut the body into pieces. They act on boundary
+// nodes and are numbered 2 * node + component.
 void add_forces_on_cuts(const BoundaryMesh& mesh, const CrackMesh& cracks, const FaceTraction& traction,
                         double thickness, Eigen::Ref<Eigen::VectorXd> forces);
 
-// Work of the tractions on one tip's element, over thickness, per length of growth of that tip. The nodal openings of
-// the element stay the same, and its far node does not move.
+// Derivative, by the length of a tip's growth, of the work of face tractions on that tip's element, over thickness. The
+// element's nodal openings and its far node are held.
 double work_of_growth(const CrackMesh& cracks, const CrackTip& tip, const FaceTraction& traction,
                       const Eigen::VectorXd& openings);
 

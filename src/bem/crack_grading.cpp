@@ -14,28 +14,31 @@ namespace {
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
-// Share of the way s from a joint below which the distance to the other line of the joint counts as a gap. At a larger
-// distance the two just lead away from each other; at a smaller one the crack runs back beside the other line.
+// Limit on the ratio of two distances from a point of a crack line that meets another line at a joint: that to the
+// other line, and that along its own line to the joint. Below the limit the two lines run beside each other with a gap;
+// above it they lead away from each other.
 constexpr double aside = 0.3;
 
-// Turn below which a corner of a line counts as part of a curve that the polygon stands for.
+// Turn of a crack line at a corner [rad] below which the corner counts as a part of a curve drawn as a polygon.
 constexpr double least_kink = 0.2;
 
 constexpr int most_halvings = 40;
 
-// Longest element over the distance to the next crack, edge or tip; at_tip for the element that ends at the tip, whose
-// openings share the energy release rate between the modes (measured on infinitesimal kinks: 4e-4 of K_II with a share
-// of a half, 2e-5 with a quarter).
+// Largest length of an element over its distance to the next crack, edge or tip. Elements that end at a tip have a
+// limit of their own, because their openings split the energy release rate into modes: measured on infinitesimal kinks,
+// K_II is wrong by 4e-4 with a limit of 0.5, by 2e-5 with 0.25.
 constexpr double longest = 0.5, longest_at_tip = 0.25;
 
-// Longest element along a narrow gap in widths of the gap, and its growth with the distance from the gap's ends. Thin
-// strips between faces bend: with elements of two widths their openings are right to 4e-5, with four to 6e-4, if the
-// elements at the ends of the gap are short.
+// Largest length of an element along a narrow gap, in widths of the gap, and its growth with the distance from the
+// gap's ends. The strip between the faces bends: openings are right to 4e-5 with elements of two widths, to 6e-4 with
+// four, if the elements at the ends of the gap are short.
 constexpr double longest_along_gap = 2, growth_along_gap = 0.25;
-// Share of the element's length without a gap, up to which a gap makes elements longer: in wider gaps nothing is saved.
+// Limit on elements along a gap, as a share of the element length without a gap: in wider gaps long elements save
+// nothing.
 constexpr double part_along_crack = 0.125, part_along_boundary = 0.25;
 
-// Growth of elements behind a mouth on a row of nodes: each is at most 1.6 times as long as the one before.
+// Growth of crack elements behind a mouth on an edge with fixed node spacing: each is at most 1.6 times as long as the
+// one before.
 constexpr double growth_from_rows = 0.6;
 
 Segment segment(const CrackLine& line, std::size_t i) { return {line.points[i], line.points[i + 1]}; }
@@ -59,14 +62,16 @@ double turn(const CrackLine& line, std::size_t vertex) {
   return std::abs(std::atan2(cross(before, after), before.dot(after)));
 }
 
-// Largest number of elements on one line or piece of the boundary: more of them come of a gap that was not intended.
+// Largest number of elements on one line or piece of the boundary. More would only be needed for a gap that was not
+// intended.
 constexpr std::size_t most_elements = 100000;
 
-// Halves an interval until it is no longer than `limit` says for its ends and its middle.
+// Halves an interval until its `length` is at most the limit at its ends and its middle; appends the ends of the parts
+// to `ends`.
 template <class Limit>
 void halve(double from, double to, double length, const Limit& limit, int depth, std::vector<double>& ends) {
   const double middle = 0.5 * (from + to);
-  // Rounding must not halve only one of two elements that are alike.
+  // The limit has slack, so that rounding does not halve only one of two elements that are alike.
   constexpr double slack = 1 + 1e-9;
   if (depth < most_halvings && length > slack * std::min({limit(from), limit(middle), limit(to)})) {
     halve(from, middle, 0.5 * length, limit, depth + 1, ends);
@@ -105,7 +110,8 @@ CrackSizes::CrackSizes(const CrackLines& cracks, const std::vector<Edge>& bounda
   for (int l = 0; l < static_cast<int>(cracks.lines.size()); ++l) stations_.push_back(stations_of(l));
 }
 
-// Length of elements on a segment before grading. What has not grown keeps its elements when the crack grows.
+// Length of elements on segment `i` of line `l` before grading. Segments that were described keep their elements when
+// the crack grows.
 double CrackSizes::target(int l, std::size_t i) const {
   const CrackLine& line = cracks_.lines[l];
   if (!line.grown[i]) return targets_[l];
@@ -113,8 +119,8 @@ double CrackSizes::target(int l, std::size_t i) const {
   return targets_[l] > 0 ? std::max(targets_[l], length / grading_.elements_per_growth) : length;
 }
 
-// Limit from tips: towards a tip at the end of a short segment, elements are no longer than their distance from the
-// tip.
+// Limit on the element length at the distance `way` along line `l`, because of the line's tips. Towards a tip on a
+// short segment, elements are no longer than their distance from the tip.
 double CrackSizes::from_tips(int l, double way) const {
   const CrackLine& line = cracks_.lines[l];
   const std::vector<double>& ways = ways_[l];
@@ -193,7 +199,8 @@ std::vector<CrackSizes::Neighbour> CrackSizes::neighbours(int l, double way, con
   return found;
 }
 
-// `shortest`: of the elements at the ends of a gap.
+// Limit on the element length at x along a gap of width `gap`. `shortest` is the length of the elements at the ends of
+// the gap, `undivided` the limit that holds without the gap.
 double CrackSizes::along_gap(double gap, double shortest, double undivided, const Point& x) const {
   if (shortest >= undivided) return shortest;
   double to_end = infinite;
@@ -208,7 +215,7 @@ double CrackSizes::on_line(int l, double way) const {
   const double share = at_tip ? longest_at_tip : longest;
   const Point x = place_at(l, way);
   const double own = target(l, segment_at(l, way));
-  // Elements in a small angle between two lines that meet get no smaller than elements at kinks.
+  // Elements in a small angle between two lines that meet are not made smaller than those at kinks.
   const double least = std::ldexp(own, -grading_.halvings_at_kinks);
   double limit = std::min({share * from_kinks(l, way), from_tips(l, way), from_rows(x)});
   for (const Neighbour& thing : neighbours(l, way, x)) {
@@ -250,7 +257,7 @@ std::vector<double> CrackSizes::stations_of(int l) const {
 }
 
 double CrackSizes::on_boundary(const Point& x, double undivided) const {
-  // Least size in a small angle at a mouth, as a share of the element at the mouth.
+  // Least element length in a small angle between boundary and crack, as a share of the crack element at the mouth.
   const double least = std::ldexp(1, -grading_.halvings_at_kinks);
   double limit = infinite;
   for (std::size_t l = 0; l < cracks_.lines.size(); ++l) {

@@ -8,48 +8,50 @@
 namespace bempd::bem {
 
 struct CrackGrading {
-  // Number of elements along the part of a line that has not grown, before grading makes more of them near its ends.
+  // Number of elements along the described part of a line (not its growth), before grading adds more near its ends.
   int elements_per_line = 8;
-  // Largest number of elements on one segment of growth, which are otherwise as long as those of the line.
+  // Largest number of elements on one segment of growth, which otherwise have the length of those on the line.
   int elements_per_growth = 4;
   // Number of halvings of elements at kinks and branches, where stress has a weak singularity.
   int halvings_at_kinks = 4;
 };
 
-// Least distance of a line from another line, or from the boundary, that it does not lead to.
+// Narrowest gap: the least distance of a crack line from another line, or from the boundary, that it does not meet.
 struct NarrowGap {
   int line = -1, other = -1;  // other: -1 is the boundary; line: -1 if there is no gap at all
   double width;
   Point place;  // on the line
 };
 
-// Mouth on an edge whose nodes have a fixed spacing (a row of material points): crack elements begin with that length
-// there and grow away from it.
+// Crack mouth on an edge whose nodes have a fixed spacing (a row of material points). The crack element at the mouth
+// has that length, and elements grow with the distance from it.
 struct MouthOnRow {
   Point place;
   double spacing;
 };
 
-// Lengths of elements on cracks and near them on the boundary. An element is no longer than the distance to the next
-// crack, edge or tip that is not just the continuation of its own line. Along a gap that is long and narrow, elements
-// away from its ends may be longer, because fields vary over the width of the gap only near its ends.
+// Lengths of the elements on cracks, and of boundary elements near cracks. An element is no longer than its distance to
+// the next crack, edge or tip, unless that just continues its own line. Along a narrow gap, elements away from the
+// gap's ends may be longer, because fields vary over the width of the gap only near these ends.
 class CrackSizes {
  public:
-  // `panel_ends`: places on the boundary where supports or loads end; corners are known.
+  // Chooses the elements on all cracks. `panel_ends` are places on the boundary where supports or loads end, besides
+  // the corners, which are known from `boundary`.
   CrackSizes(const CrackLines& cracks, const std::vector<Edge>& boundary, double tolerance,
              const CrackGrading& grading = {}, const std::vector<Point>& panel_ends = {},
              std::vector<MouthOnRow> mouths = {});
 
-  // Distances along each line at which its elements end, from 0 to its length.
+  // Distances along each crack line at which its elements end, from 0 to the length of the line.
   const std::vector<std::vector<double>>& stations() const { return stations_; }
 
-  // Stations of a piece of the boundary, as fractions of its length, with elements halved until they are short enough.
+  // Ends of boundary elements on a piece of the boundary, as fractions of its length: those of `stations`, with
+  // elements halved until they are short enough for the cracks nearby.
   std::vector<double> refined(const Arc& piece, const std::vector<double>& stations) const;
 
   NarrowGap narrowest_gap() const;
 
  private:
-  // A crack or an edge near a place on a line.
+  // Crack or edge near a place on a crack line.
   struct Neighbour {
     double gap;
     double apart;  // distance along the line to the place where it meets the neighbour; infinite if it does not

@@ -14,7 +14,8 @@ struct Mouth {
   int before = -1, after = -1;  // boundary nodes
 };
 
-// Splits the boundary's node at a mouth. The node before the mouth keeps its number.
+// Splits the boundary node at a crack mouth into two. The node before the mouth keeps its number; elements that start
+// at the mouth get the new one.
 Mouth split_at(const Point& place, BoundaryMesh& mesh, double tolerance) {
   Mouth mouth;
   double least = 16 * tolerance;
@@ -33,7 +34,7 @@ Mouth split_at(const Point& place, BoundaryMesh& mesh, double tolerance) {
   return mouth;
 }
 
-// Opening that meets others at a joint, with its sign: positive if the line starts there.
+// Opening node of a line at a joint with others; its sign is positive if the line starts there.
 struct Member {
   int node;
   double sign;
@@ -61,7 +62,7 @@ class Mesher {
 
   bool is_cut(int l) const { return mesh.pieces.is_cut(l); }
 
-  // Adds the faces of a line between two pieces to the boundary.
+  // Adds the two faces of line `l`, which separates two pieces of the body, to the boundary.
   void add_cut(int l, const std::vector<double>& stations) {
     const CrackLine& line = cracks_.lines[l];
     const int count = static_cast<int>(stations.size()) - 1;
@@ -96,7 +97,7 @@ class Mesher {
       if (e + 1 == count && line.joints[1] < 0) tip = TipEnd::end;
       const int node = first + 2 * e;
       if (e == 0) mesh.nodes.push_back(start);
-      // The mid node of an element at a tip is its quarter point, close to the tip.
+      // The mid node of an element at a tip is its quarter point, the one nearer to the tip.
       const double middle = tip == TipEnd::start ? 0.25 : tip == TipEnd::end ? 0.75 : 0.5;
       mesh.nodes.push_back(start + middle * (end - start));
       mesh.nodes.push_back(end);
@@ -151,7 +152,7 @@ class Mesher {
   CrackMesh mesh;
 
  private:
-  // Place of station k on the line; the ends are the places of the joints.
+  // Place of station number `k` on a line. The ends of the line are the places of its joints, exactly.
   Point place(const CrackLine& line, const std::vector<double>& stations, int k) const {
     if (k == 0) return line.joints[0] < 0 ? line.points.front() : places_[line.joints[0]];
     if (k + 1 == static_cast<int>(stations.size()))
@@ -167,9 +168,9 @@ class Mesher {
     return line.points.back();
   }
 
-  // Boundary nodes around a joint where a line between pieces ends: the body lies around it in sectors, each with a
-  // node of its own. There is one before every line, counter-clockwise, and one behind the last line. At a mouth the
-  // boundary has the first and the last of them.
+  // Adds boundary nodes around a joint at which a line between two pieces ends. The lines at the joint divide the body
+  // into sectors, and each sector has a node: one before every line, counter-clockwise, and one behind the last line.
+  // At a mouth the first and the last of these nodes are those of the boundary.
   void add_sectors(int joint) {
     const std::vector<LineEnd>& around = mesh.pieces.around[joint];
     sectors_.emplace_back();
@@ -189,7 +190,7 @@ class Mesher {
     sectors.push_back(mouth ? mouths_[joint].before : sectors.front());
   }
 
-  // Boundary node on one side of an end of a line.
+  // Boundary node of the sector on the left or right of a line at its start (end 0) or end (1).
   int sector_beside(int line, int end, bool left) const {
     const int joint = cracks_.lines[line].joints[end];
     const std::vector<LineEnd>& around = mesh.pieces.around[joint];
@@ -213,7 +214,8 @@ class Mesher {
     return static_cast<int>(boundary_.nodes.size()) - 1;
   }
 
-  // Adds the elements of a face on these nodes; a new panel begins where the line turns, because tractions jump there.
+  // Adds the boundary elements of a crack face with these nodes. A new panel begins where the line turns, because
+  // tractions jump there.
   void add_face(const CrackLine& line, const std::vector<double>& stations, const std::vector<int>& nodes, int piece) {
     const auto segment_at = [&](double way) {
       std::size_t segment = 0;

@@ -19,8 +19,8 @@ struct CrackElement {
   int piece = 0;
 };
 
-// Element along a line between two pieces of a body. The faces are parts of the pieces' boundaries, so that the opening
-// is the difference of displacements.
+// Element of a line between two pieces of a body. Its faces are parts of the pieces' boundaries, so that its opening is
+// the difference of their displacements.
 struct CutElement {
   int line;
   double from, to;                 // ways along its line
@@ -33,8 +33,8 @@ struct CrackTip {
   Point place, direction;  // the unit vector that leads on
 };
 
-// Elements on cracks. Their unknowns are the openings w = u_left - u_right, seen along the line; the left face has the
-// outward normal that points to the right. Every line has nodes of its own; `constraint` has the relations between
+// Elements on cracks. Their unknowns are the openings w = u_left - u_right, with left and right as seen along the line;
+// the outward normal of the left face points to the right. Every line has nodes of its own; `constraint` relates the
 // openings at joints and tips.
 struct CrackMesh {
   std::vector<Point> nodes;
@@ -42,11 +42,13 @@ struct CrackMesh {
   std::vector<CutElement> cuts;
   std::vector<CrackTip> tips;
   std::vector<int> joint_of_node;  // -1 for most
-  // Boundary nodes before and behind the mouth of each joint, in the direction of the boundary's loop; -1: no mouth.
+  // Boundary nodes before and behind the mouth at each joint, in the direction of the boundary's loop; -1: no mouth
+  // there.
   std::vector<std::array<int, 2>> mouth_of_joint;
 
-  // All openings from the unknowns: displacements of the boundary's nodes, then the free openings. Openings are 0 at
-  // tips; around a joint their sum is 0 or, at a mouth, the displacement before the mouth less the one behind it.
+  // Matrix that gives all openings from the unknowns, which are the displacements of the boundary nodes and then the
+  // free openings. Openings are 0 at tips. Around a joint their sum is 0; at a mouth it is the displacement before the
+  // mouth less the one behind it.
   Eigen::SparseMatrix<double> constraint;
   int free_nodes = 0;  // openings that remain
 
@@ -55,9 +57,9 @@ struct CrackMesh {
   int first_face_panel = 0;                      // first panel on a face; these are the last panels
 };
 
-// Meshes the cracks and splits the boundary's nodes at mouths: elements that start there get a new node, at the end of
-// the list. The faces of lines that cut the body are added to its boundary, behind all other elements, with a panel for
-// each straight part.
+// Meshes the cracks, with elements that end at `stations` along each line, and splits the nodes of `mesh` at mouths:
+// new nodes come at the end of its list. Faces of lines that cut the body are added to `mesh` as boundary elements
+// behind all others, with a panel for each straight part.
 CrackMesh mesh_cracks(const CrackLines& cracks, const std::vector<std::vector<double>>& stations, BoundaryMesh& mesh,
                       double tolerance);
 

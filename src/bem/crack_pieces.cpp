@@ -15,11 +15,11 @@ namespace bempd::bem {
 
 namespace {
 
-// Number of a directed piece of a walk with the body on its left: 2 l follows line l, 2 l + 1 comes back along it, and
-// boundary elements come behind the lines.
+// Directed piece of a walk with the body on its left, as a number: 2 l follows crack line l, 2 l + 1 runs back along
+// it, and 2 * (number of lines) + e is boundary element e.
 using Way = int;
 
-// Closed walk along boundary and cracks with a part of the body on its left.
+// Closed walk along the boundary and the crack lines, with a part of the body on its left.
 struct Walk {
   std::vector<Way> ways;
   double area = 0;
@@ -77,7 +77,8 @@ class Walks {
  private:
   Way out(const LineEnd& e) const { return 2 * e.line + e.end; }
 
-  // The next piece of a walk: at a joint, the first one clockwise from the piece that arrives.
+  // Next piece of a walk: at a joint, the first one clockwise from the piece that arrives. At a tip the walk turns
+  // back.
   Way next(Way way) const {
     if (way >= 2 * lines()) {
       const int node = mesh_.elements[way - 2 * lines()].nodes[2];
@@ -99,8 +100,8 @@ class Walks {
     return e.end == 0 ? Point(points[1] - points[0]) : Point(points[points.size() - 2] - points.back());
   }
 
-  // Sorts the lines at a joint by their angle. At a mouth angles count from the boundary that starts there; a line
-  // beside it may be off by rounding.
+  // Sorts the lines at a joint by their angles. At a mouth, angles count from the boundary that starts there; the angle
+  // of a line along this boundary may be negative by rounding.
   void sort_around(int joint) {
     Point axis(1, 0);
     double back = 2 * std::numbers::pi;
@@ -134,7 +135,7 @@ class Walks {
   std::map<int, int> starting_at_, ends_at_;  // element that starts at a node; joint whose node before it is
 };
 
-// Number of the connected part of boundary and cracks that each walk belongs to.
+// Number of the part that each walk belongs to: boundary loops and crack lines that are connected are one part.
 std::vector<int> parts_of(const std::vector<Walk>& walks, int lines) {
   linalg::DisjointSets joined(static_cast<int>(walks.size()));
   std::vector<int> walk_of(static_cast<std::size_t>(2 * lines), -1);
@@ -147,8 +148,8 @@ std::vector<int> parts_of(const std::vector<Walk>& walks, int lines) {
   return part;
 }
 
-// Walks around the outside of a part that lies inside another part (one of each such part); all other walks go around a
-// piece of the body.
+// Flags the walks that go around the outside of a part, as around a hole with its cracks or a crack inside the body:
+// one of each part but the outermost one. All other walks go around a piece of the body.
 std::vector<char> go_around_outside(const std::vector<Walk>& walks, const std::vector<int>& part, int lines) {
   std::vector<int> least(walks.size(), -1);
   int outermost = -1;
@@ -164,7 +165,7 @@ std::vector<char> go_around_outside(const std::vector<Walk>& walks, const std::v
   return outside;
 }
 
-// First boundary element on a walk; a number behind all elements if the walk has none.
+// First boundary element of a walk; a number larger than all if the walk has none.
 Way first_on_boundary(const Walk& walk, int lines) {
   Way first = std::numeric_limits<Way>::max();
   for (const Way way : walk.ways)
@@ -172,8 +173,8 @@ Way first_on_boundary(const Walk& walk, int lines) {
   return first;
 }
 
-// Piece of the body that every walk belongs to. A part that lies inside another one belongs to the smallest piece
-// around it.
+// Piece of the body that lies on the left of every walk. `around_pieces` are the walks around a piece; any other walk
+// belongs to the smallest piece in which it lies.
 std::vector<int> pieces_of(const Walks& finder, const std::vector<Walk>& walks, const std::vector<int>& part,
                            const std::vector<int>& around_pieces) {
   std::vector<int> piece(walks.size(), -1);

@@ -13,10 +13,12 @@ namespace bempd::bem {
 
 namespace {
 
-// Length by which a tip is moved, over the length of its element; the difference quotient is exact to some 1e-7.
+// Length by which a tip is moved for a difference quotient, over the length of its element; the quotient is exact to
+// some 1e-7.
 constexpr double step = 1e-3;
 
-// Elements of a body, and behind them, for every tip, its element with the tip moved forward and back.
+// Elements of a body, followed by two variants of each tip's element, with the tip moved forward and back. They give
+// derivatives of the Galerkin forms by the position of a tip.
 class MovedTips {
  public:
   explicit MovedTips(const CrackedOperator& body)
@@ -24,8 +26,8 @@ class MovedTips {
         elements_(with_moved(body)),
         blocks_(elements_, body.elasticity().effective_poisson_ratio(), body.options().quadrature_tolerance) {}
 
-  // (1/2 u^T D u + t^T B u)' of tip number k in every column; `values` are displacements and openings, tractions are
-  // scaled.
+  // Derivatives of 1/2 u^T D u + t^T B u by the position of tip number `k`, one for each column. `values` are
+  // displacements and openings u, `tractions` the scaled tractions t.
   Eigen::VectorXd derivatives(int k, const Eigen::MatrixXd& values, const Eigen::MatrixXd& tractions) const {
     const int first = static_cast<int>(body_.elements().size()) + 2 * k;
     const double length = 2 * body_.elements()[element_of(k)].geometry.c1.norm();
@@ -53,7 +55,7 @@ class MovedTips {
     return elements;
   }
 
-  // Values of two components at three nodes.
+  // Values of two components at the three nodes of an element.
   using Column = Eigen::Matrix<double, 6, 1>;
   using Block = Eigen::Matrix<double, 6, 6>;
   static Column on_element(const Eigen::Ref<const Eigen::VectorXd>& all, const std::array<int, 3>& nodes) {
@@ -62,7 +64,8 @@ class MovedTips {
     return own;
   }
 
-  // Contribution of the pairs with one variant of the tip's element.
+  // Part of 1/2 u^T D u + t^T B u that depends on the position of tip `k`, with the tip's element replaced by
+  // `variant`: the sum over all pairs with this element, one for each column.
   Eigen::VectorXd forms(int k, int variant, const Eigen::MatrixXd& values, const Eigen::MatrixXd& tractions) const {
     const GalerkinElement& tip = elements_[variant];
     const int own = element_of(k), count = static_cast<int>(body_.elements().size());
@@ -97,7 +100,8 @@ bool is_closed(const CrackMesh& cracks, const CrackTip& tip, const CrackedState&
   return !state.closed.empty() && state.closed[cracks.elements[tip.element].nodes[1]] != 0;
 }
 
-// Openings next to a tip in its axes, shearing first: the factor of the square root of the distance.
+// Opening next to a tip, shearing component first, as the factor of the square root of the distance over the element's
+// length. The normal component is 0 where the faces are closed.
 Point opening_at(const CrackMesh& cracks, const CrackTip& tip, const CrackedState& state) {
   const CrackElement& element = cracks.elements[tip.element];
   const Eigen::VectorXd& openings = state.openings;
@@ -109,7 +113,7 @@ Point opening_at(const CrackMesh& cracks, const CrackTip& tip, const CrackedStat
   return {jump.dot(tip.direction), across};
 }
 
-// State divided by a power of two so that its squares do not overflow or vanish, with that exponent.
+// State divided by 2^exponent so that its squares neither overflow nor vanish.
 struct NearState {
   CrackedState state;
   int exponent;
@@ -200,11 +204,12 @@ std::vector<double> stresses_along_crack(const CrackedOperator& body, const Crac
     const double c = d.x() * d.x() - d.y() * d.y();
     double stress = c * (s[0] - s[1]) + 4 * d.x() * d.y() * s[2];
     if (is_closed(cracks, tip, state)) {
-      // Closed faces only slide: their openings give no normal stress on the line, so T is the stress along it.
+      // Closed faces only slide. Their openings then give no normal stress on the crack's line, so T is the stress
+      // along it.
       results.push_back(d.x() * d.x() * s[0] + d.y() * d.y() * s[1] + 2 * d.x() * d.y() * s[2]);
       continue;
     }
-    // A face on the left of a direction has its outward normal to the right of it.
+    // The outward normal of the face on the left of a direction points to the right of it.
     const Point normal = -left_of(tip.end == TipEnd::end ? d : Point(-d));
     if (state.face_traction) stress += normal.dot(state.face_traction(tip.line, tip.place, normal));
     results.push_back(stress);

@@ -10,8 +10,8 @@ namespace bempd::bem {
 
 namespace {
 
-// Number of the position of each node at which elements end. Nodes split at a mouth share one position, and so do the
-// ends of cracks at a joint.
+// Number of the position of each node, for nodes at which elements end: nodes that were split at a mouth have one
+// position, and so have the ends of cracks at a joint.
 std::vector<int> places_of(const BoundaryMesh& mesh, const CrackMesh& cracks) {
   const int boundary = static_cast<int>(mesh.nodes.size());
   std::vector<int> places(static_cast<std::size_t>(boundary) + cracks.nodes.size());
@@ -29,7 +29,8 @@ std::vector<int> places_of(const BoundaryMesh& mesh, const CrackMesh& cracks) {
   return places;
 }
 
-// Product with map^T. Most columns of the map are unit vectors, many of them of consecutive rows: these are copied.
+// Product with the transpose of a sparse map. Most columns of the map are unit vectors, in runs of consecutive rows:
+// their components are copied in runs.
 class TransposedMap {
  public:
   explicit TransposedMap(const Eigen::SparseMatrix<double>& map) : map_(map) {
@@ -46,14 +47,14 @@ class TransposedMap {
     }
   }
 
-  // -1 if the column is no unit vector.
+  // Row of the single entry 1 of a column; -1 if the column is no unit vector.
   Eigen::Index row_of_unit(Eigen::Index column) const {
     const int first = map_.outerIndexPtr()[column];
     const bool unit = map_.outerIndexPtr()[column + 1] == first + 1 && map_.valuePtr()[first] == 1;
     return unit ? map_.innerIndexPtr()[first] : -1;
   }
 
-  // Computes the components from number `first` on.
+  // Computes the components of map^T column from number `first` on; the others of `result` stay as they are.
   void apply(const double* column, Eigen::Index first, double* result) const {
     for (const Run& run : runs_) {
       const Eigen::Index skipped = std::clamp(first - run.column, Eigen::Index{0}, run.size);
@@ -77,8 +78,9 @@ class TransposedMap {
   std::vector<Eigen::Index> others_;
 };
 
-// Node among the unknowns before that stands for the same displacements and openings, for every node of the unknowns;
-// -1 if there is none.
+// Earlier node of each node of the unknowns, one that stands for the same displacements and openings; -1 for new nodes.
+// `map` and `map_before` give displacements and openings from the unknowns; `kept_nodes` has the earlier numbers of
+// nodes.
 std::vector<int> kept_unknowns(const std::vector<int>& kept_nodes, const Eigen::SparseMatrix<double>& map,
                                const Eigen::SparseMatrix<double>& map_before) {
   using Meaning = std::vector<std::pair<int, double>>;
@@ -182,7 +184,7 @@ CrackedOperator::CrackedOperator(const BoundaryMesh& mesh, const CrackMesh& crac
                        kept.whole_boundary ? &before->of_openings_ : nullptr, unknowns);
 }
 
-// Computes Y = L^-1 B and D + Y^T Y, only the columns of new nodes.
+// Computes L^-1 B and D + B^T V^-1 B, copying the parts that `before` has, so that only columns of new nodes cost work.
 void CrackedOperator::take_from(const CrackedOperator& before, const KeptNodes& kept) {
   const Eigen::Index size = matrices_.hypersingular.rows();
   const bool knows = kept.whole_boundary && before.reduced_.size() > 0;

@@ -17,44 +17,44 @@
 namespace bempd::bem {
 
 // Galerkin operator of a body with cracks. The openings w are unknowns beside the displacements u of the boundary:
-//   K = h G [D + B^T V^-1 B]  on (u, w),
-// where V is that of the body without cracks, and D and B have columns for openings, integrated as those of the
-// boundary. The force that is conjugate to an opening is the traction on the left face (Bonnet, Maier and Polizzotto,
-// Appl. Mech. Rev. 51, 1998, section 6). Other bodies see only the stiffness of the boundary's nodes, from which the
-// openings are eliminated.
+//   K = h G [D + B^T V^-1 B]  on (u, w).
+// V is that of the body without cracks. D and B also have columns for openings, integrated like those of the boundary.
+// The force conjugate to an opening is the traction on the left face (Bonnet, Maier and Polizzotto, Appl. Mech. Rev.
+// 51, 1998, section 6). Other parts of the scene see only the stiffness of the boundary nodes, from which the openings
+// are eliminated.
 class CrackedOperator final : public BoundaryOperator {
  public:
-  // Builds the operator on a mesh whose nodes are split at mouths, and which has the faces of lines between pieces.
-  // Parts that a body `before` with shorter cracks has in common are taken from it: integrals, the factor of V, and
-  // products with that.
+  // Builds the operator on a boundary mesh whose nodes are split at mouths, and which contains both faces of the crack
+  // lines that cut the body into pieces. If `before` is the operator of the body with shorter cracks (null: none), what
+  // both have in common is copied: integrals, the factor of V, and products with this factor.
   CrackedOperator(const BoundaryMesh& mesh, const CrackMesh& cracks, const PlaneElasticity& elasticity,
                   const AssemblyOptions& options = {}, const CrackedOperator* before = nullptr);
 
   // Stiffness of the boundary's nodes, symmetric positive semidefinite.
   const Eigen::MatrixXd& stiffness() const override { return of_openings_.stiffness(); }
-  // Boundary tractions while the crack faces are free of traction.
+  // Boundary tractions [Pa] from displacements of the boundary nodes, with no tractions on the crack faces.
   Eigen::MatrixXd tractions(const Eigen::Ref<const Eigen::MatrixXd>& displacements) const override;
   std::int64_t kernel_evaluations() const override { return kernel_evaluations_; }
 
-  // Stiffness on displacements and free openings.
+  // Stiffness on the displacements of the boundary nodes and the free openings.
   const Eigen::MatrixXd& full_stiffness() const { return full_; }
 
-  // Forces on the boundary's nodes that are equivalent to forces on all openings [N] as crack_forces.hpp gives them:
-  // what they add to the right-hand side.
+  // Forces on the boundary nodes that have the same effect on displacements as forces on all openings [N]
+  // (crack_forces.hpp): the part of the right-hand side that remains after the openings are eliminated.
   Eigen::MatrixXd forces_on_boundary(const Eigen::Ref<const Eigen::MatrixXd>& opening_forces) const;
   // Free openings that forces on them cause while the displacements are held at zero.
   Eigen::MatrixXd opening_response(const Eigen::Ref<const Eigen::MatrixXd>& forces) const {
     return of_openings_.solve(forces);
   }
-  // All openings [m] from displacements and forces on openings.
+  // All openings [m] from displacements of the boundary nodes and forces on all openings.
   Eigen::MatrixXd openings(const Eigen::Ref<const Eigen::MatrixXd>& displacements,
                            const Eigen::Ref<const Eigen::MatrixXd>& opening_forces) const;
-  // Tractions [Pa] of the boundary from displacements and all openings.
+  // Boundary tractions [Pa] from displacements of the boundary nodes and all openings.
   Eigen::MatrixXd tractions(const Eigen::Ref<const Eigen::MatrixXd>& displacements,
                             const Eigen::Ref<const Eigen::MatrixXd>& openings) const;
 
   const std::vector<GalerkinElement>& elements() const { return elements_; }
-  // Galerkin matrices V, D and B^T on all displacements and openings, as integrated; both triangles of V and D.
+  // Galerkin matrices V, D and B^T on all displacements and openings, before constraints; both triangles of V and D.
   const GalerkinMatrices& matrices() const { return matrices_; }
   const CrackMesh& cracks() const { return cracks_; }
   const BoundaryMesh& mesh() const { return mesh_; }
@@ -73,14 +73,15 @@ class CrackedOperator final : public BoundaryOperator {
   std::vector<GalerkinElement> elements_;
   GalerkinMatrices matrices_;
   std::shared_ptr<const linalg::DenseCholesky> single_layer_;
-  // L^-1 B and D + B^T V^-1 B, with L L^T = V, on all displacements and openings; empty unless cracks have grown.
+  // Products L^-1 B and D + B^T V^-1 B, with L L^T = V, on all displacements and openings; empty unless cracks have
+  // grown.
   Eigen::MatrixXd reduced_, raw_;
   Eigen::MatrixXd full_;
   OpeningSchurComplement of_openings_;
   std::int64_t kernel_evaluations_ = 0;
 };
 
-// Elements of the boundary, followed by those of the cracks.
+// Galerkin elements of the boundary, followed by those of the cracks.
 std::vector<GalerkinElement> cracked_galerkin_elements(const BoundaryMesh& mesh, const ScaledBoundary& boundary,
                                                        const CrackMesh& cracks);
 
@@ -88,7 +89,7 @@ std::vector<GalerkinElement> cracked_galerkin_elements(const BoundaryMesh& mesh,
 void add_forces_of_tractions(Eigen::MatrixXd double_layer, const linalg::DenseCholesky& single_layer,
                              Eigen::MatrixXd& stiffness);
 
-// Matrix that gives displacements and all openings, one below the other, from the unknowns.
+// Matrix that gives the displacements of all boundary nodes, then all openings, from the unknowns.
 Eigen::SparseMatrix<double> from_unknowns(const BoundaryMesh& mesh, const CrackMesh& cracks);
 
 // Product map^T a, for a map with few entries in every column.

@@ -35,7 +35,7 @@ class ElementBasis {
   struct Pair {
     double odd, even;
   };
-  // Sine and cosine of half the angle that belongs to a parameter, or to the difference of two.
+  // Sine and cosine of half the angle on an arc that belongs to a parameter xi, or to a difference of two parameters.
   struct HalfAngle {
     double sine = 0, cosine = 1;
     HalfAngle plus(const HalfAngle& other) const {
@@ -45,7 +45,7 @@ class ElementBasis {
   HalfAngle half(double xi) const {
     return powers() ? HalfAngle{} : HalfAngle{std::sin(0.5 * alpha_ * xi), std::cos(0.5 * alpha_ * xi)};
   }
-  // Values and slopes of both functions; on arcs from one sine and one cosine.
+  // Values and slopes of the odd and the even function; on arcs they take one sine and one cosine.
   struct Values {
     Pair value, slope;
   };
@@ -57,13 +57,14 @@ class ElementBasis {
     return {{2 * sine * cosine * odd_scale_, root * root},
             {alpha_ * (cosine - sine) * (cosine + sine) * odd_scale_, alpha_ * root * cosine * even_scale_}};
   }
-  // (f(xi) - f(from)) / (xi - from), without cancellation.
+  // Divided differences (f(xi) - f(from)) / (xi - from) of both functions, without cancellation.
   Pair quotients(double xi, double from) const {
     if (powers()) return {1, xi + from};
     const double mean = 0.5 * alpha_ * (xi + from), scale = alpha_ * sinc(0.5 * alpha_ * (xi - from));
     return {scale * odd_scale_ * std::cos(mean), 0.5 * scale * even_scale_ * even_scale_ * std::sin(mean)};
   }
-  // Quotients as above at xi = from + way, where way is not 0.
+  // Divided differences between `from` and from + way, where way is not 0; `of_from` and `of_way` are half(from) and
+  // half(way).
   Pair quotients(double from, double way, const HalfAngle& of_from, const HalfAngle& of_way) const {
     if (powers()) return {1, 2 * from + way};
     const HalfAngle mean = of_from.plus(of_from).plus(of_way);
@@ -71,7 +72,7 @@ class ElementBasis {
     return {scale * odd_scale_ * mean.cosine, 0.5 * scale * even_scale_ * even_scale_ * mean.sine};
   }
 
-  // even(xi) - even(from) - (odd(xi) - odd(from)) even'(from) / odd'(from), without cancellation.
+  // Remainder even(xi) - even(from) - (odd(xi) - odd(from)) even'(from) / odd'(from), without cancellation.
   double second_order(double xi, double from) const {
     const double d = xi - from;
     return powers() ? d * d : even(d) / std::cos(alpha_ * from);
@@ -83,13 +84,13 @@ class ElementBasis {
   double alpha_, odd_scale_, even_scale_;
 };
 
-// End of an element at which a crack ends.
+// End of an element that is a crack tip.
 enum class TipEnd { none, start, end };
 
-// Geometry x(xi) = c0 + c1 odd(xi) + c2 even(xi) of an element; straight when c2 vanishes. With a crack tip at one end,
-// x is the tip plus sigma^2 times the vector to the other end (quarter points; Barsoum, Int. J. Num. Meth. Eng. 10,
-// 1976), where sigma runs from 0 at the tip to 1. The shape functions then span 1, sigma and sigma^3, so that openings
-// have square roots of the distance and their products with whole powers, and nothing else.
+// Geometry x(xi) = c0 + c1 odd(xi) + c2 even(xi) of an element; straight when c2 vanishes. On an element at a crack
+// tip, the vector from the tip is sigma^2 times the vector to the other end, where sigma runs from 0 at the tip to 1
+// (quarter points; Barsoum, Int. J. Num. Meth. Eng. 10, 1976). The shape functions then span 1, sigma and sigma^3, so
+// that openings have only the powers 1/2 and 3/2 of the distance.
 struct ElementGeometry {
   Point c0, c1, c2;
   ElementBasis basis{};
@@ -109,20 +110,21 @@ struct ElementGeometry {
     if (tip != TipEnd::none) return tip_shape_derivative(xi);
     return nodal(basis.odd_slope(xi), basis.even_slope(xi), 0);
   }
-  // Derivative, shape functions and their derivatives at once.
+  // Derivative of the position, shape functions and their derivatives by xi.
   struct Values {
     Point derivative;
     std::array<double, 3> shape, shape_derivative;
   };
   Values values(double xi) const { return values(xi, basis.at(xi)); }
-  // (x(xi) - x(from)) / (xi - from), without cancellation, and the same of the shape functions (these not of elements
-  // with a tip).
+  // Divided differences between xi and from: (x(xi) - x(from)) / (xi - from), and those of the shape functions, without
+  // cancellation. Those of the shape functions are not valid for elements at a tip.
   struct Quotients {
     Point place;
     std::array<double, 3> shape;
   };
   Quotients quotients(double xi, double from) const { return quotients(basis.quotients(xi, from)); }
-  // Values and quotients at from + way, way not 0, from sines and cosines that several points may share.
+  // Values at from + way, and divided differences between there and `from`, where way is not 0. `of_from` and `of_way`
+  // are basis.half() of both, which several points may share.
   struct Seen {
     Values values;
     Quotients quotients;
@@ -164,13 +166,13 @@ struct ElementGeometry {
 // straight element.
 ElementGeometry element_through(const Point& start, const Point& mid, const Point& end, double sweep);
 
-// Straight element that ends at a crack tip; `start` and `end` are in the element's own direction.
+// Straight element from `start` to `end`, one of which (`tip`) is a crack tip.
 ElementGeometry tip_element(const Point& start, const Point& end, TipEnd tip);
 
 // Outward normal times the Jacobian |dx/dxi|; the body lies on the left of the element.
 inline Point scaled_normal(const Point& derivative) { return {derivative.y(), -derivative.x()}; }
 
-// Part of an element within -1 <= xi <= 1, in either direction.
+// Part of an element, from one parameter to another one within -1 <= xi <= 1, in either direction.
 struct Interval {
   double from = -1, to = 1;
   double mid() const { return 0.5 * (from + to); }

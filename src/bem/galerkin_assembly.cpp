@@ -14,8 +14,8 @@ namespace bempd::bem {
 
 namespace {
 
-// Groups of elements in which no two share a node: many threads can assemble one group without conflict, and sums keep
-// their order.
+// Groups of elements in which no two elements share a node. The threads can assemble one group without conflict, and
+// the order of sums does not depend on them.
 std::vector<std::vector<int>> independent_groups(const std::vector<GalerkinElement>& elements, int nodes) {
   const int count = static_cast<int>(elements.size());
   std::vector<std::vector<int>> groups, touching(nodes);
@@ -50,13 +50,13 @@ class Assembler {
     matrices.double_layer.setZero(2 * nodes, 2 * traction_nodes);
   }
 
-  // Adds all pairs with the given outer element, in columns of that element. assemble_galerkin() completes
-  // `single_layer` and `hypersingular` by adding their transposes.
+  // Adds all pairs with the given outer element, in columns of that element; returns the number of kernel evaluations.
+  // assemble_galerkin() completes `single_layer` and `hypersingular` by adding their transposes.
   std::int64_t add_outer(int outer) {
     std::int64_t evaluations = 0;
     const GalerkinElement& x = elements_[outer];
-    // Rows of the integral equations belong to the boundary, so a crack element as outer one has only crack elements
-    // inside.
+    // An outer crack element is paired with crack elements only, because boundary integral equations are set up on the
+    // boundary alone.
     for (int inner = x.crack ? outer : 0; inner < static_cast<int>(elements_.size()); ++inner) {
       if (inner % 32 == 0) check_cancelled();
       if (elements_[inner].piece != x.piece) continue;
@@ -91,8 +91,8 @@ class Assembler {
 
   void add_double_layer(int outer, int inner, const PairMoments& m) {
     const GalerkinElement &x = elements_[outer], &y = elements_[inner];
-    // An inner crack element has three functions: no constant is subtracted from openings, because only constant
-    // boundary displacements are free of forces.
+    // A pair with an inner crack element has three functions. Only constant boundary displacements, not openings, are
+    // free of forces, so no constant is subtracted and the outer element has no part.
     const int functions = y.crack ? 3 : 6;
     for (int a = 0; a < 3; ++a)
       for (int b = 0; b < functions; ++b) {
@@ -107,7 +107,7 @@ class Assembler {
   PairBlocks blocks_;
 };
 
-// Visits the lower triangle in square tiles, so that the rows and the columns of a tile stay in the cache.
+// Visits the lower triangle of a square matrix in tiles, so that the rows and the columns of a tile stay in the cache.
 template <class Visit>
 void each_in_lower(Eigen::Index size, const Visit& visit) {
   constexpr Eigen::Index tile = 32;

@@ -10,7 +10,7 @@
 
 namespace bempd::bem {
 
-// Element of the boundary or of a crack. A crack element's nodes are those of openings, and it has no tractions.
+// Element of the boundary or of a crack. The nodes of a crack element are opening nodes, and it has no traction nodes.
 struct GalerkinElement {
   ElementGeometry geometry;
   std::array<int, 3> nodes;
@@ -29,15 +29,16 @@ struct GalerkinMatrices {
   std::int64_t kernel_evaluations = 0;
 };
 
-// The Galerkin matrices of a body over the elements of its boundary, and of its cracks behind them; a crack has no
-// traction, so it has columns in B and D only.
+// Matrices of another body with blocks that can be copied (kept_blocks.hpp).
 struct KnownBlocks;
 
-// Assembles the matrices; blocks that are known from another body are copied (kept_blocks.hpp).
+// Assembles the Galerkin matrices of a body over the elements of its boundary, followed by those of its cracks. Cracks
+// have no traction nodes, so they have columns in B and D only. Blocks that are known from another body are copied
+// (null: none).
 GalerkinMatrices assemble_galerkin(const std::vector<GalerkinElement>& elements, int nodes, int traction_nodes,
                                    double nu, const AssemblyOptions& options, const KnownBlocks* known = nullptr);
 
-// Throws Error (unsolvable) unless the single layer has a Cholesky factor.
+// Throws Error (unsolvable) if the Cholesky factorization of the single layer has failed.
 void require_positive(const Eigen::LLT<Eigen::MatrixXd>& single_layer);
 
 void copy_lower_to_upper(Eigen::MatrixXd& a);

@@ -9,17 +9,17 @@
 
 namespace bempd::bem {
 
-// Symmetric Galerkin boundary element operator of one elastic body, which maps displacements of the boundary nodes to
-// nodal forces,
+// Symmetric Galerkin boundary element operator of one elastic body: the stiffness K that maps displacements of the
+// boundary nodes to nodal forces,
 //   K = h G [D + B^T V^-1 B],
 // with the single layer V, the Galerkin rows B of the boundary integral equation and the hypersingular operator D, in
 // units of the body's diagonal and of the shear modulus (Sirtori 1979; Bonnet, Maier and Polizzotto, Appl. Mech. Rev.
-// 51, 1998). D is integrated by parts twice, which leaves only a ln r kernel.
+// 51, 1998). D is integrated by parts twice, which leaves only a ln r kernel. h is the thickness, G the shear modulus.
 class GalerkinOperator final : public BoundaryOperator {
  public:
   GalerkinOperator(const BoundaryMesh& mesh, const PlaneElasticity& elasticity, const AssemblyOptions& options = {});
 
-  // Stiffness, symmetric positive semidefinite; only rigid motions have no force.
+  // Stiffness, symmetric positive semidefinite; only rigid motions are free of forces.
   const Eigen::MatrixXd& stiffness() const override { return stiffness_; }
   Eigen::MatrixXd tractions(const Eigen::Ref<const Eigen::MatrixXd>& displacements) const override;
   std::int64_t kernel_evaluations() const override { return kernel_evaluations_; }

@@ -13,17 +13,17 @@ namespace bempd::bem {
 namespace {
 
 constexpr double tolerance = 1e-14;
-// Distance over the element's length below which a point is "on the boundary": differences of positions carry no more
-// digits.
+// Distance from an element, over its length, below which a point counts as lying on the boundary: differences of
+// positions have no more digits.
 constexpr double on_boundary = 1e-10;
 
-// Nearest parameter of an arc, from the angle at its centre; beyond the ends, the nearer end.
+// Parameter of the point of an arc nearest to x, from the angle at the arc's centre; beyond the ends, the nearer end.
 double nearest_on_arc(const ElementGeometry& arc, const Point& x) {
   const double root = std::sin(0.5 * arc.basis.half_angle());
   const Point to_centre = arc.c2 / (2 * root * root), r = x - arc.c0 - to_centre;
   double xi = std::atan2(cross(-to_centre, r), -to_centre.dot(r)) / arc.basis.half_angle();
   if (std::abs(xi) > 1) return (arc.at(-1) - x).squaredNorm() < (arc.at(1) - x).squaredNorm() ? -1.0 : 1.0;
-  // Two iterations, because the centre of a flat arc is known to few digits.
+  // Two Newton steps follow, because the centre of a flat arc is known to few digits.
   for (int iteration = 0; iteration < 2; ++iteration) {
     const Point distance = arc.at(xi) - x, dx = arc.derivative(xi);
     xi = std::clamp(xi - distance.dot(dx) / dx.squaredNorm(), -1.0, 1.0);
@@ -31,7 +31,7 @@ double nearest_on_arc(const ElementGeometry& arc, const Point& x) {
   return xi;
 }
 
-// Nearest parameter of one element: Newton's method for the least distance, from the best of a few samples.
+// Parameter of the point of an element nearest to x; on a parabola by Newton's method from the best of a few samples.
 double nearest_parameter(const ElementGeometry& element, const Point& x) {
   if (element.straight()) return std::clamp(element.c1.dot(x - element.c0) / element.c1.squaredNorm(), -1.0, 1.0);
   if (!element.basis.powers()) return nearest_on_arc(element, x);
@@ -43,7 +43,7 @@ double nearest_parameter(const ElementGeometry& element, const Point& x) {
   }
   for (int iteration = 0; iteration < 30; ++iteration) {
     const Point r = element.at(best) - x, dx = element.derivative(best);
-    // Gauss-Newton is used where the curvature term would point the step away from the minimum.
+    // The Gauss-Newton step is used where the curvature term would make the full step lead away from the minimum.
     const double full = dx.squaredNorm() + 2 * r.dot(element.c2);
     const double next = std::clamp(best - r.dot(dx) / (full > 0 ? full : dx.squaredNorm()), -1.0, 1.0);
     const bool done = std::abs(next - best) < 1e-15;
@@ -60,7 +60,7 @@ struct InteriorEvaluator::Nearest {
   double xi = 0, distance = 1e300;
 };
 
-// Linear field u(y) = origin_displacement + gradient (y - origin), in equilibrium, with its stress.
+// Linear displacement field u(y) = origin_displacement + gradient (y - origin), in equilibrium, with its stress.
 struct InteriorEvaluator::LinearField {
   Point origin, origin_displacement;
   Eigen::Matrix2d gradient, stress;
@@ -113,7 +113,8 @@ InteriorEvaluator::Nearest InteriorEvaluator::nearest(const Point& x) const {
   return best;
 }
 
-// Displacement gradient H from H tau = du/ds and the traction (unit shear modulus, plane strain with nu).
+// Linear field with the displacement, the tangential derivative and the traction of the nearest boundary point. Its
+// gradient H follows from H tau = du/ds and the traction, for plane strain with nu and the shear modulus 1.
 InteriorEvaluator::LinearField InteriorEvaluator::matching_field(const Nearest& nearest,
                                                                  const Point& displacement_derivative) const {
   const ElementGeometry& element = boundary_.elements[nearest.element];
@@ -136,19 +137,19 @@ InteriorEvaluator::LinearField InteriorEvaluator::matching_field(const Nearest& 
   return field;
 }
 
-// Displacement less the linear field, without cancellation near the nearest point, because the stress kernel divides it
-// by the square of the distance.
+// Displacement of element `e` at xi less the linear field, without cancellation near the nearest point: the stress
+// kernel divides this difference by the square of the distance.
 Point InteriorEvaluator::remainder(int e, double xi, const Nearest& nearest, const LinearField& field) const {
   const ElementGeometry& element = boundary_.elements[e];
   const ElementGeometry& displacement = displacement_[e];
-  // Value and slope match on the nearest element: only the second order of the shape functions remains.
+  // Value and slope match on the nearest element, so only the second-order part of the shape functions remains.
   const auto on_nearest = [&](double parameter) -> Point {
     const ElementBasis& basis = boundary_.elements[nearest.element].basis;
     return basis.second_order(parameter, nearest.xi) *
            (displacement_[nearest.element].c2 - field.gradient * boundary_.elements[nearest.element].c2);
   };
   if (e == nearest.element) return on_nearest(xi);
-  // A neighbour of the nearest element is measured from the common end.
+  // Neighbours of the nearest element have the difference built up from the common end.
   for (int own = 0; own < 2; ++own)
     for (int other = 0; other < 2; ++other)
       if (end_nodes_[e][own] == end_nodes_[nearest.element][other]) {
@@ -166,7 +167,7 @@ void InteriorEvaluator::integrate(int e, const Interval& interval, const Point& 
   const double half = 0.5 * ((mid - from).norm() + (to - mid).norm());
   const double ellipse = element.straight() ? ellipse_size(((x - from).norm() + (x - to).norm()) / half)
                                             : singularities_from(element, x).ellipse(interval);
-  // Stress kernels need one point more: they are one order more singular.
+  // Stress kernels are singular to one order more and need one point more.
   const int needed =
       std::max(gauss_points_needed(ellipse, tolerance) + 1, shape_points_needed(element, interval, tolerance));
   constexpr int max_depth = 60;

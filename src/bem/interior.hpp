@@ -14,11 +14,11 @@
 namespace bempd::bem {
 
 // Displacement and stress inside a body from its boundary values, by Somigliana's identity. The linear field with the
-// displacement, tangential strain and traction of the nearest boundary point is subtracted first and added back in
+// displacement, tangential strain and traction of the nearest boundary point is subtracted first, and added back in
 // closed form. The integrand then vanishes where the kernels are singular, so points may lie arbitrarily close to the
-// boundary. On the boundary itself the stress follows from traction and tangential strain there, with the better slopes
-// of boundary_slopes.hpp. (Better slopes would do harm inside: a Galerkin solution's displacements are good on average,
-// which the correction spoils.)
+// boundary. On the boundary itself the stress follows from the traction and the tangential strain there, with the more
+// exact slopes of boundary_slopes.hpp. (Inside, these slopes would do harm: a Galerkin solution's displacements are
+// good on average, which the correction spoils.)
 class InteriorEvaluator {
  public:
   struct Value {
@@ -26,23 +26,24 @@ class InteriorEvaluator {
     Eigen::Vector3d stress;  // xx, yy, xy [Pa]
   };
 
-  // `displacements` [m] are numbered 2 * node + component, `tractions` [Pa] 2 * traction_node + component.
+  // Prepares the evaluation. `displacements` [m] are numbered 2 * node + component, `tractions` [Pa] 2 * traction_node
+  // + component.
   InteriorEvaluator(const BoundaryMesh& mesh, const PlaneElasticity& elasticity, const Eigen::VectorXd& displacements,
                     const Eigen::VectorXd& tractions);
 
   // Sets the body's cracks with their openings, whose field is added to that of the boundary.
   void set_cracks(CrackField cracks) { cracks_ = std::move(cracks); }
 
-  // Chooses the face of a crack whose values are returned on the crack: the left one or the right one.
+  // Chooses the face whose values are returned for points on a crack: the right one, or the left one (the default).
   void choose_right_face(bool right) {
     if (cracks_) cracks_->choose_right_face(right);
   }
 
-  // Throws Error (argument) at the tip of a crack, where the stress is infinite.
+  // Displacement and stress at x. Throws Error (argument) at the tip of a crack, where the stress is infinite.
   Value at(const Point& x) const;
-  // Stress at the place x from the boundary and all crack elements but one.
+  // Stress at x due to the boundary and all crack elements but number `crack_element`.
   Eigen::Vector3d stress_without(const Point& x, int crack_element) const;
-  // Stress on the boundary from the traction and tangential strain of one element (xi from -1 to 1).
+  // Stress on the boundary at the parameter xi (-1 to 1) of an element, from its traction and tangential strain there.
   Eigen::Vector3d stress_on(int element, double xi) const;
   Point displacement_at(const Point& x) const;
 
@@ -53,8 +54,8 @@ class InteriorEvaluator {
   struct LinearField;
   struct Sums;
 
-  // Change of an element's displacement derivative along xi that gives it the better slopes at its ends and leaves the
-  // nodal displacements alone: the derivative of xi (xi^2 - 1) (odd + even xi).
+  // Correction of an element's displacement derivative by xi. It gives the derivative the more exact slopes at the ends
+  // and leaves the nodal displacements alone: the derivative of xi (xi^2 - 1) (odd + even xi).
   struct SlopeCorrection {
     Point odd = Point::Zero(), even = Point::Zero();
 
@@ -66,7 +67,7 @@ class InteriorEvaluator {
   LinearField matching_field(const Nearest& nearest, const Point& displacement_derivative) const;
   Point remainder(int element, double xi, const Nearest& nearest, const LinearField& field) const;
   Value evaluate(const Point& x, bool with_stress) const;
-  // Contribution of the boundary, scaled.
+  // Displacement and stress due to the boundary alone, in scaled units.
   Value from_boundary(const Point& x, const Nearest& nearest, bool with_stress) const;
   void integrate(int element, const Interval& interval, const Point& x, const Nearest& nearest,
                  const LinearField& field, bool with_stress, int depth, Sums& sums) const;

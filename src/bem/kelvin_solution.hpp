@@ -7,9 +7,9 @@
 
 namespace bempd::bem {
 
-// Kelvin's solution: a point force in the infinite plane-strain body of unit shear modulus, with the field point at the
-// distance vector r from the force. Index order: direction of the force, then component of the result (Brebbia and
-// Dominguez, Boundary Elements, 2nd ed., section 3.4).
+// Kelvin's solution: a point force in the infinite plane-strain body of unit shear modulus; r is the vector from the
+// force to the field point. Rows belong to the direction of the force, columns to the component of the result (Brebbia
+// and Dominguez, Boundary Elements, 2nd ed., section 3.4).
 struct KelvinSolution {
   double nu;  // effective Poisson's ratio
 
@@ -21,7 +21,8 @@ struct KelvinSolution {
     return u;
   }
 
-  // Traction on the surface element with the given normal; a scaled normal scales it.
+  // Traction on a surface element with the normal `normal`; if the normal has another length than 1, the traction is
+  // scaled by it.
   Eigen::Matrix2d traction(const Point& r, const Point& normal) const {
     const double r2 = r.squaredNorm();
     const double factor = -1 / (4 * std::numbers::pi * (1 - nu));
@@ -33,8 +34,8 @@ struct KelvinSolution {
     return factor * t;
   }
 
-  // Stress (xx, yy, xy) at the point x from sources at x + r: kernels of the traction t and of the displacement u on
-  // the surface element with the given normal, so that stress = integral of from_traction - from_displacement.
+  // Stress (xx, yy, xy) at the point x due to the traction t, or the displacement u, of a surface element at x + r with
+  // the normal n. Somigliana's identity: stress = integral of (stress_from_traction - stress_from_displacement).
   Eigen::Vector3d stress_from_traction(const Point& r, const Point& t) const {
     const double r2 = r.squaredNorm(), rt = r.dot(t);
     const double shear = 1 - 2 * nu, triple = 2 * rt / r2;

@@ -6,7 +6,7 @@ namespace bempd::bem {
 
 namespace {
 
-// Whether two elements are the same up to rounding: positions that are computed in another way differ by that.
+// Whether two elements are the same up to rounding, which differs where positions are computed in different ways.
 bool alike(const GalerkinElement& a, const GalerkinElement& b) {
   if (a.crack != b.crack || a.geometry.tip != b.geometry.tip) return false;
   const double slack = 1e-12 * a.geometry.c1.norm() + 1e-15;
@@ -15,7 +15,8 @@ bool alike(const GalerkinElement& a, const GalerkinElement& b) {
          close(a.geometry.at(1), b.geometry.at(1));
 }
 
-// Element before that is the same, for every element; -1 if there is none. Both lists have the same order.
+// Number of the same element in the list `before`, for every element; -1 if there is none. Both lists have similar
+// orders, which makes the search fast.
 std::vector<int> same_elements(const std::vector<GalerkinElement>& before,
                                const std::vector<GalerkinElement>& elements) {
   const int count = static_cast<int>(before.size());
@@ -33,8 +34,8 @@ std::vector<int> same_elements(const std::vector<GalerkinElement>& before,
   return same;
 }
 
-// Node before that is the same, for every node all of whose elements are the same. `nodes_of` gives an element's nodes,
-// -1 for none.
+// Number of the same node in the body before, for every node all of whose elements are the same in both bodies; else
+// -1. `nodes_of` returns the nodes of an element, -1 for none; `same` is the result of same_elements().
 template <class NodesOf>
 std::vector<int> nodes_of_same(const std::vector<GalerkinElement>& before, const std::vector<GalerkinElement>& elements,
                                const std::vector<int>& same, int count, const NodesOf& nodes_of) {
@@ -59,7 +60,7 @@ std::vector<int> nodes_of_same(const std::vector<GalerkinElement>& before, const
   return kept;
 }
 
-// Piece of the body that each node lies on.
+// Number of the body's piece on which each node (or traction node) lies.
 std::vector<int> pieces_of_nodes(const std::vector<GalerkinElement>& elements, int count, bool tractions) {
   std::vector<int> pieces(count, 0);
   for (const GalerkinElement& e : elements)
@@ -114,7 +115,7 @@ void copy_kept_blocks(const std::vector<int>& kept, const Eigen::MatrixXd& from,
 }
 
 void copy_kept(const KnownBlocks& known, GalerkinMatrices& matrices) {
-  // Blocks of nodes on different pieces are not copied: such nodes do not act on each other any more.
+  // Blocks between nodes of different pieces are not copied: such nodes no longer act on each other.
   const KeptNodes& kept = known.kept;
   const auto index = [](std::size_t n) { return 2 * static_cast<Eigen::Index>(n); };
   for (std::size_t b = 0; b < kept.nodes.size(); ++b)

@@ -6,8 +6,8 @@
 
 namespace bempd::bem {
 
-// Nodes that a body has in common with the body before its cracks changed: all elements around them are the same, so
-// their blocks in the matrices are the same, too.
+// Nodes that a body has in common with the body before its cracks changed. All elements around such a node are the same
+// in both, and so are the node's blocks in the matrices.
 struct KeptNodes {
   std::vector<int> nodes, traction_nodes;    // nodes of the other body, by node; -1 for new ones
   bool whole_boundary = false;               // with its traction nodes in their order
@@ -15,8 +15,8 @@ struct KeptNodes {
   std::vector<int> pieces, traction_pieces;  // piece of the body that each node lies on
 
   bool has(const GalerkinElement& element) const;
-  // Whether integrals over a pair of elements are known. Rows of B on boundary nodes need the whole boundary to be the
-  // same: the term that removes forces in rigid motions sums over all of it.
+  // Whether the integrals over a pair of elements are known. Rows of B on boundary nodes are known only if the whole
+  // boundary is the same, because the term that removes the forces of rigid motions is a sum over all of it.
   bool has(const GalerkinElement& outer, const GalerkinElement& inner) const {
     return has(outer) && has(inner) && (whole_boundary || outer.crack || inner.crack);
   }
@@ -30,16 +30,17 @@ struct KeptNodes {
 KeptNodes kept_nodes(const std::vector<GalerkinElement>& before, const std::vector<GalerkinElement>& elements,
                      int boundary_nodes, int nodes, int traction_nodes);
 
-// Matrices of the other body as a source of blocks; D has both triangles.
+// Matrices of the other body, from which blocks are copied; D has both triangles.
 struct KnownBlocks {
   const KeptNodes& kept;
   const GalerkinMatrices& matrices;
 };
 
-// Copies all blocks of kept nodes.
+// Copies all blocks between kept nodes into `matrices`.
 void copy_kept(const KnownBlocks& known, GalerkinMatrices& matrices);
 
-// Copies kept columns, or kept rows and columns, two components a node.
+// Copies the columns, or the blocks (rows and columns), of kept nodes, which have two components each. `kept` gives the
+// node in `from` for each node in `to`, or -1.
 void copy_kept_columns(const std::vector<int>& kept, const Eigen::MatrixXd& from, Eigen::MatrixXd& to);
 void copy_kept_blocks(const std::vector<int>& kept, const Eigen::MatrixXd& from, Eigen::MatrixXd& to);
 

@@ -1,6 +1,6 @@
 #include "bem/kernel_sums.hpp"
 
-// The warning concerns calls that pass vectors; these functions are inlined.
+// The disabled warning is about functions that are called with vectors; the ones here are always inlined.
 #pragma GCC diagnostic ignored "-Wpsabi"
 
 #include "bem/lanes.hpp"
@@ -14,16 +14,16 @@ constexpr int weak_count = 3, strong_count = 4;
 
 using Row = ElementPoints::Values;  // a value for every outer point
 
-// Kernels at all pairs of points, with a row of outer points for every inner one.
+// Values of all kernels at all pairs of points: for every inner point a row with the outer points.
 struct KernelTable {
   alignas(64) Row at[kernel_count][max_regular_points];
 };
 
-// Shape functions of the outer element, side by side for every point.
+// Shape functions of the outer element: for every point the values of all nodes, side by side.
 template <std::size_t points>
 using NodeWeights = double[points][padded_nodes];
 
-// All sums for a given number of lanes, so that they can be compiled for several instruction sets.
+// Kernel sums for vectors of `lanes` numbers, a template so that they can be compiled for several instruction sets.
 template <int lanes>
 class Sums {
  public:
@@ -68,7 +68,7 @@ class Sums {
  private:
   using SingularRow = SingularPoints::Values;
 
-  // Kernels times weights, with a row of radii for every angle.
+  // Values of all kernels times weights: for every angle a row with the radii.
   struct SingularTable {
     SingularRow at[kernel_count][SingularPoints::most_angles];
   };
@@ -95,7 +95,7 @@ class Sums {
     }
   }
 
-  // Adds the integrals where each radius has one outer point: sums over angles come first.
+  // Adds the integrals of points with one outer point for each radius: sums over the angles come first.
   [[gnu::always_inline]] static void add_by_rows(const SingularPoints& points, const SingularTable& table,
                                                  PairPart part, PairMoments& moments) {
     const SingularPoints::Side& outer = points.outer[0];
@@ -124,7 +124,7 @@ class Sums {
 
   using Functions = std::array<SingularRow, 3> SingularPoints::Side::*;
 
-  // Sums over the angles of kernels times the inner element's functions, and of the kernels alone.
+  // Sums over the angles the kernel times the inner element's three functions (`rows`), and the kernel alone (`bare`).
   [[gnu::always_inline]] static void sum_angles(const SingularPoints& points, const SingularRow* kernel,
                                                 Functions functions, SingularRow* rows, SingularRow& bare) {
     for (int p = 0; p < points.radii; p += lanes) {
@@ -159,7 +159,8 @@ class Sums {
     }
   }
 
-  // Sums over all points of kernels times functions of the outer element, times one of the inner element or of its own.
+  // Sums over all points the kernel times the outer functions times function `b` of the inner element (`own`: the
+  // outer).
   [[gnu::always_inline]] static void add_products(const SingularPoints& points, const SingularRow* kernel,
                                                   Functions of_outer, bool own, Functions of_other, int b,
                                                   PairMoments::Column& column) {
@@ -177,7 +178,7 @@ class Sums {
       for (int lane = 0; lane < lanes; ++lane) column[a] += sums[a][lane];
   }
 
-  // A constant has no slope, so the middle column is minus the sum of the others; exact sums help slender bodies.
+  // Sets middle row and column to minus the sum of the others: a constant has no slope. This helps slender bodies.
   [[gnu::always_inline]] static void complete_block(PairMoments::Block& block) {
     for (int a = 0; a < padded_nodes; ++a) block[1][a] = -(block[0][a] + block[2][a]);
     for (PairMoments::Column& column : block) column[1] = -(column[0] + column[2]);
@@ -203,7 +204,7 @@ class Sums {
     }
   }
 
-  // Sums of vectors times three numbers each.
+  // Three sums of vectors, each vector times a number.
   struct Three {
     Values a{}, b{}, c{};
     [[gnu::always_inline]] void add(double for_a, double for_b, double for_c, const Values& v) {
@@ -218,7 +219,7 @@ class Sums {
     }
   };
 
-  // Sums over inner points three functions times the kernel: one row for each function.
+  // Sums over the inner points the kernel times each of three functions `f`: one row of outer points per function.
   [[gnu::always_inline]] static void sum_inner(int outer_count, int count, const Row (&kernel)[max_regular_points],
                                                const std::array<Row, 3>& f, Row* rows) {
     for (int p = 0; p < outer_count; p += 2 * lanes) {
@@ -236,8 +237,8 @@ class Sums {
     }
   }
 
-  // Appends the functions of the outer element: since the inner shape functions add to one, their sums add to that of
-  // the bare kernel, which is multiplied by the outer shape functions.
+  // Appends the rows of the outer element's functions: minus the sum of the bare kernel times the outer shape
+  // functions. The bare sum is that of the three rows, because the inner shape functions add to one.
   [[gnu::always_inline]] static void append_own_nodes(const ElementPoints& outer, Row* rows) {
     for (int p = 0; p < outer.count; p += lanes) {
       const Values minus_bare = -(load<Values>(&rows[0][p]) + load<Values>(&rows[1][p]) + load<Values>(&rows[2][p]));
@@ -254,7 +255,7 @@ class Sums {
     }
   }
 
-  // Sums over outer points three rows times the outer shape functions: one column for each row.
+  // Sums over the outer points each of three rows times the outer shape functions; adds a column for each row.
   template <std::size_t points>
   [[gnu::always_inline]] static void sum_outer(int count, const std::array<double, points>* rows,
                                                const NodeWeights<points>& weights, PairMoments::Column* columns) {

@@ -6,11 +6,11 @@
 
 namespace bempd::bem {
 
-// Adds the integrals over a pair of intervals that do not touch, by the product of their rules.
+// Adds the integrals over a pair of intervals that do not touch to `moments`, by the product of their quadrature rules.
 void add_kernel_sums(const ElementPoints& outer, const ElementPoints& inner, PairPart part, PairMoments& moments);
 
-// Points of a pair of elements that touch, in coordinates in which the distance is r = radius * chord: a number of
-// angles for each radius, the radii side by side for the vector unit.
+// Quadrature points of a pair of elements that touch, in coordinates in which the distance is r = radius * chord. For
+// each angle there are points at all radii, side by side for the vector unit.
 struct SingularPoints {
   static constexpr int most_radii = 20, most_angles = 20;
   using Values = std::array<double, most_radii>;

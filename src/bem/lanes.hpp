@@ -6,8 +6,8 @@
 
 namespace bempd::bem {
 
-// Numbers that the vector unit handles together. All functions with vector arguments are always inlined: how vectors
-// are passed depends on the instruction set that a function is compiled for.
+// Vectors of numbers that the vector unit handles together. Functions with vector arguments must always be inlined,
+// because the way of passing vectors depends on the instruction set that a function is compiled for.
 template <int count>
 struct Lanes;
 
@@ -40,16 +40,16 @@ struct LogarithmAndInverse {
   Values half_logarithm, inverse;
 };
 
-// ln(x) / 2 and 1 / x of normal positive numbers, to a few units of the last place, with one division for both:
-// x = 2^e m with m in [sqrt(1/2), sqrt(2)), and ln(m) / 2 = artanh(s) with s = (m - 1) / (m + 1), |s| < 0.172, where
-// nine further terms of its series leave 1e-17 of the value.
+// ln(x) / 2 and 1 / x of normal positive numbers, to a few units of the last place, with one division for both. With x
+// = 2^e m, where m lies in [sqrt(1/2), sqrt(2)), ln(m) / 2 = artanh(s) for s = (m - 1) / (m + 1), |s| < 0.172. Ten
+// terms of its series leave an error of 1e-17 of the value.
 template <int count>
 [[gnu::always_inline]] inline LogarithmAndInverse<typename Lanes<count>::Values> half_logarithm_and_inverse(
     const typename Lanes<count>::Values& x) {
   using Values = typename Lanes<count>::Values;
   using Bits = typename Lanes<count>::Bits;
   constexpr std::uint64_t one = 0x3FF0000000000000, root_of_half = 0x3FE6A09E667F3BCD, mantissa = 0x000FFFFFFFFFFFFF;
-  // An integer below 2^52 written into the mantissa of 2^52 is added to it.
+  // The exponent becomes a number by writing it into the mantissa of 2^52, which adds it to 2^52.
   constexpr std::uint64_t two_to_52 = 0x4330000000000000;
   constexpr double exponent_offset = 4503599627370496.0 + 1023;
   const Bits shifted = reinterpret_cast<Bits>(x) + (one - root_of_half);
@@ -57,7 +57,7 @@ template <int count>
   const Values m = reinterpret_cast<Values>((shifted & mantissa) + root_of_half);
   const Values above = m + 1, both = 1 / (x * above);
   const Values s = (m - 1) * (x * both), square = s * s;
-  // Odd and even powers are summed apart, so that they do not wait for each other.
+  // Odd and even powers are summed separately, so that one sum does not wait for the other.
   const Values fourth = square * square;
   const Values odd = 1.0 / 3 + fourth * (1.0 / 7 + fourth * (1.0 / 11 + fourth * (1.0 / 15 + fourth * (1.0 / 19))));
   const Values even = 1.0 / 5 + fourth * (1.0 / 9 + fourth * (1.0 / 13 + fourth * (1.0 / 17)));

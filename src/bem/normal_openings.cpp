@@ -9,17 +9,18 @@ namespace bempd::bem {
 
 namespace {
 
-// Cosine of the turn (some 26 degrees) below which two elements at a node count as a smooth face with one normal.
+// Cosine of the turn between two elements at a node (some 26 degrees) below which the face is smooth, with one normal.
 constexpr double smooth_turn = 0.9;
 
-// Difference of a cosine from 1 below which two gaps have the same direction.
+// Limit on 1 - cosine below which two gap functions at joints count as the same.
 constexpr double same_direction = 1e-10;
 
 }  // namespace
 
 namespace {
 
-// Adds a normal at a node, unless it hardly turns from one that is known.
+// Adds a normal at a node to those known there, unless it hardly turns from the last one; then the mean replaces that
+// one.
 void add_normal(const Point& normal, std::vector<Point>& known) {
   if (known.empty() || known.back().dot(normal) < smooth_turn) {
     known.push_back(normal);
@@ -36,7 +37,7 @@ void NormalOpenings::add_places(const CrackMesh& cracks) {
     const Point normal = left_of((cracks.nodes[e.nodes[2]] - cracks.nodes[e.nodes[0]]).normalized());
     for (const int node : e.nodes) add_normal(normal, normals[node]);
   }
-  // Tips have no gap: they do not open.
+  // Tips have no gap, because their openings are zero.
   std::vector<char> opens(cracks.nodes.size(), 0);
   for (Eigen::Index column = 0; column < cracks.constraint.outerSize(); ++column)
     for (Eigen::SparseMatrix<double>::InnerIterator i(cracks.constraint, column); i; ++i) opens[i.row() / 2] = 1;
@@ -139,7 +140,7 @@ Eigen::VectorXd NormalOpenings::held_shut(const Eigen::VectorXd& openings, const
     const Eigen::VectorXd forces = of_forces_(held, held).ldlt().solve(-own);
     result += response_(Eigen::all, held) * forces;
   }
-  // The normal opening that is left at closed places is rounding, and is removed.
+  // The normal opening that is left at closed places is only rounding, and is removed.
   for (std::size_t i = 0; i < closed.size(); ++i) {
     if (!closed[i] || places_[i].node < 0) continue;
     const Place& place = places_[i];

@@ -7,11 +7,11 @@
 
 namespace bempd::bem {
 
-// Normal openings (gaps) of crack faces at the nodes of their elements, which must not become negative under contact
-// without friction. With displacements u of the boundary, forces f on openings and contact forces q, each of which
-// opens its own place,
+// Gaps (normal openings) between crack faces at the nodes of crack elements; frictionless contact keeps them from
+// becoming negative. With the displacements u of the boundary, forces f on openings, and contact forces q, one at each
+// place,
 //   gaps = G u + S q + gaps of f,   G = C_u - C_w K_ww^-1 K_wu,   S = C_w K_ww^-1 C_w^T,
-// where C gives gaps from the unknowns (u, w) of the operator. A gap at a mouth depends on displacements alone.
+// where C gives the gaps from the unknowns (u, w) of the operator. A gap at a mouth depends on displacements alone.
 class NormalOpenings {
  public:
   explicit NormalOpenings(const CrackedOperator& body);
@@ -20,13 +20,13 @@ class NormalOpenings {
   const Eigen::MatrixXd& of_displacements() const { return of_displacements_; }  // G
   const Eigen::MatrixXd& of_forces() const { return of_forces_; }                // S
 
-  // Gaps of all openings [m]; 0 where the crack cuts the body.
+  // Gaps at all places [m] from all openings; 0 at places where the crack cuts the body.
   Eigen::VectorXd gaps(const Eigen::VectorXd& openings) const;
 
-  // Openings with the closed places held shut, from openings without contact forces.
+  // Openings with the gaps at the closed places held at zero, from `openings` without contact forces.
   Eigen::VectorXd held_shut(const Eigen::VectorXd& openings, const std::vector<char>& closed) const;
 
-  // Opening nodes at which a place is closed.
+  // Flags of the opening nodes: 1 if a place at the node is closed.
   std::vector<char> closed_nodes(const std::vector<char>& closed) const;
 
  private:
@@ -39,9 +39,9 @@ class NormalOpenings {
 
   void add_places(const CrackMesh& cracks);
   void add_places_on_cuts(const BoundaryMesh& mesh, const CrackMesh& cracks);
-  // Gap of a place as a linear function of the operator's unknowns.
+  // Gap of a place as a linear function of the operator's unknowns: its weights.
   Eigen::VectorXd gap_function(const CrackMesh& cracks, const Place& place) const;
-  // Removes double places: two lines that meet at a joint in one direction have one gap there.
+  // Removes duplicates: two lines that meet at a joint in the same direction have one gap there.
   void drop_doubles(const CrackMesh& cracks);
   Eigen::MatrixXd normals() const;  // of all openings, one column a place; none where the crack cuts the body
 

@@ -5,13 +5,14 @@
 
 namespace bempd::bem {
 
-// Eliminates the openings w from a stiffness on displacements u and openings w, two components a node: K_ww = L L^T.
-// The nodes have an order of their own, in which those that stay the same while cracks grow come first, so that their
-// part of L is taken over.
+// Schur complement that eliminates the openings w from a stiffness on displacements u and openings w, which have two
+// components per node, with K_ww = L L^T. Opening nodes that stay the same while cracks grow come first in the order of
+// elimination, so that their part of L can be taken over.
 class OpeningSchurComplement {
  public:
-  // `before` is that of a body with other cracks, and `kept` the nodes of its unknowns by those here, -1 for new ones.
-  // It is of use where all displacements are kept. Throws Error (argument) if a piece is cut out.
+  // Eliminates the openings from `full`, whose first `displacements` unknowns stay. `before` is the result for the body
+  // with other cracks (null: none), which helps if all displacements are kept; `kept` has its node for every node of
+  // the unknowns, or -1. Throws Error (argument) if cracks cut out a piece that nothing holds.
   void compute(const Eigen::MatrixXd& full, Eigen::Index displacements, const OpeningSchurComplement* before,
                const std::vector<int>& kept);
 

@@ -10,18 +10,19 @@
 
 namespace bempd::bem {
 
-// Blocks of the Galerkin matrices from a pair of elements, x on the outer and y on the inner one, by the nodes a of the
-// outer and b of the inner one. They are in the header for inlining: calls would cost as much as the sums.
+// Blocks of the Galerkin matrices from a pair of elements, outer (points x, nodes a) and inner (points y, nodes b). The
+// functions are in the header for inlining: calls would cost as much as the sums.
 class PairBlocks {
  public:
   PairBlocks(const std::vector<GalerkinElement>& elements, double nu, double quadrature_tolerance);
 
   PairMoments moments(int outer, int inner, PairPart part) const;
 
-  // Block of the single layer; half of it for an element with itself, whose transpose is added later.
+  // Block of the single layer. For an element with itself it is half the block, because the transpose is added later.
   Eigen::Matrix2d single_layer(int outer, int inner, const PairMoments& m, int a, int b) const {
     const double single = (outer == inner ? 0.5 : 1.0) * single_;
-    // Trace part 1/2 of e e^T: a product of integrals here; its sum over the closed loops vanishes in D.
+    // The trace part 1/2 of e e^T gives a product of integrals. (In the hypersingular block it vanishes in the sum over
+    // closed loops.)
     const double trace = 0.5 * node_lengths_[outer][a] * node_lengths_[inner][b];
     return single * symmetric_block(trace - (3 - 4 * nu_) * m.mass[0][b][a], m.mass[1][b][a], m.mass[2][b][a]);
   }
@@ -31,7 +32,7 @@ class PairBlocks {
     return hyper * symmetric_block(-m.derivative[0][b][a], m.derivative[1][b][a], m.derivative[2][b][a]);
   }
 
-  // Transposed block of the double layer; b as in PairMoments::double_layer.
+  // Transposed block of the double layer; `b` numbers inner and then outer nodes, as in PairMoments::double_layer.
   Eigen::Matrix2d double_layer(const PairMoments& m, int a, int b) const {
     const auto& moment = m.double_layer;
     const double rotation = (1 - 2 * nu_) * moment[1][b][a];
@@ -43,7 +44,7 @@ class PairBlocks {
   }
 
  private:
-  // The matrix isotropic * I + (cosine, sine; sine, -cosine).
+  // Matrix isotropic * I + (cosine, sine; sine, -cosine).
   static Eigen::Matrix2d symmetric_block(double isotropic, double cosine, double sine) {
     Eigen::Matrix2d block;
     block << isotropic + cosine, sine, sine, isotropic - cosine;

@@ -23,7 +23,7 @@ Distances distances_between(const std::array<Point, 3>& outer, const std::array<
 }
 
 constexpr int largest_rule = static_cast<int>(regular_point_counts.size()) - 1;
-// Largest number of short pairs, which cost about as much as alongside().
+// Largest number of pairs of intervals into which a pair of elements is split; more cost about as much as alongside().
 constexpr std::size_t most_short_pairs = 256;
 
 double closest_singularity(const ElementGeometry& element, const Interval& interval,
@@ -59,8 +59,8 @@ const ElementPoints& PairIntegrator::points(const Side& side, int rule, ElementP
   return scratch;
 }
 
-// List of up to most_short_pairs + 1 pairs, on the stack: thread-local memory would have to be registered for its
-// destruction, and the C library ends the process when memory for that is missing.
+// List of up to most_short_pairs + 1 pairs of intervals, on the stack. Thread-local memory would need a registered
+// destructor, and the C library ends the process if there is no memory to register it.
 class PairIntegrator::ShortPairs {
  public:
   void add(const ShortPair& pair) { new (memory_ + sizeof(ShortPair) * size_++) ShortPair(pair); }
@@ -73,9 +73,9 @@ class PairIntegrator::ShortPairs {
   alignas(ShortPair) std::byte memory_[sizeof(ShortPair) * (most_short_pairs + 1)];
 };
 
-// Nearness of the singularity of one stretch, seen from a point of the other one. The kernels are analytic up to the
-// complex parameter at which r vanishes. On a straight stretch that parameter lies where its line meets the other
-// point, whose distances from both ends are real distances in the plane.
+// Nearness of the singularity of the integrand on one stretch, seen from sample points of the other one, and the rule
+// that it needs. The kernels are analytic up to the complex parameter at which the distance r vanishes. On a straight
+// stretch the distances of that parameter from both ends are those of the other point from the ends, in the plane.
 PairIntegrator::Nearness PairIntegrator::nearness(const Stretch& own, const std::array<double, 3>& sums,
                                                   const Stretch& other) const {
   const Side& side = own.side;
@@ -97,7 +97,8 @@ PairIntegrator::Closeness PairIntegrator::closeness(const Stretch& outer, const 
           nearness(inner, {d[0][0] + d[0][2], d[1][0] + d[1][2], d[2][0] + d[2][2]}, outer)};
 }
 
-// Halves both sides until a rule serves; returns false when it takes more pairs than are worth it.
+// Halves two stretches until a rule is good enough for each pair of parts, collected in `pairs`. Returns false if this
+// takes more than most_short_pairs pairs.
 bool PairIntegrator::halve(const Stretch& outer, const Stretch& inner, int depth, ShortPairs& pairs) const {
   constexpr int max_depth = 60;
   const Closeness close = closeness(outer, inner);
@@ -143,7 +144,7 @@ PairMoments PairIntegrator::integrate(int outer, int inner, Contact contact, Pai
       touching({outer, {-1, 1}}, {inner, {1, -1}}, true, part, moments);
       break;
     case Contact::both_ends:
-      // Two elements that form a loop: their halves with the same sign are apart, opposite ones touch.
+      // Two elements form a loop: their halves with the same sign of the parameter are apart, opposite ones touch.
       touching({outer, {1, 0}}, {inner, {-1, 0}}, true, part, moments);
       touching({outer, {-1, 0}}, {inner, {1, 0}}, true, part, moments);
       apart(stretch({outer, {0, 1}}), stretch({inner, {0, 1}}), part, moments);

@@ -12,14 +12,13 @@
 
 namespace bempd::bem {
 
-// Length of rows for three nodes, padded to whole vectors.
+// Length of rows for the three nodes of an element, padded to whole vectors.
 inline constexpr int padded_nodes = 4;
 
-// Double integrals over a pair of elements, x on `outer` and y on `inner`, r = y - x, from which the Galerkin blocks of
-// every operator follow. With e = r / |r| = (cos, sin) the kernels are
-//   weakly singular:  ln r,  (e_x^2 - e_y^2) / 2,  e_x e_y   (e e^T without its trace part),
-//   double layer:     (e . n) / r, (n x e) / r, and the first one times the last two of the line above,
-// where n is the normal at y.
+// Double integrals over a pair of elements, with x on the outer and y on the inner one and r = y - x, from which the
+// blocks of all Galerkin matrices follow. With e = r / |r| and the normal n at y the kernels are
+//   weakly singular:  ln r,  (e_x^2 - e_y^2) / 2,  e_x e_y   (the last two: e e^T without its trace part),
+//   double layer:     (e . n) / r,  (n x e) / r,  and (e . n) / r times the last two weakly singular ones.
 struct PairMoments {
   using Column = std::array<double, padded_nodes>;  // outer nodes
   using Block = std::array<Column, 3>;              // inner nodes
@@ -30,12 +29,12 @@ struct PairMoments {
   std::int64_t evaluations = 0;             // point pairs at which kernels were evaluated
 };
 
-// Selection of the integrals that a pair needs. The weakly singular kernels are symmetric, so one order of the pair is
-// enough; an inner crack element has no tractions and needs no `mass`; a pair of crack elements needs `derivative`
-// only.
+// Integrals that a pair of elements needs. The weakly singular kernels are symmetric, so one order of the pair is
+// enough for them. An inner crack element has no tractions and needs no `mass`; a pair of crack elements needs only
+// `derivative`.
 enum class PairPart { everything, without_mass, double_layer_only, derivative_only };
 
-// Points of a rule on a whole element, computed by the first thread that asks for them: few rules are used.
+// Points of one rule on a whole element, computed by the first thread that asks for them: few rules are ever used.
 class PointTable {
  public:
   PointTable() = default;
@@ -55,22 +54,22 @@ class PointTable {
   mutable std::atomic<const ElementPoints*> points_{nullptr};
 };
 
-// How two elements meet; the outer element's end is named first.
+// Contact of two elements: which end of the outer one (named first) is which end of the inner one.
 enum class Contact { none, same, end_to_start, start_to_end, both_ends };
 
-// Integrates over pairs of elements, each pair with the relative error `tolerance`. Pairs apart use products of Gauss
-// rules on intervals halved until they are short enough for their distance. Pairs that lie along each other at a small
-// distance, as on the two sides of a slit, would take as many halves as they are longer than that distance: there the
-// inner integral is split anew for every outer point, and the work grows with the square of a logarithm. Touching pairs
-// use polar-like coordinates around the common point, in which only a factor ln(radius) is singular.
+// Integrates over pairs of elements, each with the relative error `tolerance`. Pairs apart use products of Gauss rules
+// on intervals that are halved until they are short enough for their distance. Pairs that lie along each other at a
+// small distance, as on the two sides of a slit, would need as many intervals as they are longer than this distance.
+// There the inner integral is split anew for every outer point, and the work grows with the square of a logarithm.
+// Touching pairs use polar-like coordinates around the common point, in which only a factor ln(radius) is singular.
 class PairIntegrator {
  public:
   PairIntegrator(const std::vector<ElementGeometry>& elements, double tolerance);
 
   PairMoments integrate(int outer, int inner, Contact contact, PairPart part) const;
 
-  // Integrals over two elements whose ends meet at a place (0: start, 1: end) where each has a node of its own, as at
-  // the mouth of a crack. The terms of the double layer in N_b(y) and in N_b(x) are integrable separately.
+  // Integrals over two elements whose ends (0: start, 1: end) meet but have a node each, as at the mouth of a crack.
+  // The terms of the double layer in N_b(y) and in N_b(x) are then integrable separately.
   PairMoments integrate_meeting(int outer, int outer_end, int inner, int inner_end, PairPart part) const;
 
  private:
@@ -78,7 +77,7 @@ class PairIntegrator {
     int element;
     Interval interval;
   };
-  // A side (part of an element) with the quantities that its choice of rule depends on.
+  // Side (part of an element) with the quantities on which the choice of its rule depends.
   struct Stretch {
     Side side;
     std::array<Point, 3> sample;  // ends and middle
@@ -87,19 +86,19 @@ class PairIntegrator {
     bool straight;
   };
   Stretch stretch(const Side& side) const;
-  // Two sides that are short enough for their distance, with their rules.
+  // Pair of sides that are short enough for their distance, with their rules.
   struct ShortPair {
     Side outer, inner;
     int outer_rule, inner_rule;
   };
-  // A piece of an element on which one rule is enough.
+  // Piece of an element on which one rule is enough.
   struct Piece {
     Interval interval;
     int rule;
   };
   void apart(const Stretch& outer, const Stretch& inner, PairPart part, PairMoments& moments) const;
-  // Sum of distances of the nearest singularity, and the rule that it needs; larger than the largest rule if a side is
-  // too long.
+  // Distance sum of the nearest singularity (see ellipse_size()) and the rule that it needs, which is larger than the
+  // largest rule if the side is too long.
   struct Nearness {
     double sum;
     int rule;
@@ -107,7 +106,8 @@ class PairIntegrator {
   struct Closeness {
     Nearness outer, inner;
   };
-  // `sums` are those of the distances of the other's sample from both ends.
+  // Nearness of the singularity of `own`. `sums` has, for each sample point of `other`, its distances from both ends of
+  // `own` added up.
   Nearness nearness(const Stretch& own, const std::array<double, 3>& sums, const Stretch& other) const;
   Closeness closeness(const Stretch& outer, const Stretch& inner) const;
   class ShortPairs;

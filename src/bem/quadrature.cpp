@@ -34,7 +34,8 @@ GaussRule make_rule(int n) {
     const auto p = legendre(n, x);
     const long double derivative = n * (x * p[n] - p[n - 1]) / (x * x - 1);
     const long double weight = 1 / ((1 - x * x) * derivative * derivative);
-    // Weights from the expansion of f in Legendre polynomials, times the integrals of P_k(2s - 1) ln(s) over [0, 1].
+    // Log weights come from the expansion of f in Legendre polynomials, times the integrals of P_k(2s - 1) ln(s) over
+    // [0, 1].
     long double log_factor = -1;
     for (int k = 1; k < n; ++k) log_factor += (2 * k + 1) * p[k] * (k % 2 ? 1.0L : -1.0L) / (k * (k + 1.0L));
     rule.points.push_back(static_cast<double>((1 + x) / 2));
@@ -79,7 +80,7 @@ int regular_rule(int points_needed) {
 
 RegularRules::RegularRules(double tolerance) {
   for (std::size_t rule = 0; rule < least_sum_.size(); ++rule) {
-    // The bound solves rho^(-2 (n - 1)) = tolerance, and the sum of the distances is rho + 1 / rho.
+    // The bound solves rho^(-2 (n - 1)) = tolerance, where the sum of the distances is rho + 1 / rho.
     const double ellipse = std::pow(tolerance, -0.5 / (regular_point_counts[rule] - 1));
     least_sum_[rule] = ellipse + 1 / ellipse;
   }

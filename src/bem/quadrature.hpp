@@ -13,30 +13,31 @@ struct GaussRule {
 
 inline constexpr int max_gauss_points = 32;
 
-// Rule with this many points; it is built once, and the reference stays valid.
+// Gauss rule with this many points; it is built once, and the reference stays valid.
 const GaussRule& gauss_rule(int point_count);
 
-// Size rho of the largest ellipse with foci +-1 in which an integrand on [-1, 1] is analytic, from the sum of the
-// distances of its nearest singularity from both ends (in units where the interval has the length 2).
+// Size rho (sum of the semi-axes) of the largest ellipse with foci +-1 in which an integrand on [-1, 1] is analytic.
+// `sum_of_distances` is the sum of the distances of its nearest singularity from -1 and 1.
 double ellipse_size(double sum_of_distances);
 
-// Number of points that Gauss's rule needs for the relative error `tolerance`: its error falls like rho^(-2 n).
+// Number n of points that a Gauss rule needs for the relative error `tolerance`, which falls like rho^(-2 n) with the
+// size rho of the ellipse.
 int gauss_points_needed(double ellipse, double tolerance);
 
 // Numbers of points used for smooth integrals; they are few, so that they can be tabulated for every element.
 inline constexpr std::array<int, 8> regular_point_counts{4, 5, 6, 7, 8, 10, 12, 16};
 inline constexpr int max_regular_points = 16;
 
-// Index into `regular_point_counts`; `regular_point_counts.size()` when even the largest is too small.
+// Index in `regular_point_counts` of the least count that is enough; its size() if none is.
 int regular_rule(int points_needed);
 
-// Rule for the number of points that gauss_points_needed() returns, without a logarithm for every integral.
+// Choice of rules as by gauss_points_needed() and regular_rule(), but by tabulated limits instead of a logarithm.
 class RegularRules {
  public:
   explicit RegularRules(double tolerance);
-  // Sum of distances for which the largest rule is just enough.
+  // Sum of distances for which the rule with the most points is just enough.
   double least_sum() const { return least_sum_.back(); }
-  // Index of the rule for the argument of ellipse_size().
+  // Index of the rule for a singularity with this sum of distances from the ends (as in ellipse_size()).
   int rule(double sum_of_distances) const {
     int index = 0;
     while (index < static_cast<int>(least_sum_.size()) && sum_of_distances < least_sum_[index]) ++index;

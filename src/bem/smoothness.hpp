@@ -9,17 +9,17 @@
 
 namespace bempd::bem {
 
-// Complex parameters at which an integrand over an element is not analytic.
+// Singularities of an integrand over an element: complex parameters at which it is not analytic.
 class Singularities {
  public:
   void add(std::complex<double> xi) { at_[count_++] = xi; }
 
-  // Sum of the distances of the nearest singularity from both ends of the interval, where the interval has the length
-  // 2; infinite without singularities.
+  // Least sum of the distances of a singularity from both ends of the interval, in units of half the interval's length;
+  // infinite without singularities.
   double sum_of_distances(const Interval& interval) const;
-  // Longest interval from `from` upwards for which sum_of_distances() is at least `sum` > 2.
+  // Longest interval that begins at `from` for which sum_of_distances() is at least `sum`, which must be larger than 2.
   double longest_interval(double from, double sum) const;
-  // Size of the ellipse around the interval in which the integrand is analytic.
+  // Size of the ellipse around the interval in which the integrand is analytic (ellipse_size()).
   double ellipse(const Interval& interval) const { return ellipse_size(sum_of_distances(interval)); }
 
  private:
@@ -27,18 +27,18 @@ class Singularities {
   int count_ = 0;
 };
 
-// Parameters on a circular arc, x = centre + (mid - centre) exp(i alpha xi): as a function of a complex parameter it
-// passes through every place of the plane but its centre.
+// Complex parameters on a circular arc, x = centre + (mid - centre) exp(i alpha xi). With complex xi this reaches every
+// place of the plane but the centre.
 class ArcParameters {
  public:
   explicit ArcParameters(const ElementGeometry& arc);
 
-  // Parameters at which the distance from the place vanishes: the one within half a turn of the arc's middle, and the
-  // one a turn from there.
+  // Complex parameters at which the distance from x vanishes: the one within half a turn of the arc's middle, and the
+  // next one, a full turn away.
   std::array<std::complex<double>, 2> of(const Point& x) const;
-  // Sum of distances as in Singularities, of the nearer parameter.
+  // Sum of distances of the nearer of the two parameters, as Singularities::sum_of_distances().
   double sum_of_distances(const Point& x, const Interval& interval) const;
-  // Largest change of sum_of_distances() from the middle one of the places to any of them.
+  // Bound on the change of sum_of_distances() from places[1] to either of the other places.
   double largest_change(const std::array<Point, 3>& places, const Interval& interval) const;
 
  private:
@@ -46,19 +46,20 @@ class ArcParameters {
   double alpha_, radius_;
 };
 
-// Parameters at which the distance from the point x vanishes.
+// Singularities of kernels of the distance from the point x to the element: parameters at which this distance vanishes.
 Singularities singularities_from(const ElementGeometry& element, const Point& x);
 
-// Singularities of an integral over the interval of `inner` with kernels of the distance, as a function of the place x
-// on `outer`. They lie where the path of integration ends, and where the parameter of `inner` is not analytic in the
-// place (at the centre of an arc, the focus of a parabola). The rest of the path can be moved out of the way.
+// Singularities of an integral over an interval of `inner`, with kernels of the distance, as a function of the place on
+// `outer`. They lie where the path of integration ends, and where the parameter of `inner` is not an analytic function
+// of the place (at the centre of an arc, the focus of a parabola). The rest of the path can be deformed away from the
+// place.
 std::vector<Singularities> singularities_of_integral(const ElementGeometry& outer, const ElementGeometry& inner,
                                                      const Interval& interval);
 
 // Singularities that remain when the distance from the element's own point xi0 is divided by |xi - xi0|.
 Singularities singularities_of_chord(const ElementGeometry& element, double xi0);
 
-// Number of points that Gauss's rule needs for the element's own functions: Jacobian and products of shape functions.
+// Number of points that a Gauss rule needs for the element's own functions: Jacobian and products of shape functions.
 int shape_points_needed(const ElementGeometry& element, const Interval& interval, double tolerance);
 
 }  // namespace bempd::bem
