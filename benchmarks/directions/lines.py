@@ -9,7 +9,7 @@ import functools
 import json
 import math
 import pathlib
-from typing import Any
+from typing import Any, Callable
 
 import bempd
 import bodies
@@ -183,10 +183,10 @@ def one(job: list) -> tuple[list, dict[str, Any]]:
         return job, {"failed": str(failed)}
 
 
-def run(out: pathlib.Path, workers: int, only: str) -> None:
+def run(out: pathlib.Path, workers: int, only: str, wanted: Callable[[tuple], bool]) -> None:
     file = out / "lines.txt"
     have = {json.dumps(json.loads(line)[0]) for line in file.read_text("ascii").splitlines()} if file.exists() else set()
-    chosen = [job for job in jobs() if json.dumps(job) not in have and only in json.dumps(job)]
+    chosen = [job for job in jobs() if json.dumps(job) not in have and only in json.dumps(job) and wanted(tuple(job))]
     with concurrent.futures.ProcessPoolExecutor(workers) as pool:
         for answer in pool.map(one, chosen):
             print(*answer, flush=True)

@@ -1,7 +1,8 @@
 """Cracks in lattices against boundary elements and G0: tables into docs/research/tables, and the picture of
 docs/directions.md.
 
-    run.py [--jobs N] [--only WORD] [--table]    --only: jobs with this word; --table: tables from what is there
+    run.py [--jobs N] [--only WORD] [--table | --picture]
+        --only: jobs with this word; --table: tables from what is there; --picture: what the picture shows, and no table
 
 Results are kept line by line in out/directions/lines.txt: what is there is not run again."""
 
@@ -30,12 +31,14 @@ def main() -> None:
     options.add_argument("--jobs", type=int, default=1)
     options.add_argument("--only", default="")
     options.add_argument("--table", action="store_true")
+    options.add_argument("--picture", action="store_true")
     options = options.parse_args()
     OUT.mkdir(parents=True, exist_ok=True)
     if not options.table:
-        lines.run(OUT, options.jobs, options.only)
+        lines.run(OUT, options.jobs, options.only, strip.is_drawn if options.picture else lambda job: True)
     found = lines.results(OUT)
-    put({name: rows for name, rows in lines.tables(found).items() if len(rows) > 2})
+    if not options.picture:
+        put({name: rows for name, rows in lines.tables(found).items() if len(rows) > 2})
     strip.picture(found, ROOT / "docs" / "directions.png")
 
 

@@ -82,25 +82,47 @@ def rows(found: dict[tuple, dict[str, Any]]) -> list[str]:
     return lines
 
 
+def is_drawn(job: tuple) -> bool:
+    """Whether the picture shows the way of a job."""
+    if job[0] == "strip":
+        return tuple(job[2:5]) == (3, DRAWN_ANGLE, 0.513)
+    return tuple(job[1:4]) == (45.0, 3, DRAWN_ANGLE) if job[0] == "inclined" else False
+
+
 def picture(found: dict[tuple, dict[str, Any]], file: pathlib.Path) -> None:
     """Ways in the strip and of an inclined edge crack, with the rows of the lattice at 20 degrees."""
     import matplotlib
     matplotlib.use("Agg")
     from matplotlib import pyplot
-    figure, axes = pyplot.subplots(1, 2, figsize=(11, 5.2), layout="constrained")
-    colours = {"bond": "tab:red", "line": "tab:blue"}
-    labels = {"bond": "bond by bond", "line": "crack as a line"}
+    figure, axes = pyplot.subplots(1, 2, figsize=(9.6, 2.9), layout="constrained", gridspec_kw={"width_ratios": (45, 62)})
+    colours = {"bond": "#b3261e", "line": "#1f4e79"}
+    shown: set[tuple] = set()
     for job, result in found.items():
-        if "path" not in result or (job[0] == "strip" and job[3] != DRAWN_ANGLE):
+        if "path" not in result:
             continue
         axis, rule = (axes[0], job[1]) if job[0] == "strip" else (axes[1], job[4])
-        axis.plot(*np.array(result["path"]).T, ".", ms=1.5, color=colours[rule],
-                  label=labels.pop(rule, None) if job[0] == "strip" else None)
+        if job[0] == "strip" and (job[3] != DRAWN_ANGLE or job[4] != 0.513) or job[0] != "strip" and job[1] != 45.0:
+            continue
+        if (job[0], rule) in shown:
+            continue
+        shown.add((job[0], rule))
+        axis.plot(*np.array(result["path"]).T, ".", ms=2, color=colours[rule])
         if "reference" in result:
-            axis.plot(*np.array(result["reference"]).T, "k--", lw=1)
-    axes[0].set(title="Pulled strip, rows of the lattice at 20 degrees", xlim=(TIP, TIP + GROWTH), ylim=(-20, 20),
-                xlabel="spacings", aspect="equal")
-    axes[1].set(title="Inclined edge cracks; dashed: boundary elements", xlim=(0, 75), xlabel="spacings", aspect="equal")
-    axes[0].legend(loc="lower left", fontsize=8)
-    figure.savefig(file, dpi=110)
+            axis.plot(*np.array(result["reference"]).T, "k--", lw=1.4)
+    axes[0].axhline(0.5, color="black", ls="--", lw=1.4)
+    axes[0].set(title="Pulled strip: the crack should go straight on", xlim=(TIP, TIP + GROWTH), ylim=(-6, 16))
+    axes[1].set(title="Edge crack that begins at 45 degrees", xlim=(8, 70))
+    for axis in axes:
+        axis.set(xlabel="spacings", aspect="equal")
+        axis.grid(color="#dddddd", lw=0.5)
+        (left, right), (low, high) = axis.get_xlim(), axis.get_ylim()
+        start = np.array([left + 0.03 * (right - left), high - 0.35 * (high - low)])
+        end = start + 0.16 * (right - left) * np.array([math.cos(math.radians(DRAWN_ANGLE)), math.sin(math.radians(DRAWN_ANGLE))])
+        axis.annotate("", end, start, arrowprops={"arrowstyle": "-", "color": "#7d838c", "lw": 1.4})
+        axis.text(start[0], end[1] + 0.03 * (high - low), "rows of the lattice", color="#7d838c", fontsize=8)
+    handles = [pyplot.Line2D([], [], marker=".", ls="", color=colours["line"], label="bonds cut by a line (default)"),
+               pyplot.Line2D([], [], marker=".", ls="", color=colours["bond"], label="bonds broken one by one"),
+               pyplot.Line2D([], [], color="black", ls="--", label="fracture mechanics; right: boundary elements")]
+    figure.legend(handles=handles, loc="upper center", bbox_to_anchor=(0.5, 0.0), ncol=3, fontsize=9, frameon=False)
+    figure.savefig(file, dpi=130, bbox_inches="tight")
     pyplot.close(figure)
