@@ -159,8 +159,7 @@ class Sums {
     }
   }
 
-  // Sums over all points the kernel times the outer functions times function `b` of the inner element (`own`: the
-  // outer).
+  // Sums over all points the kernel times the outer functions times one function of the inner element (`own`: outer).
   [[gnu::always_inline]] static void add_products(const SingularPoints& points, const SingularRow* kernel,
                                                   Functions of_outer, bool own, Functions of_other, int b,
                                                   PairMoments::Column& column) {
