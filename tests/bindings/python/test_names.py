@@ -75,7 +75,7 @@ def test_names_of_fields_quantities_faces_and_goals():
     assert set(typing.get_args(_names.FieldName)) == set(_results.FIELDS)
     assert set(typing.get_args(_names.Face)) == set(_results.FACES)
     assert set(typing.get_args(_names.Until)) == set(model.UNTIL)
-    assert set(typing.get_args(_names.Quantity)) == set(_drawing.QUANTITIES)
+    assert set(typing.get_args(_names.Quantity)) == {*_drawing.QUANTITIES, *_drawing.SHORT}
 
 
 def documented():
