@@ -1,4 +1,4 @@
-// The active set of a body at its load factor: the faces of its cracks that press on each other.
+// Contact of the whole body at its load factor: which faces of its cracks press on each other (the active set).
 #include <algorithm>
 #include <utility>
 
@@ -16,22 +16,23 @@ using coupling::evaluate;
 
 namespace {
 
-// Newton's method takes 1 to 6 rounds; one by one each constraint may be met several times.
+// Limits on rounds. Newton's method takes 1 to 6; switching one constraint at a time may meet each constraint several
+// times.
 constexpr std::int64_t newton_rounds = 64, rounds_per_constraint = 16;
 
-// Faces may part or meet all at once, as under a pressure that just vanishes: what tells open constraints from closed
-// ones may then be rounding, which has no solution. After so many rounds gaps are asked for a little farther on the
-// way: by this share of the load factor at first, and ten times as far each time that this does not end either.
+// Faces may part or meet all at once, as under a pressure that just vanishes. Rounding may then decide which
+// constraints are open, and there is no solution. After this many rounds gaps are evaluated a little farther along the
+// load path: by a share of the load factor that grows tenfold at each attempt.
 constexpr std::int64_t rounds_at_rounding = 256;
 constexpr double farther_at_first = 1e-8, farthest_ahead = 1e-6;
 
-// A node that a held motion takes along by less than this share of its largest displacement stays where it is.
+// Displacement over the largest one of a held motion below which a node counts as not moving.
 constexpr double taken_along = 1e-6;
 
-// Springs that carry less of the largest force at a node carry rounding.
+// Force of a spring over the largest nodal force below which it is rounding.
 constexpr double pushed_share = 1e-9;
 
-// The first constraint that is switched alone: those with a penalty come before exact ones.
+// Constraint to be switched alone: the first of the wrong ones with a penalty, or else the first of the exact ones.
 int first_of(const std::vector<int>& wrong, const coupling::Constraints& constraints) {
   const auto has_penalty = [&](int i) { return !constraints[static_cast<std::size_t>(i)].is_exact(); };
   const auto found = std::find_if(wrong.begin(), wrong.end(), has_penalty);
@@ -49,7 +50,7 @@ void hold_what_moves(const Eigen::VectorXd& motion, std::vector<char>& nodes) {
 HeldParts LoadedBody::held_parts() const {
   FreedPartFinder::Held held = freed_parts_.held_parts();
   HeldParts parts{std::move(held.nodes), {}};
-  // The faces that press now are left out, so that what may press does not depend on them.
+  // Closed faces do not count as connections here, so that the set of barred constraints does not depend on them.
   if (!held.others.empty()) parts.motions = system_.motions_held_by(held.others);
   return parts;
 }
@@ -60,7 +61,7 @@ std::vector<char> LoadedBody::nodes_of_held_parts() const {
   return std::move(held.nodes);
 }
 
-// A fluid that comes to them later would push them away.
+// Keeps parts held by springs out of the fluid: they would be pushed away if it reached them later.
 void LoadedBody::keep_held_parts_dry() {
   if (!has_fluid() || system_.springs().empty()) return;
   const std::vector<char> held = nodes_of_held_parts();
@@ -68,7 +69,8 @@ void LoadedBody::keep_held_parts_dry() {
     if (held[node] && system_.force().middleRows<2>(2 * node).isZero(0)) state_.unloaded[node] = 1;
 }
 
-// The fluid pushes what springs hold: its loads are dropped, for which the displacements change.
+// Removes the loads of parts that the fluid pushes although only springs hold them, and solves again. Returns whether
+// there were any.
 bool LoadedBody::unload_pushed_parts() {
   if (!has_fluid() || system_.springs().empty()) return false;
   const double f = state_.load_factor;
@@ -88,14 +90,14 @@ bool LoadedBody::unload_pushed_parts() {
   return true;
 }
 
-// A part that springs hold would be pushed away by a constraint that closes on it.
+// Bars the constraints of parts that only springs hold: a constraint that closes on such a part would push it away.
 void LoadedBody::bar_constraints_of_held_parts() {
   const coupling::Constraints& constraints = system_.constraints();
   const std::size_t exact = constraints.exact_count(), count = constraints.size() - exact;
   const std::size_t springs = system_.springs().size();
   if (constraints.size() == 0 || springs == 0) return system_.bar_constraints({});
-  // Springs and broken terms never become fewer, and what a spring holds grows with terms that break: their number
-  // tells whether the answer is still good.
+  // The numbers of springs and of broken terms tell whether the barred constraints are still up to date, because
+  // neither ever decreases, and held parts only change when terms break.
   const auto broken = std::count(system_.intact().begin(), system_.intact().end(), 0);
   const std::size_t changes = springs + static_cast<std::size_t>(broken);
   const bool is_known = constraints.barred().size() == count && constraints.barred_exact().size() == exact;
@@ -118,8 +120,8 @@ void LoadedBody::bar_constraints(std::vector<char> barred, std::size_t changes) 
   changes_that_bar_ = changes;
 }
 
-// A load factor that lies farther on by a share of the present one or, near none, of the one at which both parts of the
-// displacement are as large.
+// Load factor farther along `direction`: by a share of the present one, or near zero by a share of the one at which
+// both parts of the displacement are equally large.
 double LoadedBody::farther_on(double share, double direction) const {
   const double f = state_.load_factor, proportional = state_.displacement.col(1).lpNorm<Eigen::Infinity>();
   if (share == 0 || proportional == 0) return f;
@@ -133,7 +135,7 @@ double LoadedBody::settled_until(double direction) const {
 }
 
 LoadedBody::Settled LoadedBody::settle_constraints(double direction) {
-  // Newton's method, as the energy is convex and once differentiable.
+  // Newton's method converges, because the energy is convex and once differentiable.
   Settled result;
   NewtonRounds rounds;
   double farther = 0;
@@ -159,7 +161,7 @@ LoadedBody::Settled LoadedBody::settle_constraints(double direction) {
       solve();
       continue;
     }
-    // A part may come free that nothing but closed faces held.
+    // A part may come free that only closed faces held.
     const Eigen::VectorXd before = state_.total_displacement;
     HeldMotions held = solve_and_hold(*this, {}, before, [&] { return !is_balanced(); });
     result.held.insert(result.held.end(), held.nodes.begin(), held.nodes.end());

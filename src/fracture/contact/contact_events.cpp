@@ -40,7 +40,7 @@ Outcome ContactEvents::perform() {
   if (settled.fragments > 0) outcome.lost_balance = {unbalanced_before, body_.unbalanced_share()};
   outcome.comes_free = !settled.held.empty();
   if (!outcome.comes_free) return outcome;
-  // A fragment that only closed faces held takes its loads along, and the faces that pressed on it open at once.
+  // A fragment that only closed faces held loses its loads, and the faces that pressed on it open at the same time.
   outcome.work = body_.absorb(event_.load_factor);
   outcome.released_energy = outcome.work + stored_before - body_.stored_energy();
   outcome.unit_energy = body_.unit_energy();

@@ -7,14 +7,14 @@
 
 namespace bempd::fracture {
 
-// Faces of cracks that close or open between two breaks, where the displacements are those of the body's state: nothing
-// breaks and no energy is lost, unless a part comes free, but from there on the body follows the load factor in another
-// way. Under loads that grow in proportion from rest there is one such event, at the very beginning.
+// Event source for faces of cracks that close or open between two breaks. Nothing breaks and no energy is released,
+// unless a part comes free, but the stiffness changes. Under loads proportional to the load factor from rest there is
+// one such event, at the very beginning.
 class ContactEvents final : public EventSource {
  public:
   explicit ContactEvents(LoadedBody& body) : body_(body) {}
 
-  // The event of faces on the way to a target, or to an event that comes before the target; null if there is none.
+  // Contact event before `event`, or before `target` if `event` is null; null if there is none.
   const Event* before(const Event* event, double target);
   bool is_before(double load_factor);
 

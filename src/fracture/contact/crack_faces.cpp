@@ -13,13 +13,15 @@ using coupling::Constraints;
 
 namespace {
 
-// Spacings around a place within which parted neighbours tell the direction of the crack: a horizon or so.
+// Distance in spacings around a contact place within which broken bonds between neighbours determine the direction of
+// the crack: about a horizon.
 constexpr double normal_reach = 3.6;
 
-// Middles that are spread as much across their axis as this share of along it have none.
+// Ratio of the spread of these bonds' middles across their principal axis to the spread along it, above which they have
+// no direction.
 constexpr double no_axis = 0.4;
 
-// A bond that leans so far along the crack does not part its faces.
+// Smallest component of a bond across the crack over its length for which the bond separates the faces.
 constexpr double least_share_across = 0.2;
 
 std::uint64_t cell_of(const Point& p, double size, int right, int up) {
@@ -88,7 +90,7 @@ std::vector<int> CrackFaces::near(int term) const {
   return found;
 }
 
-// The normal of a place lies across the principal axis of the middles of parted neighbours, and points towards the
+// Normal of a contact place: across the principal axis of the middles of the broken bonds around it, and towards the
 // bond's second end.
 Point CrackFaces::normal_at(int term, std::span<const int> others) const {
   const Point along(system_.terms().cosine[term], system_.terms().sine[term]);
@@ -111,7 +113,7 @@ std::optional<Constraint> CrackFaces::constraint_at(int term, const Point& norma
   const Point along(terms.cosine[term], terms.sine[term]);
   const double across = std::abs(normal.dot(along));
   if (across < least_share_across) return std::nullopt;
-  // A crack parts as many neighbours of either direction in a length as it crosses rows and columns.
+  // A crack breaks as many bonds between neighbours in a given length as it crosses rows and columns.
   const double length = 1 / (across + std::abs(cross(normal, along)));
   const int lattice = *plan_.lattices.lattice_of_neighbours(terms.first[term], terms.second[term]);
   const auto place = plan_.lattices.at(lattice, middle(term), normal, length);
@@ -134,7 +136,7 @@ std::vector<int> CrackFaces::fresh(std::span<const int> terms) const {
   return found;
 }
 
-// The places of the body, at a displacement of it.
+// Contact places of the body itself at its present displacement.
 class CrackFaces::PresentPlaces final : public FacePlaces {
  public:
   PresentPlaces(CrackFaces& faces, const Eigen::VectorXd& displacement, FaceState& state)
@@ -168,7 +170,7 @@ class CrackFaces::PresentPlaces final : public FacePlaces {
   FaceState& state_;
 };
 
-// Broken terms, and those near them: all that have a place or may have one now.
+// Broken terms and those near them: all that have a contact place or may have one now.
 std::vector<int> CrackFaces::around(std::span<const int> terms) const {
   std::vector<int> found;
   for (const int term : terms) {

@@ -15,44 +15,47 @@
 
 namespace bempd::fracture {
 
-// What a host has said of contact, and where its initial cracks can close.
+// Contact as the host has chosen it, and the contact places on initial cracks.
 struct ContactPlan {
   bool faces_meet = false;
   pd::FacePlaces lattices;
   std::vector<pd::FacePlace> initial;
 };
 
-// The constraints with a penalty of a body: places where faces of cracks in lattices can meet. They lie on the initial
-// cracks, and one at every bond between neighbours that has broken since, with the normal of the broken ones around it.
-// The normal of a place may change while it is open. In the system's list they follow the exact constraints.
+// Contact of crack faces in lattices: constraints with a penalty. There are places on the initial cracks, and one at
+// every bond between neighbours that has broken since. The normal of the latter follows from the broken bonds around it
+// and may change while the place is open. In the system's list they follow the exact constraints.
 class CrackFaces {
  public:
-  // Bonds in `cut` are broken from the start.
+  // Creates the places on initial cracks. `cut` are the bonds that initial cracks have cut.
   CrackFaces(coupling::EquilibriumSystem& system, const std::vector<Point>& positions, ContactPlan plan,
              const std::vector<int>& cut);
 
-  // No place will ever be there.
+  // Whether the body has no contact in lattices at all.
   bool are_none() const { return !plan_.faces_meet; }
   const coupling::Constraints& constraints() const { return system_.constraints(); }
 
-  // Number, in the system's list, of the first constraint that a broken bond makes.
+  // Number in the system's list of the first constraint that a broken bond has added.
   std::size_t first_grown() const { return system_.constraints().exact_count() + plan_.initial.size(); }
   bool can_have(const GrownFace& face) const;
 
-  // Notes terms that have broken; their places follow with the next update().
+  // Notes terms that have broken; the next update() adds their contact places.
   void note_broken(std::span<const int> terms, FaceState& state);
-  // Terms that have broken, together those of one event, whose places have not been looked at yet.
+  // Terms that have broken but whose contact places are not added yet, grouped by event.
   const std::vector<std::vector<int>>& pending() const { return pending_; }
-  // New places of these terms, and normals of open ones near them where they do not overlap for it at this
-  // displacement.
+  // Adds the contact places of terms noted as broken, and renews the normals of open places near them. A normal is kept
+  // if the faces would overlap with the new one at this displacement.
   void update(const Eigen::VectorXd& displacement, FaceState& state);
-  // The rule of both updates and forecasts: places of terms that have broken together, and normals of open ones near
-  // them. Returns the terms that tell normals from now on; forget_terms() takes them back.
+  // Rule shared by updates and forecasts: adds to `places` the contact places of terms that have broken together, and
+  // renews the normals of open ones near them. Returns the terms that count for normals from now on; forget_terms()
+  // undoes that.
   std::vector<int> follow(std::span<const int> broken, FacePlaces& places);
   void forget_terms(std::span<const int> terms);
-  // Makes the system's constraints those of a state, whose stages it has; what is pending there stays so.
+  // Makes the system's constraints those of a saved state whose stages the system already has; pending terms remain
+  // pending.
   void restore(const FaceState& state);
-  // Makes the system's constraints those of a state while the factor of another matrix is at work, as in a window.
+  // Makes the system's constraints those of a state while the system's factor belongs to another matrix, as when a
+  // window is open.
   void go_on_from(const FaceState& state);
   coupling::Constraints constraints_of(const FaceState& state) const;
 
@@ -66,7 +69,7 @@ class CrackFaces {
   std::vector<int> around(std::span<const int> terms) const;
   Point middle(int term) const;
   double spacing(int term) const;
-  // The parted neighbours around a place.
+  // Broken bonds between neighbours around the middle of a term.
   std::vector<int> near(int term) const;
   Point normal_at(int term, std::span<const int> others) const;
   std::optional<coupling::Constraint> constraint_at(int term, const Point& normal) const;

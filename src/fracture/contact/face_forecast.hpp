@@ -9,7 +9,7 @@
 
 namespace bempd::fracture {
 
-// A constraint as it is in some states of a row: from one of them on, before another one.
+// Contact constraint in a range of states: from the state `since` on, before the state `until`.
 struct WatchedConstraint {
   coupling::Constraint constraint;
   bool closed;
@@ -19,21 +19,21 @@ struct WatchedConstraint {
   int event;           // that made it as it is
 };
 
-// The constraints in states to come, 0 being the present one, by the rule of CrackFaces::follow(); those of the body
-// stay as they are.
+// Contact constraints in the states that a window computes ahead (0 is the present one), by the rule of
+// CrackFaces::follow(). The constraints of the body itself stay unchanged.
 class FaceForecast final : public FacePlaces {
  public:
   FaceForecast(CrackFaces& faces, const FaceState& state);
   ~FaceForecast() override;
 
-  // Follows the terms that the event before a state breaks: places come, and open ones get other normals.
+  // Follows the terms that an event breaks on the way to `state`: adds places, and renews normals of open ones.
   void follow(std::span<const int> broken, int state);
   void switch_constraint(std::size_t watched, int state);
   void forget_after(int state);  // and no more is asked but constraints()
 
-  // Constraints in all states: those of the system at first and in its order.
+  // Constraints in all states. First those of the system, in its order.
   const std::vector<WatchedConstraint>& constraints() const { return watched_; }
-  // Indices, among these, of the constraints of the last state that may press.
+  // Indices in constraints() of the constraints that are in force in the last state and may press.
   std::vector<std::size_t> last() const;
   FaceState last_state() const;
 

@@ -8,8 +8,8 @@
 
 namespace bempd::fracture {
 
-// Places of crack faces that CrackFaces::follow() updates: those of the body now, or those forecast for the states that
-// a window computes ahead. Places have the numbers of the system's constraints.
+// Contact places that CrackFaces::follow() updates: those of the body, or those forecast for the states that a window
+// computes ahead. They have the numbers of the system's constraints.
 class FacePlaces {
  public:
   FacePlaces() = default;
@@ -17,12 +17,12 @@ class FacePlaces {
   FacePlaces& operator=(const FacePlaces&) = delete;
   virtual ~FacePlaces() = default;
 
-  // Number of the place that a broken term has made; empty if it has made none.
+  // Number of the place that a broken term has added; empty if it has added none.
   virtual std::optional<std::size_t> place_of(int term) const = 0;
   virtual bool is_closed(std::size_t place) const = 0;
-  // Adds a place, which is open.
+  // Adds a contact place, which is open at first.
   virtual void add(const GrownFace& face, coupling::Constraint constraint) = 0;
-  // Gives an open place another normal, unless its faces would overlap.
+  // Gives an open place another normal, unless its faces would overlap with it.
   virtual void renew(std::size_t place, const GrownFace& face, coupling::Constraint constraint) = 0;
 };
 

@@ -11,31 +11,33 @@ using coupling::Constraints;
 
 namespace {
 
-// Solutions, iterated ones too, tell displacements to this share of the largest one: gaps below are zero, and so are
-// their rates. Gaps inside operators come from solutions with dense matrices.
+// Rounding of gaps and their rates over the largest displacement, also of iterated solutions: smaller values are zero.
+// Exact constraints, inside dense operators, have larger rounding.
 constexpr double rounding_of_penalties = 1e-12, rounding_of_exact = 1e-10;
 
-// A gap that is zero in exact numbers while its constraint is closed has that rounding. Once it is open the same
-// rounding shows in the gap as many times larger as the penalty was stiffer than what is left, which nothing tells in
-// advance. So a gap that has passed zero by less than this share is still zero while it goes back. What is neglected of
-// the energy is the square of that. What exact constraints press may change by more than any displacement while the
-// load factor goes by as little: there it is that share of the way.
+// Tolerance for gaps that have passed zero. While a constraint is closed its gap is zero up to rounding; after it
+// opens, that rounding is magnified by the ratio of the penalty to the remaining stiffness, which is unknown. So a gap
+// that has passed zero by less than this share of the largest displacement, and is returning, still counts as zero. The
+// energy error is its square.
+// Contact forces of exact constraints may change faster than any displacement; for them it is the same share of the
+// load factor's change.
 constexpr double rounding_of_passed_gaps = 1e-8;
 
 double rounding_of(const Constraint& constraint) {
   return constraint.is_exact() ? rounding_of_exact : rounding_of_penalties;
 }
 
-// Distance of a gap on the wrong side of zero.
+// Distance of a gap on the wrong side of zero: an opening at a closed constraint or an overlap at an open one; negative
+// if the gap is right.
 double passed_zero(bool closed, double gap) { return closed ? gap : -gap; }
 
-// Gap of a constraint as it follows the load factor, and the share of the largest ones that counts as zero.
+// Gap of a constraint as a linear function of the load factor, with the scales for rounding.
 struct GapLine {
   double gap, rate;
   double largest_displacement, largest_rate;
   double rounding;
 
-  // How the gap goes on: negative while it closes.
+  // Rate of the gap in a direction of the load factor: negative while it closes, zero within rounding.
   double way(double direction) const { return std::abs(rate) <= rounding * largest_rate ? 0 : direction * rate; }
   double faster() const { return std::max(1.0, std::abs(rate) / largest_rate); }
   bool is_wrong(bool closed, double direction) const {
@@ -45,7 +47,7 @@ struct GapLine {
   }
 };
 
-// Distance on the way in a direction at which the constraint opens or closes; nothing if it does not.
+// Change of the load factor in a direction at which the constraint opens or closes; empty if it does neither.
 std::optional<double> distance_to_switch(const GapLine& line, bool closed, double direction) {
   if (line.is_wrong(closed, direction)) return 0;
   const double way = line.way(direction);
@@ -53,7 +55,7 @@ std::optional<double> distance_to_switch(const GapLine& line, bool closed, doubl
   return std::max(0.0, -line.gap / way);
 }
 
-// Calls visit(number, line) for every constraint.
+// Calls visit(number, line) for every constraint with its gap as a function of the load factor.
 template <class Visit>
 void for_each_line(const Constraints& constraints, const Affine& gaps, const Affine& u, double load_factor,
                    const Visit& visit) {

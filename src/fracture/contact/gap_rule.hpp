@@ -8,25 +8,25 @@
 
 namespace bempd::fracture {
 
-// Rules by which unilateral constraints close and open, the same in whole bodies and in windows.
+// Rules by which contact constraints close and open, the same for whole bodies and for windows.
 
 // Whether a gap is on the wrong side of zero by more than rounding: an opening at a closed constraint, or an overlap at
 // an open one.
 bool is_wrong(const coupling::Constraint& constraint, bool closed, double gap, double largest_displacement);
 
-// Constraints that are not as their gaps ask for at a load factor. Where a gap is zero the next one in a direction
-// counts: 1 or -1. Direction 0: constraints with a penalty stay as they are there, and exact ones take loads as
-// growing.
+// Constraints whose status (closed or open) contradicts their gaps at a load factor. Where a gap is zero, its sign just
+// ahead in `direction` (1 or -1) decides. With direction 0, constraints with a penalty keep their status there, and
+// exact ones are treated as if the load factor rises.
 std::vector<int> wrong_constraints(const coupling::Constraints& constraints, const coupling::Affine& gaps,
                                    const coupling::Affine& displacement, double load_factor, double direction);
 
-// Load factor on the way to another one at which the first constraint opens or closes; nothing if none does.
+// Load factor between `from` and `to` at which the first constraint opens or closes; empty if none does.
 std::optional<double> next_switch(const coupling::Constraints& constraints, const coupling::Affine& gaps,
                                   const coupling::Affine& displacement, double from, double to);
 
 // Energy that a constraint with a penalty releases when it opens, or takes up (negative) when it closes, from its gaps
-// before and after the event. The potential energy is a quadratic function that is least in equilibrium: if a stiffness
-// k is lost while the gap goes from g to g', it falls by k g g' / 2.
+// before and after. The potential energy is quadratic and least in equilibrium: if a stiffness k is lost while the gap
+// goes from g to g', the energy falls by k g g' / 2.
 inline double released_by_switch(const coupling::Constraint& constraint, bool was_closed, double gap_before,
                                  double gap_after) {
   const double lost = (was_closed ? 1 : -1) * constraint.stiffness;

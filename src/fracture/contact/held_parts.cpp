@@ -9,7 +9,7 @@ namespace bempd::fracture {
 
 namespace {
 
-// Change of a gap, over what its weights could make of a motion's largest displacement, that is not rounding.
+// Smallest change of a gap that is not rounding, over the largest change that its weights allow for a motion.
 constexpr double change_of_gap = 1e-6;
 
 using Motions = std::vector<Eigen::VectorXd>;
@@ -22,7 +22,7 @@ void add_free_motions(const std::vector<int>& body, const std::vector<Point>& po
   }
 }
 
-// Completes a motion in which a body is rigid by the nodes that the sparse system does not show.
+// Completes a motion on the nodes of a rigid body that the sparse system has eliminated, from its other nodes.
 void complete(const coupling::EquilibriumSystem& system, const std::vector<int>& body,
               const std::vector<Point>& positions, Eigen::VectorXd& motion) {
   std::vector<int> hidden, visible;

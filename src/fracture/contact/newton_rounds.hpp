@@ -8,13 +8,13 @@
 
 namespace bempd::fracture {
 
-// Newton's method for unilateral constraints: a round switches all constraints that are wrong, until it comes back to
-// the same active set. From then on one is switched at a time, always the first that is wrong, until fewer are wrong
-// than ever before, and all again for some rounds. One by one alone ends (Murty 1974), but after very many rounds; both
-// together do after few (Judice and Pires 1994).
+// Newton's method for unilateral constraints. A round switches all wrong constraints, until an active set occurs again.
+// From then on one constraint is switched at a time (the first wrong one), until fewer are wrong than ever before; then
+// all again for some rounds. Switching one at a time always ends (Murty 1974), but slowly; both together end soon
+// (Judice and Pires 1994).
 class NewtonRounds {
  public:
-  // Whether the next round switches all: so many constraints are wrong, and these are closed.
+  // Whether the next round switches all wrong constraints. `wrong` is their number, `closed` the present active set.
   bool takes_all(std::size_t wrong, std::vector<char> closed) {
     comes_back_ = comes_back_ || !met_.insert(std::move(closed)).second;
     if (wrong < fewest_) {
@@ -25,7 +25,7 @@ class NewtonRounds {
     return !comes_back_ || left_ > 0;
   }
 
-  // Whether some round began with the same active set as one before it.
+  // Whether some round began with the same active set as an earlier one.
   bool comes_back() const { return comes_back_; }
 
  private:

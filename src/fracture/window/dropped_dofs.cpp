@@ -36,7 +36,8 @@ std::vector<Affine> DroppedDofs::complete(const std::vector<State>& states, bool
   result.reserve(states.size());
   for (const State& state : states) result.push_back(state.displacement);
   const int first_part = has_constant_part ? 0 : 1, parts = 2 - first_part;
-  // What was left behind last comes first: bonds that broke before end on it.
+  // Degrees of freedom that were left last are completed first, because bonds that broke before they were left end on
+  // them.
   for (std::size_t l = levels_.size(); l-- > 0;) {
     const Level& level = levels_[l];
     std::vector<std::size_t> later;
@@ -66,8 +67,10 @@ std::vector<Affine> DroppedDofs::complete(const std::vector<State>& states, bool
   return result;
 }
 
-// Let l be left and f followed when they were left behind, P = sum of k b b^T of what broke since, and F after and F0
-// before that: F = F0 + F P F0, as only the followed ones were changed. So F_fl r_l = y + F_ff P y with y = F0_fl r_l.
+// Hands over forces on the degrees of freedom l that were left to those, f, that were followed at that time. Let F0 be
+// the flexibility then, F the present one, and P = sum of k b b^T over the terms that have lost stiffness since. Only
+// displacements f enter P, so F = F0 + F P F0. A force r_l therefore acts as F_fl r_l = y + F_ff P y, with y = F0_fl
+// r_l.
 void DroppedDofs::hand_over(Affine& force, Affine& answer) const {
   for (const Level& level : levels_) {
     const Affine y = level.response.transpose() * force(level.left, Eigen::all);
@@ -85,7 +88,8 @@ void DroppedDofs::hand_over(Affine& force, Affine& answer) const {
 }
 
 int DroppedDofs::first_violation(const std::vector<Affine>& states, const std::vector<OutsideCheck>& checks) const {
-  // Each bond's ends are fetched once for a batch of states.
+  // States are treated in batches, so that the numbers of a bond's degrees of freedom are fetched once for all states
+  // of a batch.
   constexpr Eigen::Index batch = WindowSettings::states_swept_at_once;
   using Batch = Eigen::Array<double, batch, 1>;
   if (ratios_.fixed.empty() || checks.empty()) return static_cast<int>(states.size());

@@ -9,41 +9,42 @@
 
 namespace bempd::fracture {
 
-// No bond that a window does not watch may reach `limit` (a stretch over the critical one) at this load factor in this
-// state.
+// Check of bonds outside a window: in this state and at this load factor none of them may reach `limit`, the ratio of
+// stretch to critical stretch.
 struct OutsideCheck {
   int state;
   double load_factor;
   double limit;
 
-  // The limit with a margin for the rounding in which plain and condensed equations differ.
+  // Limit less a margin for rounding, because the window and the whole body solve different forms of the equations.
   double bound() const { return limit * (1 - WindowSettings::certificate_margin); }
 };
 
-// The displacements that a window no longer follows from event to event because nothing breaks there any more.
+// Degrees of freedom (dofs) that a window has dropped: it no longer follows their displacements from event to event,
+// because nothing breaks there any more. They are completed afterwards, for many states at once.
 //
-// Let K and F be stiffness and flexibility when they were left behind. With the stiffnesses k_e that terms have lost
-// since, the displacements obey K u = f + sum of k_e b_e e_e, as if what is lost still pulled as the terms' elongations
-// e_e ask for; all these terms end on what is still followed. So u = u_then + F sum of k_e b_e e_e, for many states at
-// once.
+// Let K and F be stiffness and flexibility at the time they were dropped. Terms have lost the stiffnesses k_e since.
+// The displacements obey K u = f + sum of k_e b_e e_e, where b_e is the form and e_e the elongation of such a term.
+// These terms end on followed dofs only, so u = u_then + F sum of k_e b_e e_e.
 class DroppedDofs {
  public:
-  // Linear forms of the window's displacements, by their degrees of freedom, and what prescribed displacements make of
-  // each.
+  // Linear forms of the window's displacements: their weights of degrees of freedom, and the constant that prescribed
+  // displacements add to each (for both parts of the load).
   struct Forms {
     LinearForms of_displacements;
     std::vector<Eigen::RowVector2d> fixed;
   };
 
-  // A state of the window, in which what is left behind is not filled in yet.
+  // State of the window before the dropped degrees of freedom are completed in it. `narrowings` and `breaks` are the
+  // numbers of those until this state.
   struct State {
     coupling::Affine displacement;
     std::size_t narrowings, breaks;  // until then
   };
 
-  // Leaves the degrees of freedom `left` for good and goes on following others; `response` is the displacement of the
-  // left (rows) to forces on the followed ones (columns), `ratios` the stretch ratios of the bonds that end on the
-  // left.
+  // Drops the degrees of freedom `left` for good; the window continues with `followed`. `response` holds the
+  // displacements of the left ones (rows) due to unit forces on the followed ones (columns), `ratios` the stretch
+  // ratios of the bonds that end on left ones.
   void narrow(std::vector<int> left, const std::vector<int>& followed, Eigen::MatrixXd response,
               const coupling::Affine& displacement, const Forms& ratios);
   void note_losses(const Forms& elongations, const std::vector<double>& stiffnesses);
@@ -51,14 +52,15 @@ class DroppedDofs {
   std::size_t narrowings() const { return levels_.size(); }
   std::size_t breaks() const { return lost_.size(); }
 
-  // The displacements of states, with what was left behind in them.
+  // Displacements of the given states, completed by the dropped degrees of freedom.
   std::vector<coupling::Affine> complete(const std::vector<State>& states, bool has_constant_part) const;
 
-  // Adds to the forces on degrees of freedom followed what those left behind hand over: after it the displacements
-  // followed answer to `force` on them alone, besides `answer`.
+  // Transfers the part of `force` on dropped degrees of freedom to the followed ones: it is added to their forces and,
+  // as displacements, to `answer`. The followed displacements are then the response to `force` on them plus `answer`.
   void hand_over(coupling::Affine& force, coupling::Affine& answer) const;
 
-  // The first state with a check that a bond left behind fails, or the number of states. Of completed states.
+  // Index of the first state with a failed check of a bond on dropped degrees of freedom; the number of states if there
+  // is none. The states must be completed.
   int first_violation(const std::vector<coupling::Affine>& states, const std::vector<OutsideCheck>& checks) const;
 
  private:

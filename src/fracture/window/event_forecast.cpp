@@ -147,7 +147,8 @@ void EventForecast::compute(const BodyState& state) {
   face_forecast_ = nullptr;
 }
 
-// False where rounding has grown too large since the balance of forces was looked at last.
+// Computes events until the window ends or their number is reached. Returns false if rounding errors have grown too
+// large since the last check of the balance of forces.
 bool EventForecast::forecast_events(const BodyState& start) {
   double from = start.load_factor;
   while (!has_ended_ && static_cast<int>(events_.size()) < most_events_) {
@@ -210,7 +211,8 @@ bool EventForecast::forecast_next(double from, const BodyState& start) {
   return true;
 }
 
-// Squares may be many times as stiff as bonds, and feel rounding as many times more.
+// Checks the balance of forces in windows with squares of cells, and corrects it. Squares may be many times as stiff as
+// bonds and then have larger rounding errors. Returns false if the errors are too large.
 bool EventForecast::is_balanced() {
   const auto count = static_cast<int>(events_.size());
   if (system_.terms().followers.empty() || count == balanced_events_) return true;
@@ -228,7 +230,7 @@ bool EventForecast::is_balanced() {
   return true;
 }
 
-// Just before the first of the events computed together.
+// Scale of nodal forces just before the first of the events computed together.
 double EventForecast::largest_force_before(double load_factor, const BodyState& start) const {
   const Eigen::VectorXd force = system_.internal_force(evaluate(whole_, load_factor));
   return std::max({start.largest_force, force.lpNorm<Eigen::Infinity>(), least_force_scale(system_, load_factor)});

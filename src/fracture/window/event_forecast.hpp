@@ -19,7 +19,7 @@
 
 namespace bempd::fracture {
 
-// An event computed ahead, and what it will do once it happens.
+// Event that a window has computed ahead, with its outcome once it is performed.
 struct ForecastEvent {
   Event event;
   Outcome outcome;                          // but for the work before it and the residual
@@ -31,27 +31,27 @@ struct ForecastEvent {
   std::vector<GrowingTip> growing;          // before it, those that have a way
 };
 
-// Computes events ahead of time: a window around the hot bonds runs through them on condensed equations, and only those
-// are kept of which it is proven that the whole body would break in the same way. It stops before an event that it
-// cannot perform: one near its rim or outside, one that frees a part of the body or takes away the last resistance to a
-// motion.
+// Computes events ahead: a window around the bonds close to breaking runs through them on condensed equations. Only
+// events are kept for which it is proven that the whole body would break in the same way.
+// The window ends before an event that it cannot perform: near its rim or outside, or one that frees a part of the body
+// or removes the last resistance to a motion.
 class EventForecast {
  public:
   using Options = WindowOptions;
 
   explicit EventForecast(LoadedBody& body);
 
-  // Says before the first factorization where windows are expected: at the ends of initial cracks, given by the bonds
-  // they cut.
+  // Tells, before the first factorization, where windows are to be expected: at the ends of initial cracks, given by
+  // the bonds `cut` that they cut.
   void expect_cracks(const std::vector<int>& cut) { locator_.expect_cracks(cut); }
 
-  // Makes events steps of lines from now on.
+  // Switches to growth of crack lines: events are steps of lines from now on.
   void follow(const LineSteps& lines) { lines_ = &lines; }
 
-  // Opens a window around the bonds that are hot at the load factor of the next event. False if there is no window that
-  // would be smaller than the problem.
+  // Opens a window around the bonds that are close to breaking at the load factor of the next event. Returns false if
+  // no window would be smaller than the problem.
   bool open(const BodyState& state, double load_factor, const Options& options);
-  // Opens the window again where the last one was.
+  // Opens the last window again at the same location.
   void open_again(const BodyState& state, const Options& options);
   bool is_open() const { return window_ != nullptr; }
   void close() noexcept;
@@ -63,27 +63,28 @@ class EventForecast {
   void remember(WindowLocation place, int most_events);
   bool has_changed_terms() const { return system_has_changed_; }
 
-  // True where no event is left but more may come.
+  // Whether all computed events have been taken and more can be computed.
   bool must_compute() const { return position_ == static_cast<int>(events_.size()) && !has_ended_; }
-  // More events on the way up from the state, which is that of the present position.
+  // Computes more events with rising load factor, from `state`, which must be the state at the present position.
   void compute(const BodyState& state);
 
-  // The next of the events computed; null if there is none.
+  // Next of the computed events; null if there is none.
   const ForecastEvent* next() const;
   void take();  // the system's terms change
-  // True if the window has come to its end before an event that no window can perform, or after which faces of cracks
-  // open or close.
+  // Whether the window has ended before an event that only the whole body can perform, or because faces of cracks open
+  // or close after its last event.
   bool needs_whole_body() const { return needs_whole_body_ || faces_move_; }
   bool frees_a_motion() const { return needs_whole_body_; }
   bool ended_at_faces() const { return faces_move_; }
 
-  // States since the events were computed last, 0 first; only these can be asked for and returned to.
+  // Number of events taken since the last call of compute(). Only the states at positions 0 up to this one can be asked
+  // for or returned to.
   int position() const { return position_; }
   void return_to(int position) noexcept;
   coupling::Affine displacement(int position) const;
   std::vector<std::uint8_t> stages(int position) const;
-  // The residual of the whole body after the last of the events computed together, or of what rounding had led the
-  // window away by where that was more; it stands for all of them.
+  // Residual of the whole body after the last of the events computed together, or the largest imbalance that was
+  // corrected in the window if that is larger. It stands for all of these events.
   double residual() const { return residual_; }
 
  private:

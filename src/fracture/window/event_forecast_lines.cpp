@@ -1,4 +1,4 @@
-// Steps of lines in a window.
+// Steps of crack lines in a window.
 #include <algorithm>
 #include <cmath>
 
@@ -9,7 +9,7 @@ namespace bempd::fracture {
 
 using coupling::Affine;
 
-// Chooses a window that keeps the next ways of tips for a while.
+// Chooses a window that is large enough for the next steps of the crack tips.
 bool EventForecast::choose_place_of_lines(const BodyState& state, double load_factor) {
   if (!state.displacement.col(0).isZero(0) || !(state.load_factor >= 0)) return false;
   std::vector<WindowLocator::Way> ways;
@@ -47,7 +47,8 @@ std::optional<LineSteps::Choice> EventForecast::choose_step(double from, Forecas
   if (!(at >= 0) || (from > 0 && !LineSteps::is_driven(*choice.first, way, WindowSettings::surely_driven * from)))
     return std::nullopt;
   foreseen.event = lines_->event_of(*choice.first, at);
-  // Another bond may come before all steps: where that might count, none is spared.
+  // A tip exempts the bonds beside it from the proof only if it is surely driven at this load factor: another bond
+  // might otherwise break before all steps.
   foreseen.growing = lines_->guarded(choice.steps, tips, way, WindowSettings::surely_driven * std::max(at, from));
   return choice;
 }
@@ -72,7 +73,7 @@ void EventForecast::narrow(double load_factor) {
   narrowing_.narrow(*window_, condensation_->dofs(), tips);
 }
 
-// Number of the events that come before a bond away from tips breaks; all of them where no crack begins.
+// Number of computed events before which no bond away from the tips breaks; all of them if no crack can begin.
 int EventForecast::steps_as_foreseen() const {
   if (!lines_->laws().more_begin) return static_cast<int>(events_.size());
   std::vector<LineCertificate::Step> steps;

@@ -1,4 +1,4 @@
-// The proof by which events of a window are kept.
+// Proof that the events of a window would happen in the whole body in the same way.
 #include <algorithm>
 #include <optional>
 
@@ -12,7 +12,7 @@ namespace bempd::fracture {
 using coupling::Affine;
 using coupling::evaluate;
 
-// No bond outside may break before the event, nor with it.
+// Adds the checks for an event: no bond outside the window may break before it, or tie with it.
 void EventForecast::add_checks(double from, const Event& event) {
   const int state = static_cast<int>(events_.size());
   const double f = event.load_factor, limit = tie_limit(options_.tie_band) * event.ratio;
@@ -24,11 +24,11 @@ void EventForecast::add_checks(double from, const Event& event) {
   checks_.push_back({state, f, limit});
 }
 
-// Keeps the events that the whole body would go through in the same way.
+// Keeps the computed events up to the first for which it is not proven that the whole body would do the same.
 void EventForecast::certify(double from) {
   if (!events_.empty() && !lines_) keep_first(window_->dropped().first_violation(states_, checks_));
   if (events_.empty()) return;
-  // Bonds of these events count as broken while the events computed are not taken back.
+  // Bonds of all computed events count as broken in the system until they are taken back.
   face_forecast_->forget_after(static_cast<int>(events_.size()));
   const FaceCertificate watch(face_forecast_->constraints(), events_, from, proportional_);
   const int unchanged = watch.events_before_change(states_, condensation_->dofs(), system_, outside_gaps_);
@@ -45,7 +45,8 @@ void EventForecast::certify(double from) {
   if (!events_.empty()) check_whole_body();
 }
 
-// Forces of the whole body are known before the first and after the last of the events.
+// Checks the balance of forces of the whole body after the last event; it is known before the first one. Discards all
+// events if the residual is too large.
 void EventForecast::check_whole_body() {
   const Affine before = std::move(whole_);  // in state 0
   whole_ = whole_in(static_cast<int>(events_.size()));

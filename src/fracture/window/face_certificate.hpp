@@ -12,23 +12,24 @@ namespace bempd::fracture {
 
 struct ForecastEvent;
 
-// The proof that constraints stay closed or open in the states that a window has computed, or the first event after
-// which some switch. The window itself switches constraints whose points it follows; what it has computed counts as
-// long as no other switches.
+// Proof that contact constraints stay closed or open in the states that a window has computed, or the first event after
+// which one switches. The window switches only constraints whose points it follows. Its events count as long as no
+// other constraint switches.
 class FaceCertificate {
  public:
-  // Watches these constraints in the states after 0, 1, ... of the events, the first at the load factor `from`.
+  // Watches the given constraints in the states after 0, 1, ... events. `from` is the load factor of state 0.
   FaceCertificate(const std::vector<WatchedConstraint>& constraints, const std::vector<ForecastEvent>& events,
                   double from, bool proportional);
 
-  // How many of the events come before constraints open or close, and before one that makes a constraint with points
-  // that are neither kept nor prescribed.
+  // Number of events before the first that lets an unfollowed constraint open or close, or that adds a constraint with
+  // points that are neither kept nor prescribed.
   int events_before_change(const std::vector<coupling::Affine>& kept, const std::vector<int>& dofs,
                            const coupling::EquilibriumSystem& system, const OutsideGaps& outside) const;
 
  private:
-  // Whether a constraint is in a state as it was at first, at the load factors from the event that led there to the one
-  // that follows; the largest displacements of the state's parts are given.
+  // Whether a constraint keeps its initial status in a state, from the load factor of the event that led to it to that
+  // of the next event. `gap` and `rate` give its gap as an affine function, `largest` the largest displacements of both
+  // parts.
   bool holds(const WatchedConstraint& one, int state, double gap, double rate,
              const std::array<double, 2>& largest) const;
 

@@ -9,27 +9,28 @@
 
 namespace bempd::fracture {
 
-// Flexibility F (displacements per force) of the whole body on the degrees of freedom that a window follows, with rows
-// of functions below: displacements on which no force acts. Changes of rank one are collected and added to it many at a
-// time: F is the stored matrix plus the pending columns times their transpose, each with its sign.
+// Flexibility F (displacements per force) of the whole body on the degrees of freedom that a window follows. Below it
+// are rows of functions of the displacements, treated as displacements on which no force acts.
+// Changes of rank one are collected and added many at a time: F is the stored matrix plus the pending columns times
+// their transpose, each with its sign.
 class Flexibility {
  public:
   Flexibility(const coupling::Condensation& condensation, Eigen::Index functions);
 
   Eigen::Index size() const { return size_; }  // followed
-  // Sets the functions' weights of followed degrees of freedom, one column each.
+  // Sets the functions' weights on the followed degrees of freedom, one column for each function.
   void set_functions(const Eigen::MatrixXd& weights);
 
-  // Responses F b to some pulls.
+  // Responses F b to the linear forms b of some terms, one column for each.
   Eigen::MatrixXd responses(std::span<const Pull> pulls) const;
-  // Displacement of the followed degrees of freedom under any force on them.
+  // Displacement of the followed degrees of freedom due to a force on them.
   Eigen::VectorXd answer(const Eigen::VectorXd& force) const;
-  // Adds the changes since only this many were pending to one of the responses.
+  // Brings a response up to date: adds the effect of all changes after the first `changes_known` pending ones.
   void update_response(const Pull& pull, Eigen::Index changes_known, Eigen::Ref<Eigen::VectorXd> response) const;
 
   Eigen::Index changes() const { return pending_count_; }
   void make_room(Eigen::Index count);  // for changes that can be taken back
-  // Adds the column times its transpose to F, or subtracts it (sign -1).
+  // Adds a change of rank one to F: the column times its transpose, multiplied by the sign (1 or -1).
   void add_change(const Eigen::Ref<const Eigen::VectorXd>& column, double sign) {
     signs_[pending_count_] = sign;
     pending_.col(pending_count_++) = column;
@@ -40,7 +41,7 @@ class Flexibility {
   void set_function_rows(const Eigen::MatrixXd& rows) { matrix_.bottomRows(functions_) = rows; }
   void subtract_from_function(Eigen::Index function, const Eigen::Ref<const Eigen::VectorXd>& values);
 
-  // Displacements of some followed degrees of freedom under forces on others.
+  // Part of F: displacements of some followed degrees of freedom due to unit forces on others.
   Eigen::MatrixXd block(const std::vector<int>& rows, const std::vector<int>& columns) const;
   void keep(const std::vector<int>& followed);
 

@@ -9,21 +9,22 @@
 
 namespace bempd::fracture {
 
-// The proof that no bond away from all tips would have broken by itself before the steps of lines that a window has
-// computed, or the first step before which one would. All displacements are proportional to the load factor.
+// Proof that no bond away from the crack tips would have broken by itself before the steps of lines that a window has
+// computed, or the first step before which one would. Displacements are proportional to the load factor.
 class LineCertificate {
  public:
-  // The system is given in the present stages, with all that breaks from here on.
+  // Creates the proof. The terms that break from here on still have their present stages in `system`.
   LineCertificate(const coupling::EquilibriumSystem& system, const coupling::Condensation& condensation,
                   const StretchRatios& ratios, const LineSteps& steps);
 
-  // What happens to a state of kept displacements.
+  // Step of a line from one state to the next.
   struct Step {
     double load_factor;
     std::vector<GrowingTip> growing;                    // tips beside which nothing breaks by itself
     const std::vector<coupling::StageChange>* changes;  // at its end
   };
-  // The first of the states, one for each step, in which a bond breaks before; their number if none does.
+  // Index of the first state in which a bond breaks before the step that ends it; the number of states if none does.
+  // There is one state for each step.
   int first_break(const std::vector<coupling::Affine>& states, const std::vector<Step>& steps) const;
 
  private:

@@ -6,7 +6,8 @@
 
 namespace bempd::fracture {
 
-// Linear forms of numbered values: sum of weight value[place], each with any number of places; a bond's has four.
+// List of linear forms: the sum of weight * value[place], each over any number of places. The elongation of a bond is
+// one with four places.
 class LinearForms {
  public:
   struct Form {
@@ -21,7 +22,7 @@ class LinearForms {
     return {{place_.data() + start_[form], count}, {weight_.data() + start_[form], count}};
   }
 
-  // Adds a weight to the form that is being built, which the next close() ends.
+  // Adds a weight to the form that is being built; close() ends that form.
   void add(int place, double weight) {
     place_.push_back(place);
     weight_.push_back(weight);
@@ -37,7 +38,7 @@ class LinearForms {
     }
   }
 
-  // Keeps these forms only.
+  // Keeps only the forms whose flag is set.
   void keep(const std::vector<char>& chosen) {
     std::size_t to = 0, entries = 0;
     for (std::size_t f = 0; f < chosen.size(); ++f) {

@@ -8,15 +8,17 @@
 
 namespace bempd::fracture {
 
-// Gaps of all constraints that have points outside of a window, as functions of the displacements kept; each takes the
-// part of half a solution that its points reach. Exact ones are among them, all of which are open where windows are.
+// Gaps of all constraints that have points outside a window, as linear functions of the kept displacements. Their
+// weights come from half a solution (one triangular solve) for each constraint. Exact constraints are included: all of
+// them are open while a window is open.
 class OutsideGaps {
  public:
   OutsideGaps() = default;
   OutsideGaps(const coupling::EquilibriumSystem& system, const coupling::Condensation& condensation);
 
   const std::vector<std::size_t>& constraints() const { return constraints_; }  // by their numbers in the system
-  // One row a constraint, one column a state; `part`: of the load.
+  // Gaps in states of the kept displacements: one row for each constraint, one column for each state. `part`: 0 for the
+  // constant, 1 for the proportional part of the load.
   Eigen::MatrixXd at(std::span<const coupling::Affine> kept, int part) const;
 
  private:

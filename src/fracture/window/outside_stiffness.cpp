@@ -23,8 +23,8 @@ std::vector<char> nodes_touched_outside(const coupling::EquilibriumSystem& syste
   return touched;
 }
 
-// Chosen rows and columns of the product of a triangular factor with its transpose. The factor's rows end at their
-// diagonal.
+// Chosen rows and columns of the product of a lower triangular factor with its transpose. Columns beyond a row's
+// diagonal are zero and left out.
 Eigen::MatrixXd part_of_product(const Eigen::MatrixXd& factor, const std::vector<int>& chosen) {
   const Eigen::Index columns = chosen.empty() ? 0 : chosen.back() + 1;
   const Eigen::MatrixXd rows = factor.leftCols(columns)(chosen, Eigen::all);

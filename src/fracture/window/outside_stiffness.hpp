@@ -8,7 +8,7 @@
 
 namespace bempd::fracture {
 
-// Stiffness of everything that is not a term of a window, on the kept degrees of freedom that it touches.
+// Stiffness of everything outside the terms of a window, on the kept degrees of freedom that it touches.
 struct OutsideStiffness {
   std::vector<int> dofs;  // places among the kept ones
   Eigen::MatrixXd matrix;

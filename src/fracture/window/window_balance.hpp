@@ -10,21 +10,21 @@
 
 namespace bempd::fracture {
 
-// The balance of forces on the kept degrees of freedom, from stiffnesses and elongations and not from the flexibility,
-// whose rounding adds up from change to change.
+// Balance of forces on the kept degrees of freedom of a window. It is computed from stiffnesses and elongations,
+// because the flexibility accumulates rounding errors from change to change.
 class WindowBalance {
  public:
   WindowBalance() = default;
-  // When the window is opened.
+  // Notes the state in which the window is opened. `rows` are the window's displacements in it.
   WindowBalance(const coupling::EquilibriumSystem& system, const coupling::Condensation& condensation,
                 const WindowTerms& terms, const coupling::Affine& rows);
 
-  // Notes the stiffness that a place of faces loses, which has no number among the terms; a form of kept degrees of
-  // freedom.
+  // Notes a loss of stiffness by a contact constraint, which is no term of the system; `pull` gives its gap as a form
+  // of kept degrees of freedom.
   void note_loss(const LinearForms& pull, double stiffness);
 
-  // Loads less what resists at these displacements, kept and prescribed ones in their rows of the window, with the
-  // system's terms in their stages; `part`: of the load.
+  // Imbalance of forces: loads less internal forces for the displacements `rows` of the window, with the terms in their
+  // present stages. `part`: 0 for the constant, 1 for the proportional part of the load.
   Eigen::VectorXd unbalanced(const Eigen::VectorXd& rows, int part, const OutsideStiffness& outside) const;
 
  private:

@@ -32,7 +32,8 @@ std::optional<BodyChange> WindowBody::change(const Event& event, std::span<const
   return change;
 }
 
-// Puts the event's terms into their stages in the system and in the window.
+// Changes the stages of the event's terms in the system and in the window. False if that frees a part of the body or if
+// the window cannot do it.
 bool WindowBody::change_terms(const Event& event) {
   std::vector<coupling::StageChange> here;  // by places in the window
   for (const coupling::StageChange& c : event.changes) here.push_back({window_.place_of(c.term), c.stage});
@@ -52,7 +53,8 @@ std::vector<std::size_t> WindowBody::wrong_constraints(double f) const {
   return wrong;
 }
 
-// Whether constraints are closed that the whole body may find barred: what springs hold may grow as terms break.
+// Whether a closed constraint touches what springs hold. The whole body might bar it, because the held part may become
+// larger as terms break.
 bool WindowBody::presses_on_held_parts() const {
   std::vector<std::size_t> closed = face_forecast_.last();
   std::erase_if(closed, [&](std::size_t i) { return !face_forecast_.constraints()[i].closed; });
@@ -65,7 +67,8 @@ bool WindowBody::presses_on_held_parts() const {
   });
 }
 
-// Newton's method, as in the whole body.
+// Closes and opens constraints after an event by the same Newton's method as in the whole body. False if the window
+// cannot.
 bool WindowBody::settle_constraints(const Event& event, Outcome& outcome) {
   if (body_.faces().are_none()) return true;
   face_forecast_.follow(coupling::terms_of(event.changes), state_);

@@ -11,13 +11,12 @@
 
 namespace bempd::fracture {
 
-// The body as a window follows it while events are computed ahead: by changes of the window's flexibility. It cannot
-// perform an event that frees a part, or takes away the last resistance to a motion. The system's terms change with the
-// window's.
+// Body in a window while events are computed ahead: changes are made to the window's flexibility. It cannot perform an
+// event that frees a part or removes the last resistance to a motion. Stages of terms in the system change along.
 class WindowBody final : public EventBody {
  public:
-  // `state`: number of the state that the next event leads to. `face_forecast`: the constraints in these states.
-  // `displacement`: any one of the body, at which parts that come free would be held.
+  // `state` is the number of the state after the next event; `face_forecast` knows the constraints in these states.
+  // `displacement` is any displacement of the body, at which freed parts would be held.
   WindowBody(LoadedBody& body, WindowSolver& window, const WindowFunctions& functions, FaceForecast& face_forecast,
              int state, const Eigen::VectorXd& displacement)
       : body_(body),
@@ -39,7 +38,8 @@ class WindowBody final : public EventBody {
   Elongation elongation(int term, double load_factor) const override;
   std::optional<BodyChange> change(const Event& event, std::span<const ChangingTerm> terms, Outcome& outcome) override;
 
-  // The stored energy at all load factors, and the faces after an event at which some have closed or opened.
+  // energy(): stored energy as a function of the load factor. switched_faces(): contact state after an event at which
+  // faces have closed or opened; empty if none has.
   EnergyForm energy() const { return WindowFunctions::energy(window_.function_values()); }
   const std::optional<FaceState>& switched_faces() const { return switched_faces_; }
 

@@ -49,7 +49,8 @@ void WindowCertificate::classify(const std::vector<double>& compliance) {
 
 std::vector<WindowCertificate::Classes> WindowCertificate::largest_ratios(const Eigen::MatrixXd& displacements) const {
   std::vector<Classes> result;
-  // Each bond's ends are fetched once for a batch of states.
+  // States are treated in batches, so that the numbers of a bond's degrees of freedom are fetched once for all states
+  // of a batch.
   constexpr Eigen::Index batch = WindowSettings::states_swept_at_once;
   using Batch = Eigen::Array<double, batch, 1>;
   Eigen::Array<double, batch, Eigen::Dynamic> u;
@@ -85,7 +86,8 @@ void WindowCertificate::take_together(const std::vector<int>& states) {
   std::vector<int> solved = states;
   std::erase(solved, 0);
   Eigen::MatrixXd whole = solve(solved);
-  // Values at the load factors of interest: the ends of their range, then the state's own checks.
+  // Pairs (state, load factor) at which the largest stretch ratios are needed: both ends of the range of load factors,
+  // then the load factors of the state's checks.
   std::vector<std::pair<int, double>> wanted;
   for (int state : states) {
     wanted.emplace_back(state, lowest_);
@@ -108,7 +110,8 @@ void WindowCertificate::take_together(const std::vector<int>& states) {
   }
 }
 
-// One row for the proportional part of each state, or two for both parts.
+// Displacements of the whole body in some states: one row for each state (proportional part), or two (constant and
+// proportional part).
 Eigen::MatrixXd WindowCertificate::solve(const std::vector<int>& states) {
   if (states.empty()) return {};
   const int parts = proportional_ ? 1 : 2;
@@ -129,7 +132,8 @@ Eigen::MatrixXd WindowCertificate::solve(const std::vector<int>& states) {
   return whole;
 }
 
-// Displacements of states at load factors, from the solutions of the states solved; that of the state 0 is known.
+// Displacements of the whole body at pairs (state, load factor). `whole` holds the solutions of the states `solved`;
+// state 0 is known without.
 Eigen::MatrixXd WindowCertificate::values(const std::vector<std::pair<int, double>>& wanted,
                                           const std::vector<int>& solved, const Eigen::MatrixXd& whole) const {
   const int parts = proportional_ ? 1 : 2;
@@ -201,7 +205,8 @@ std::vector<int> WindowCertificate::uncertified() const {
   return found;
 }
 
-// A third of every run of states in doubt; in the end all.
+// States to compute for the whole body next: about three in every run of uncertified states, in the last round all of
+// them.
 std::vector<int> WindowCertificate::between_snapshots(const std::vector<int>& states, int round) const {
   if (round >= WindowSettings::most_rounds) return states;
   std::vector<int> chosen;
@@ -252,13 +257,13 @@ int WindowCertificate::first_violation(const std::vector<Affine>& states, const 
   int end = static_cast<int>(states.size());
   for (int round = 0; !wanted.empty(); ++round) {
     take(wanted);
-    // Nothing after the first violation counts.
+    // Results after the first violation are not needed.
     for (auto s = snapshots_.begin(); s != snapshots_.end() && s->first < end; ++s) {
       if (is_exceeded(s->first)) end = s->first;
     }
     snapshots_.erase(snapshots_.upper_bound(end), snapshots_.end());
     const std::vector<int> doubtful = uncertified();
-    // Further snapshots take nothing away from what is proven.
+    // A proven state stays proven when more snapshots are added, so its checks are dropped.
     for (int state = 0; state < end; ++state) {
       if (!snapshots_.contains(state) && !std::binary_search(doubtful.begin(), doubtful.end(), state)) {
         checks_[state].clear();

@@ -11,29 +11,29 @@
 
 namespace bempd::fracture {
 
-// Proves that what happened in a window is what would have happened in the whole body, because no bond outside was more
-// critical.
+// Proves that the events in a window are those of the whole body, because no bond outside is closer to breaking.
 //
-// Some states are computed for the whole body. Between two of them, a and b, take any of their means, (1 - t) a + t b,
-// 0 <= t <= 1: in it no bond is stretched more than by that mean of the largest stretches in a and in b. A state
-// differs from the mean by a displacement d of the window's nodes to which the outside answers without load, with the
-// strain energy d^T S d / 2, S being its stiffness as the window feels it. All bonds outside share that energy and none
-// has a negative one, so k e^2 <= d^T S d for the elongation e that d gives to any of them.
+// Some states (snapshots) are computed for the whole body. Between two of them, a and b, take the mean (1 - t) a + t b
+// with 0 <= t <= 1: no bond is stretched more in it than the same mean of the largest stretches in a and b. A state
+// differs from the mean by a displacement d of the window's nodes, to which the outside responds without load.
+// The strain energy of that response is d^T S d / 2, where S is the stiffness of the outside on the window's nodes. All
+// bonds outside share it and none has a negative energy, so k e^2 <= d^T S d holds for the elongation e of each.
 class WindowCertificate {
  public:
   WindowCertificate(const coupling::EquilibriumSystem& system, const coupling::Condensation& condensation,
                     const WindowSolver& window, const StretchRatios& ratios, bool proportional);
 
-  // `states` are the kept displacements after 0, 1, ... events, `breaks` the bonds broken until each; `first` is the
-  // state 0 of the whole body. Returns the first state with a check that fails, or the number of states.
+  // Returns the index of the first state with a failed check, or the number of states. `states` are the kept
+  // displacements after 0, 1, ... events, `breaks` the numbers of bonds broken until each. `first` is state 0 of the
+  // whole body.
   int first_violation(const std::vector<coupling::Affine>& states, const std::vector<int>& breaks,
                       const std::vector<OutsideCheck>& checks, const coupling::Affine& first);
 
-  // Displacements of the whole body in one of the states of the last question.
+  // Displacements of the whole body in one of the states of the last call of first_violation().
   coupling::Affine last_displacement(int state) const;
 
  private:
-  // Bonds outside, those that answer alike to an energy together.
+  // Classes of bonds outside the window: bonds with a similar stretch ratio per root of energy are proven together.
   static constexpr int most_classes = WindowSettings::classes;
   using Classes = Eigen::Array<double, most_classes, 1>;
 
@@ -64,7 +64,7 @@ class WindowCertificate {
   Classes compliance_;  // largest stretch ratio per root of energy, of each class
   double rounding_;
 
-  // Data of the present question.
+  // Data of the present call of first_violation().
   const std::vector<coupling::Affine>* states_ = nullptr;
   const coupling::Affine* whole_first_ = nullptr;
   std::vector<std::vector<OutsideCheck>> checks_;  // per state

@@ -10,7 +10,7 @@ namespace bempd::fracture {
 
 namespace {
 
-// Adds the time of its scope to a sum of seconds, but for what the system counts on its own.
+// Adds the time of its scope to a sum of seconds, without the time that the system's own counters contain.
 class WindowWatch {
  public:
   WindowWatch(double& seconds, const coupling::SolverCounters& counters)
@@ -57,7 +57,8 @@ bool WindowEvents::open(double load_factor, const SteppingOptions& options) {
     most_events_at_first_ = most_events;
     return true;
   } catch (const Error& error) {
-    // Next to a mechanism a fresh factorization may fail: the next break is then found, and held, in the whole body.
+    // A fresh factorization may fail when the body is close to a mechanism; the next break is then found in the whole
+    // body.
     if (error.failure() != Failure::unsolvable) throw;
     return false;
   }
@@ -139,7 +140,8 @@ const Event* WindowEvents::next(double, const SteppingOptions&) {
   const WindowWatch watch(body_.seconds_search(), body_.system().counters());
   if (forecast_.must_compute()) {
     before_forgetting_();
-    // What was shown has other rounding than what the events computed next tell of the same state.
+    // Displacements brought up to date only for a reader have other rounding errors than those that the events computed
+    // next give for this state.
     is_behind_ = is_behind_ || is_shown_;
     is_shown_ = false;
     const BodyState& state = body_.state();

@@ -11,21 +11,22 @@
 
 namespace bempd::fracture {
 
-// The source of events that a window has computed ahead, which are performed one by one. The body's displacements and
-// forces fall behind meanwhile: only its load factor and bonds are right until they are asked for.
+// Source of events that a window has computed ahead and that are performed one by one. Meanwhile the displacements and
+// forces in the body's state are out of date; only its load factor and the stages of bonds are correct until
+// bring_up_to_date().
 class WindowEvents final : public EventSource {
  public:
-  // Calls `before_forgetting` before places told so far lose their meaning.
+  // `before_forgetting` is called before positions in the window (Place) returned so far become invalid.
   WindowEvents(LoadedBody& body, std::function<void()> before_forgetting);
 
-  // Makes events steps of lines from now on.
+  // Switches to growth of crack lines: events are steps of lines from now on.
   void follow(const LineSteps& lines) { forecast_.follow(lines); }
 
-  // Says before the first solution where initial cracks are, given by the bonds they cut.
+  // Tells, before the first solution, where initial cracks are, by the bonds `cut` that they cut.
   void expect_cracks(const std::vector<int>& cut) { forecast_.expect_cracks(cut); }
 
-  // Opens a window around what is critical at the load factor of the next event. False if there is no window that would
-  // be of use.
+  // Opens a window around the bonds that are critical at the load factor of the next event. Returns false if no window
+  // would save time.
   bool open(double load_factor, const SteppingOptions& options);
   bool is_open() const { return forecast_.is_open(); }
   bool suits(const SteppingOptions& options) const;  // the window, once open
@@ -33,30 +34,30 @@ class WindowEvents final : public EventSource {
   void forget();            // and where the window was; the body's state is no longer brought up to date
   void abandon() noexcept;  // the same, but for where it was
 
-  // How an open window has come to where it is; what it remembers of the place of the last one; and the way back.
-  // After remember() in the state in which the window was opened, open_again() leaves it as it was, with the body's
-  // state; false if it does not come to the same.
+  // Saving and restoring the window: how the open window has got to its present state, and the location of the last
+  // one. To restore, call remember() in the state in which the window was opened, then open_again(), which also
+  // restores the body's state; false if the result differs.
   WindowOrigin origin() const;
   WindowLocation place_of_last() const { return forecast_.place(); }
   int most_events() const { return is_open() ? most_events_at_first_ : forecast_.most_events(); }
   void remember(WindowLocation place, int most_events) { forecast_.remember(std::move(place), most_events); }
   bool open_again(const WindowOrigin& origin);
 
-  // Null if the window has come to its end.
+  // Next event, or null if the window has ended.
   const Event* next(double target, const SteppingOptions& options) override;
   Outcome perform() override;
 
   std::int64_t events_performed() const { return events_performed_; }  // since the window was opened
-  // True if the window has come to its end before an event that no window can perform.
+  // Whether the window has ended before an event that only the whole body can perform.
   bool needs_whole_body() const { return forecast_.needs_whole_body(); }
-  // True if the window has come to its end because faces of cracks close or open after the events that it knew.
+  // Whether the window has ended because faces of cracks close or open after its last event.
   bool ended_at_faces() const { return forecast_.ended_at_faces(); }
 
   void bring_up_to_date();
-  // Brings displacements up to date for someone who looks: the run goes on as if nobody had.
+  // Brings displacements up to date for a reader only: the run continues as if they were still out of date.
   void show();
 
-  // The place of the body among the events of the window.
+  // Position of the body among the events of the window, to which it can return.
   struct Place {
     int position;
     std::int64_t events_performed;

@@ -4,10 +4,12 @@ namespace bempd::fracture {
 
 namespace {
 
-// Places in the list of functions, each for the constant and the proportional part of the load.
+// First indices in the list of functions. Loads and supports have two functions each, for the constant and the
+// proportional part of the load.
 constexpr Eigen::Index loads = 0, supports = 2, first_reaction = 4;
 
-// Force that the body returns where supports are displaced in this way; tied nodes follow their masters.
+// Function of the window's displacements: the work of the body's forces on the support displacements `moved`. Tied
+// nodes follow their masters.
 WindowSolver::Function force_of_supports(const coupling::EquilibriumSystem& system, Eigen::VectorXd moved) {
   system.ties().expand(moved);
   Eigen::VectorXd weights = system.internal_force(moved);

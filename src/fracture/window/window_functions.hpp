@@ -7,15 +7,15 @@
 
 namespace bempd::fracture {
 
-// Energy of the displacement u0 + f u1 at the load factor f.
+// Energy at the load factor f of the displacement u0 + f u1, as a quadratic function of f.
 struct EnergyForm {
   double constant = 0, mixed = 0, proportional = 0;
   double at(double f) const { return 0.5 * (constant + 2 * f * mixed + f * f * proportional); }
   double unit() const { return 0.5 * proportional; }  // of the proportional load alone
 };
 
-// The sums over the whole body that a window carries along, as functions of its displacements: the loads' work, the
-// energy in moving supports, the reactions.
+// Sums over the whole body that a window keeps up to date as functions of its displacements: work of the loads, energy
+// due to moving supports, and reactions.
 class WindowFunctions {
  public:
   using Values = Eigen::Matrix<double, Eigen::Dynamic, 2>;
@@ -25,9 +25,10 @@ class WindowFunctions {
 
   std::vector<WindowSolver::Function> list() const;
 
-  // The stored energy, from the values of these functions.
+  // Stored energy, from the values of these functions.
   static EnergyForm energy(const Values& values);
-  // Work of the loads where displacements jump at a load factor.
+  // Work of the loads when displacements jump at a constant load factor, from the values of these functions before and
+  // after.
   static double work(const Values& before, const Values& after, double load_factor);
   std::vector<double> reactions(const Values& values, double load_factor) const;  // x and y of every support
 

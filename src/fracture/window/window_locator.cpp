@@ -9,7 +9,8 @@
 
 namespace bempd::fracture {
 
-// A wide term that breaks by itself would have to be watched outside of windows.
+// Windows require that wide terms (squares of cells) break only with the bonds that they follow: others would have to
+// be watched outside.
 bool has_window_form(const coupling::EquilibriumSystem& system) {
   return system.is_symmetric() && !system.has_offsets() && system.terms().wide_terms_only_follow();
 }
@@ -50,7 +51,7 @@ void WindowLocator::go_back_to(WindowLocation memory) {
   system_.keep_last(memory.are_last ? nodes_ : std::vector<int>());
 }
 
-// Nodes that touch the outside come first: what the window needs to know of the outside is then a corner of the factor.
+// Nodes with terms to the outside come first: the stiffness of the outside is then a corner of the factor.
 void WindowLocator::keep(std::vector<Zone> zones, std::vector<int> nodes) {
   zones_ = std::move(zones);
   nodes_ = std::move(nodes);
@@ -88,8 +89,8 @@ std::vector<char> WindowLocator::marks_of_nodes() const {
   return kept;
 }
 
-// Bonds that end on a node with bonds to the outside are left to the next window if they lie near a zone's rim: there
-// the neighbours outside soon break as well.
+// Marks the window's rim: nodes with bonds to the outside that lie near the edge of a zone. Bonds that end on them are
+// left to the next window, because their neighbours outside break soon after.
 void WindowLocator::mark_rim() {
   std::vector<char> kept = marks_of_nodes();
   touches_outside_.assign(system_.node_count(), 0);
@@ -144,7 +145,8 @@ std::vector<int> WindowLocator::hot_bonds(double load_factor, double share) cons
 }
 
 bool WindowLocator::choose(double load_factor, double tie_band, double ahead) {
-  // Clamps and corners are nearly as hot as tips where lattices have squares.
+  // Bonds at clamps and corners are nearly as close to breaking as those at tips in lattices with squares, so the
+  // present window is kept as long as possible.
   if (!system_.terms().followers.empty() && still_holds(hot_bonds(load_factor, WindowSettings::hot_in_present)))
     return true;
   const ZoneShape shape{length_ahead(ahead)};

@@ -9,26 +9,27 @@
 
 namespace bempd::fracture {
 
-// Windows take symmetric systems whose terms are bonds and pull with their elongations alone; others are left to the
-// whole body.
+// Whether a system can have windows: it is symmetric, no term has a rest elongation, and wide terms (squares) break
+// only with the bonds that they follow. Others are computed on the whole body.
 bool has_window_form(const coupling::EquilibriumSystem& system);
 
-// Finds the place of a window: zones around what is about to break, and the nodes in them, which the system is told to
-// eliminate last.
+// Finds the location of a window: zones around the bonds close to breaking, and the nodes in them, which the system is
+// told to eliminate last.
 class WindowLocator {
  public:
   WindowLocator(coupling::EquilibriumSystem& system, const StretchRatios& ratios, const std::vector<Point>& positions);
 
-  // Expects windows at the ends of initial cracks, given by the bonds they cut; before the first factorization.
+  // Expects windows at the ends of initial cracks, given by the bonds `cut` that they cut. Call it before the first
+  // factorization.
   void expect_cracks(const std::vector<int>& cut);
   void return_to_expected();
 
-  // Chooses a place around the bonds that are hot at this load factor, the present one if it can. `ahead` is the length
-  // in front of a crack tip in lattice spacings, 0 to choose it. False if there is no place that would be smaller than
-  // the problem.
+  // Chooses a location around the bonds close to breaking at this load factor; the present location if it suffices.
+  // `ahead` is the length in front of a crack tip in spacings, 0 to have it chosen. False if no window would be smaller
+  // than the problem.
   bool choose(double load_factor, double tie_band, double ahead);
 
-  // The next way of a tip of a line and the bonds across it: windows are chosen in front of these.
+  // Next steps of a tip of a crack line, and the bonds across them; windows are chosen in front of these.
   struct Way {
     Point from, direction;
     double horizon;
@@ -43,7 +44,7 @@ class WindowLocator {
   const std::vector<Zone>& zones() const { return zones_; }
   double spacing(int node) const { return spacing_[node]; }  // of the lattice
 
-  // False for bonds that are left to the next window.
+  // Whether none of the bonds is at the rim; bonds at the rim are left to the next window.
   bool is_far_from_rim(const std::vector<int>& bonds) const;
 
  private:

@@ -10,7 +10,8 @@
 
 namespace bempd::fracture {
 
-// Lets a window stop following what lies behind the bonds that are hot: nothing breaks there any more.
+// Narrows a window: it stops following the nodes behind the bonds that are close to breaking, where nothing breaks any
+// more.
 class WindowNarrowing {
  public:
   WindowNarrowing(const coupling::EquilibriumSystem& system, const WindowLocator& locator,
@@ -24,11 +25,12 @@ class WindowNarrowing {
   void restart();  // with a new window
   void stop();     // until then: where displacements are put right, what is left behind stays as rounding has made it
 
-  // Narrows the window from time to time, at the load factor of an event. `dofs` are those kept by the window's
-  // condensation.
+  // Narrows the window at intervals, at the load factor of an event. `dofs` are the degrees of freedom that the
+  // window's condensation keeps.
   void narrow(WindowSolver& window, const std::vector<int>& dofs, double load_factor);
 
-  // Narrows the window behind the tips of lines, which reach so far back from their places.
+  // Reach of a line's tip: bonds up to the distance `back` behind its place are still needed, so the window is narrowed
+  // only behind that.
   struct Reach {
     Point place;
     double back;
@@ -38,7 +40,7 @@ class WindowNarrowing {
  private:
   bool is_due(const WindowSolver& window);
   void leave(WindowSolver& window, const std::vector<int>& dofs, const std::vector<double>& rear) const;
-  // The place of the hindmost hot bond along the axis of each zone; minus infinity where nothing is hot.
+  // Coordinate along each zone's axis of the hindmost bond that is close to breaking; minus infinity if there is none.
   std::vector<double> rears(const WindowSolver& window, double load_factor) const;
   bool is_needed(int node, const std::vector<double>& rear) const;
 

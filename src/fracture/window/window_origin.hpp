@@ -12,14 +12,14 @@
 
 namespace bempd::fracture {
 
-// The place of the present window, or of the last one.
+// Location of the present window or of the last one.
 struct WindowLocation {
   std::vector<Zone> zones;
   std::vector<int> nodes;
   bool are_last = false;  // these nodes are eliminated last
 };
 
-// What decides how a window computes.
+// Options that determine how a window computes.
 struct WindowOptions {
   double tie_band = 0;
   int max_breaks_per_solve = 0;
@@ -28,8 +28,8 @@ struct WindowOptions {
   bool operator==(const WindowOptions&) const = default;
 };
 
-// How an open window has come to where it is: what it was opened with, and when it computed events ahead. The stages of
-// terms are those of which the factor was made.
+// Origin of an open window: what it was opened with, and when it computed events ahead. The terms' stages at that time
+// are those in the system's factor.
 struct WindowOrigin {
   WindowOptions options;
   double load_factor = 0;
@@ -43,7 +43,7 @@ struct WindowOrigin {
   std::vector<Look> looks;
   std::int64_t events_performed = 0;
   bool is_behind = false;  // the displacements were not asked for by the run itself
-  // What closing it does to the factor.
+  // What closing the window will do to the system's factor.
   bool has_changed_terms = false, needs_whole_body = false;
 };
 

@@ -5,93 +5,97 @@
 
 namespace bempd::fracture {
 
-// All that is tuned in windows. None of it changes what breaks: windows that are badly placed or sized cost time, and
-// the certificate sends every event that it cannot prove to the whole body. Lengths are in lattice spacings.
+// Tuning parameters of windows. None of them changes which bonds break: a badly placed or sized window only costs time,
+// and events that the certificate cannot prove are computed on the whole body. Lengths are in lattice spacings.
 struct WindowSettings {
-  // How far a window reaches ahead of a tip. Its own costs grow with the square of its length per bond and with the
-  // cube once; the longer it is, the fewer factorizations of the whole body it takes, whose cost grows with the size of
-  // the system to the power 1.5. Both sides balance where the length grows with the root of the size.
+  // Length of a window ahead of a tip. The window costs its length squared for each bond and its length cubed once. A
+  // longer one saves factorizations of the whole body, each of which costs the system's size to the power 1.5. The best
+  // length grows with the square root of the size.
   static constexpr double length_at_20000_unknowns = 31, least_length = 8, most_length = 320;
-  // Windows at the ends of initial cracks are longer by this factor: a straight run is to take one factorization there.
+  // Factor on the length of windows at the ends of initial cracks, so that a straight crack needs one factorization
+  // there.
   static constexpr double length_of_expected = 1.5;
-  // Unknowns that a window may have: so many, or so many for each spacing of its length.
+  // Largest number of unknowns of a window: the larger of a fixed number and a number for each spacing of its length.
   static constexpr double least_most_unknowns = 2600, most_unknowns_per_length = 46;
 
-  // How far a zone reaches behind its hot bonds and to each side of its axis at least; how far beyond hot bonds beside
-  // it; and the rim in front, in which breaks are left to the next window.
+  // Size of a zone: least distance behind its hot bonds, and half width. Then the width of the rim in front, in which
+  // breaks are left to the next window, and the distance beyond hot bonds at the sides.
   static constexpr double back = 4, half_width = 4;
   static constexpr double front_rim = 3, beside_hot = 2.4;
-  // Hot are bonds with this share of the largest ratio; the next share is taken where they are too many or their window
-  // is too large.
+  // Shares of the largest stretch ratio from which on a bond is hot (close to breaking). The next share is tried if
+  // there are too many hot bonds, or if their window is too large.
   static constexpr std::array hot_shares{0.7, 0.8, 0.9, 0.97};
-  // The share with which a window stays that is there already, where terms follow others.
+  // Share for staying in the present window, where terms follow others (squares of cells). Then the largest numbers of
+  // hot bonds and of bonds cut by initial cracks.
   static constexpr double hot_in_present = 0.9;
   static constexpr std::size_t most_hot_bonds = 1500, most_cut_bonds = 6000;
-  // Hot bonds nearer to each other than this are one crowd; broken bonds as near as the second tell on which side of a
-  // crowd the crack is.
+  // Distance below which hot bonds belong to one crowd, and distance of broken bonds from a crowd that tell on which
+  // side of it the crack lies.
   static constexpr double crowd_distance = 6, crack_distance = 8;
-  // Bonds with this share of the largest ratio in a crowd tell where its middle is.
+  // Share of a crowd's largest stretch ratio from which on a bond counts for the crowd's centre.
   static constexpr double centre_share = 0.85;
-  // Bonds that tell in which direction a crack opens: those with this share of the largest ratio in a crowd, up to so
-  // many spacings from it. The few that are about to break would tell the next step of a path that goes to and fro.
+  // Bonds that determine the direction in which a crack opens: share of the crowd's largest stretch ratio, and distance
+  // from the crowd. The few bonds about to break would only give the next step of a zigzag path.
   static constexpr double opening_share = 0.5, opening_reach = 16;
-  // The crack behind tells the direction where bonds open in all directions alike, by this ratio of the least to the
-  // largest.
+  // Ratio of the least to the largest opening above which bonds open in all directions alike; the crack behind them
+  // then gives the direction.
   static constexpr double opening_all_around = 0.75;
 
-  // Bonds broken between two looks at what can be left behind; the least share of what is followed that is worth it;
-  // and where it lies: so far behind the bonds with this share of the largest ratio.
+  // Narrowing of a window: number of bonds broken between two attempts, and least share of the followed nodes that
+  // makes it worthwhile. Nodes are dropped from a distance behind the bonds with this share of the largest ratio on.
   static constexpr std::size_t breaks_between_narrowings = 96;
   static constexpr double least_narrowing = 0.15, hot_when_narrowing = 0.5, behind_hot = 1;
-  // Distance that followers may reach beyond the terms that they follow.
+  // Distance that followers (squares of cells) may reach beyond the terms that they follow.
   static constexpr double reach_of_followers = 1.5;
 
-  // Events computed at once: few at first, in case the host wants few, then more, up to this many.
+  // Numbers of events computed at once: few at first, because the host may want few, then more, up to the largest
+  // number.
   static constexpr int first_events = 16, growth_of_events = 4, most_events_at_once = 1024;
-  // Events in the whole body after which a window is tried again at the latest.
+  // Largest number of events in the whole body before a window is tried again.
   static constexpr int most_patience = 64;
-  // Events of the whole body after a window that ended because faces of cracks move: such come one after the other, and
-  // each window would cost a factorization.
+  // Number of events in the whole body after a window that ended because crack faces moved. Such events follow each
+  // other, and each window would cost a factorization.
   static constexpr int events_beside_faces = 16;
 
-  // Lines: a window has to hold the way for so many spacings at first, how much wider it is than a step reaches, and
-  // how many steps it has to save for the next one to be tried at once, which costs a factorization.
+  // Windows for lines: least length of the path that they hold, and how much wider they are than the reach of a step.
+  // After a window that has saved so many steps, another one is tried at once, which costs a factorization.
   static constexpr double least_way = 8, beside_way = 0.5;
   static constexpr int worthwhile_steps = 16;
-  // A tip counts as driven in the whole body too if it is by this share of the load factor of an event.
+  // Share of an event's load factor by which a tip must be driven to count as driven in the whole body too.
   static constexpr double surely_driven = 0.1;
 
-  // A term was the last resistance to some motion, or nearly so, below this pivot, or if displacements grow by this
-  // factor.
+  // Limits beyond which a term was the last, or nearly the last, resistance to a motion: a pivot below the first, or
+  // displacements that grow by the second.
   static constexpr double smallest_pivot = 1e-7, most_growth = 1e6;
-  // Columns collected before they are added to the flexibility: enough for a fast product, few enough to be cheap to
-  // carry along.
+  // Number of columns collected before they are added to the flexibility: enough for a fast product, few enough to be
+  // cheap in responses.
   static constexpr int most_pending_changes = 96;
-  // Columns of a triangular factor whose product with itself leaves out the rows above them.
+  // Number of columns of a triangular factor that are multiplied at once, so that the zero rows above them can be left
+  // out.
   static constexpr int factor_columns_at_once = 96;
 
-  // Bonds that may break between two states that are computed for the whole body; and rounds of the certificate, after
-  // which every state in doubt is computed.
+  // Certificate: number of bonds that may break between two states computed for the whole body, and number of rounds
+  // after which every uncertified state is computed.
   static constexpr int breaks_between_snapshots = 40;
   static constexpr int most_rounds = 6;
-  // Bonds outside that answer alike to an energy are proved safe together: so many classes, the logarithms of their
-  // answers at least this wide in all.
+  // Certificate: number of classes of bonds outside that are proven together, and least range of the logarithms of
+  // their stretch ratios per root of energy.
   static constexpr int classes = 8;
   static constexpr double least_class_width = 1e-12;
-  // States solved at once, enough for fast products; and swept at once, so that each bond's ends are fetched once for
-  // all of them, few enough for the caches.
+  // Number of states solved at once, enough for fast products; and number of states compared at once with each bond,
+  // few enough for the caches.
   static constexpr std::size_t states_solved_at_once = 64;
   static constexpr int states_swept_at_once = 16;
 
-  // What rounding may do to what the certificate compares, and to energies, relative to the stiffness around a window.
+  // Margins for rounding, relative to the stiffness around a window: in the certificate's comparisons, and in energies.
   static constexpr double certificate_margin = 1e-9;
   static constexpr double energy_rounding = 1e-13;
-  // A body with less than this share of the energy of the undamaged scene may be separated, and rounding may hide it.
+  // Share of the undamaged scene's energy below which a body may have separated although rounding hides it.
   static constexpr double doubtful_energy = 1e-7;
-  // Worst residual with which computed events are taken; what is left is rounding.
+  // Largest residual with which computed events are accepted; smaller ones are rounding.
   static constexpr double acceptable_residual = 1e-11;
-  // Events between two looks at the balance of forces in a window, and the residual that is put right; they serve terms
-  // that follow others.
+  // Number of events between two checks of the balance of forces in a window, and the residual above which it is
+  // corrected. Only used where terms follow others (squares of cells).
   static constexpr int events_between_balances = 32;
   static constexpr double negligible_residual = 1e-12;
 };

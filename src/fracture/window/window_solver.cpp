@@ -100,7 +100,8 @@ bool WindowSolver::lose_one(const Loss& loss, Eigen::Ref<Eigen::VectorXd> w, Eig
   return true;
 }
 
-// A bond to a moving support took part in what the support feels.
+// Updates the functions of a window when a term with prescribed ends (at a moving support) loses stiffness, because it
+// contributed to the support's reaction and energy.
 void WindowSolver::detach_functions(const Pull& pull, double stiffness, Eigen::Ref<Eigen::VectorXd> w) {
   if (std::none_of(pull.place.begin(), pull.place.end(), [&](int r) { return is_prescribed(r); })) return;
   double own = 0;
@@ -149,8 +150,8 @@ bool WindowSolver::lose(const std::vector<Loss>& losses) {
   }
   Eigen::MatrixXd functions_before;
   if (functions_change) functions_before = flexibility_.function_rows();
-  // Responses to all terms are computed at once, so that pending changes are read once; every term adds what those
-  // before it changed.
+  // Responses to all terms are computed at once, so that pending changes are read once; each term then adds the changes
+  // of those before it.
   Eigen::MatrixXd answers = flexibility_.responses(directions);
   bool resisted = true;
   for (std::size_t i = 0; resisted && i < losses.size(); ++i) {
@@ -272,8 +273,8 @@ void WindowSolver::number_rows() {
   for (std::size_t i = 0; i < followed_.size(); ++i) row_of_[kept_dofs_[followed_[i]]] = static_cast<int>(i);
 }
 
-// Keeps these rows of everything that is stored by degrees of freedom, and all rows that are not displacements
-// followed.
+// Keeps the rows `stay` of everything that is stored by followed degrees of freedom, and all rows of functions and
+// prescribed displacements.
 void WindowSolver::keep_rows(const std::vector<int>& stay) {
   std::vector<int> rows = stay, place(static_cast<std::size_t>(rows_.rows()), -1);
   for (Eigen::Index r = size(); r < rows_.rows(); ++r) rows.push_back(static_cast<int>(r));

@@ -14,17 +14,17 @@
 
 namespace bempd::fracture {
 
-// The equilibrium of a window: terms between kept nodes and the flexibility F (displacements per force) of the whole
-// body there. Where a term along b loses the stiffness k, all of it or a part, F changes by a matrix of rank one: w = F
-// b, gamma = 1 - k b.w, F <- F + (k / gamma) w w^T, and the displacements by (k e / gamma) w, e being the term's
-// elongation (Sherman and Morrison 1950).
+// Equilibrium of a window: terms between kept nodes, and the flexibility F (displacements per force) of the whole body
+// there. A term with the linear form b and the elongation e may lose the stiffness k, all of it or a part. F then
+// changes by a matrix of rank one (Sherman and Morrison 1950):
+// w = F b,  gamma = 1 - k b.w,  F <- F + (k / gamma) w w^T,  and the displacements by (k e / gamma) w.
 //
-// Functions of the displacements are carried along like displacements on which no force acts: rows of F. Where nothing
-// breaks any more, the window can stop following displacements from event to event; they are found afterwards.
+// Functions of the displacements are rows of F too, like displacements on which no force acts. The window can stop
+// following displacements where nothing breaks any more; they are completed afterwards.
 class WindowSolver {
  public:
-  // A function of all displacements u -> x^T K u, x being nonzero on prescribed degrees of freedom only (energies and
-  // reactions), or u -> f^T u with loads f.
+  // Function of all displacements: u -> x^T K u, where x is nonzero on prescribed degrees of freedom only (energies and
+  // reactions), or u -> f^T u for loads f.
   struct Function {
     Eigen::VectorXd weights;  // of degrees of freedom
     Eigen::VectorXd moved;    // x, or empty
@@ -34,21 +34,22 @@ class WindowSolver {
                const StretchRatios& ratios, const coupling::Affine& displacement,
                const std::vector<Function>& functions);
 
-  // Whether this bond is between kept nodes, and was intact when the window was opened.
+  // Whether a bond connects kept nodes and was intact when the window was opened.
   bool contains(int global_bond) const { return terms_.contained(global_bond); }
 
-  // Global numbers of the bonds watched, ascending; bonds are named by their place in this list below, which narrow()
-  // changes.
+  // Numbers in the system of the bonds that the window watches, ascending. The other functions name a bond by its
+  // position in this list, which narrow() changes.
   const std::vector<int>& bonds() const { return terms_.numbers(); }
   const std::vector<char>& intact() const { return terms_.intact(); }
   const AffineRatios& ratios() const { return terms_.ratios(); }
 
-  // No longer follows the displacements of kept degrees of freedom that are marked, nor watches bonds that end on them.
+  // Stops following the displacements of the marked kept degrees of freedom, and watching bonds that end on them.
   void narrow(const std::vector<char>& leaves);
   int followed() const { return static_cast<int>(size()); }
   std::size_t breaks() const { return dropped_.breaks(); }
 
-  // Displacements of the kept degrees of freedom: at once, or those that are followed now and all of many states later.
+  // Displacements of the kept degrees of freedom: displacement() at once; state() only the followed ones, which
+  // complete() completes later for many states together.
   coupling::Affine displacement() const { return complete({state()}).front(); }
   DroppedDofs::State state() const;
   std::vector<coupling::Affine> complete(const std::vector<DroppedDofs::State>& states) const {
@@ -56,7 +57,7 @@ class WindowSolver {
   }
   const DroppedDofs& dropped() const { return dropped_; }
 
-  // Row k: value of the function k for the constant and the proportional part of the load.
+  // Values of the functions: row k for function k, with the constant and the proportional part of the load.
   Eigen::Matrix<double, Eigen::Dynamic, 2> function_values() const { return rows_.middleRows(size(), functions_); }
 
   bool ratio_is_known(int bond) const { return terms_.ratio_is_known(static_cast<std::size_t>(bond)); }
@@ -66,12 +67,13 @@ class WindowSolver {
     return terms_.stiffness(static_cast<std::size_t>(change.term)) - terms_.stiffness_after(change);
   }
 
-  // Changes stages of terms, named by their places. False, and nothing changed, if some motion would lose its
-  // resistance with these changes, or if a term stiffens.
+  // Changes the stages of terms, named by their positions in the list. Returns false and changes nothing if some motion
+  // would lose its resistance, or if a term would become stiffer.
   bool change(std::span<const coupling::StageChange> changes);
 
-  // Constraints: whether all of their points are followed, their gaps, and their switches; false, and nothing changed,
-  // if some motion would lose its resistance.
+  // Contact constraint that closes or opens. switch_constraints() returns false and changes nothing if some motion
+  // would lose its resistance. follows() says whether the window follows all points of a constraint, gap() gives its
+  // gap.
   struct Switch {
     const coupling::Constraint& constraint;
     bool closes;
@@ -82,15 +84,16 @@ class WindowSolver {
   double largest_displacement(double load_factor) const;
   bool switch_constraints(std::span<const Switch> switches);
 
-  // Forces on the kept degrees of freedom that rounding of the flexibility has left out of balance, the system's terms
-  // being in their stages; and displacements that answer to them are put right. Functions stay as they are.
+  // unbalanced(): forces on the kept degrees of freedom that rounding errors in the flexibility have left out of
+  // balance, for the terms' stages in the system. balance() corrects the displacements by the response to them;
+  // functions stay unchanged.
   coupling::Affine unbalanced() const;
   void balance(coupling::Affine force);
 
-  // The place of a term of the system in the list; -1: it is not watched.
+  // Position in the list of a term of the system; -1 if it is not watched.
   int place_of(int global_term) const { return terms_.place_of(global_term); }
 
-  // The stiffness of all that is not a bond of the window, on those kept degrees of freedom that it touches.
+  // Stiffness of everything that is not a bond of the window, on the kept degrees of freedom that it touches.
   const Eigen::MatrixXd& outside_stiffness() const { return outside_.matrix; }
   const std::vector<int>& outside_dofs() const { return outside_.dofs; }  // places among the kept ones
 
@@ -105,13 +108,13 @@ class WindowSolver {
   void add_form(const Pull& pull, double scale, DroppedDofs::Forms& forms) const;
   void keep_rows(const std::vector<int>& followed);
   void update_ratios() { terms_.update_ratios(rows_, has_constant_part_); }
-  // A term or a constraint loses a stiffness, or gains it where that is negative.
+  // Loss of stiffness of a term or a constraint; negative for a gain.
   struct Loss {
     Pull pull;
     double stiffness;
   };
   bool lose(const std::vector<Loss>& losses);
-  // `response` is F b as it was when only this many changes were pending.
+  // Applies one loss. `response` is F b at the time when only the first `changes_known` changes were pending.
   bool lose_one(const Loss& loss, Eigen::Ref<Eigen::VectorXd> response, Eigen::Index changes_known);
   void detach_functions(const Pull& pull, double stiffness, Eigen::Ref<Eigen::VectorXd> response);
 

@@ -8,20 +8,20 @@
 
 namespace bempd::fracture {
 
-// The elongation of a term as a linear form of the rows of a window.
+// Elongation of a term as a linear form of the rows of a window.
 using Pull = LinearForms::Form;
 
-// The terms of the energy that a window watches, with their ratios to critical values.
+// Terms of the energy that a window watches, with their stretch ratios.
 class WindowTerms {
  public:
-  // All intact terms between kept degrees of freedom and prescribed ones. A row of a kept degree of
-  // freedom is its place in the condensation; prescribed ones have rows from `first_prescribed` on.
+  // Takes all intact terms between kept and prescribed degrees of freedom. The row of a kept one is its position in the
+  // condensation; prescribed ones have rows from `first_prescribed` on.
   WindowTerms(const coupling::EquilibriumSystem& system, const coupling::Condensation& condensation,
               const StretchRatios& ratios, int first_prescribed);
 
   // Prescribed degrees of freedom at ends of terms, in the order of their rows.
   const std::vector<int>& prescribed_dofs() const { return prescribed_dofs_; }
-  // Whether a term was there from the beginning, by its number in the system.
+  // Whether a term (number in the system) was in the window from the beginning.
   bool contained(int number) const { return contained_[number] != 0; }
 
   std::size_t size() const { return numbers_.size(); }
@@ -32,19 +32,19 @@ class WindowTerms {
   double stiffness(std::size_t term) const { return stiffness_[term]; }
   double ratio_per_elongation(std::size_t term) const { return scales_.per_elongation[term]; }
 
-  // Whether all that its ratio depends on is watched; otherwise the ratio is too large rather than too small.
+  // Whether the window watches all bonds that a term's stretch ratio depends on; if not, the ratio is an overestimate.
   bool ratio_is_known(std::size_t term) const { return across_.empty() || across_.is_known(term); }
 
-  // The place of a term of the system in this list; -1: it is not watched.
+  // Position in this list of a term of the system; -1 if it is not watched.
   int place_of(int number) const;
 
-  // Terms are named by their places in the list, also in `change`.
+  // Changes the stage of a term, which is named by its position in the list, also in the functions below.
   void enter(const coupling::StageChange& change);
   int stage(std::size_t term) const { return stages_[term]; }
   double stiffness_after(const coupling::StageChange& change) const;
   void update_ratios(const coupling::Affine& rows, bool has_constant_part);
 
-  // Goes on with these terms only.
+  // Keeps only the terms whose flag is set.
   void keep(const std::vector<char>& watched);
   void renumber_rows(const std::vector<int>& row_after);
 

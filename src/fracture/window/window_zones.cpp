@@ -9,7 +9,7 @@ namespace bempd::fracture {
 
 namespace {
 
-// Groups of points, in which each point is near to another one of its group.
+// Groups of points: each point is within `distance` of another point of its group.
 std::vector<std::vector<int>> crowds(const std::vector<Point>& points, double distance) {
   std::vector<char> taken(points.size(), 0);
   std::vector<std::vector<int>> result;
@@ -28,7 +28,7 @@ std::vector<std::vector<int>> crowds(const std::vector<Point>& points, double di
   return result;
 }
 
-// Stretches a zone with centre and axis over these points and beyond.
+// Extends a zone, whose centre and axis are set, over the given points and beyond them.
 void fit(Zone& zone, const std::vector<Point>& points, double back, const ZoneShape& shape, double dx) {
   Point low = Point::Zero(), high = Point::Zero();
   for (const Point& point : points) {
@@ -39,7 +39,7 @@ void fit(Zone& zone, const std::vector<Point>& points, double back, const ZoneSh
   zone.low = {low.x() - back * dx, std::min(-shape.half_width * dx, low.y() - WindowSettings::beside_hot * dx)};
   zone.high = {high.x() + shape.ahead * dx,
                std::max(shape.half_width * dx, high.y() + WindowSettings::beside_hot * dx)};
-  // No break is expected behind the tip.
+  // No break is expected behind the tip, so no rim is needed there.
   zone.inner_low = zone.low + Point(back == shape.back ? 0 : WindowSettings::front_rim * dx, 0);
   zone.inner_high = zone.high - Point(WindowSettings::front_rim * dx, 0);
 }

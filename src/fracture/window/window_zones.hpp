@@ -8,8 +8,8 @@
 
 namespace bempd::fracture {
 
-// Rectangle around bonds that are about to break, longer in the direction in which the next ones are expected. Lengths
-// are in the model's unit; `low` and `high` are coordinates along `axis` (0) and across it (1), from `centre`.
+// Zone: rectangle around bonds about to break, longer in the direction in which the next ones are expected. `low` and
+// `high` are coordinates along `axis` (0) and across it (1) from `centre`, in the model's unit of length.
 struct Zone {
   Point centre, axis;
   Point low, high;
@@ -30,16 +30,16 @@ struct ZoneShape {
   double half_width = WindowSettings::half_width;
 };
 
-// Zones of the critical bonds at a load factor, one for every crowd of them. `spacing` is that of the lattice at a
-// node.
+// Zones of the bonds `hot` (close to breaking) at a load factor, one for each crowd of them. `spacing` is the lattice
+// spacing at each node.
 std::vector<Zone> zones_of(const std::vector<int>& hot, const StretchRatios& ratios, double load_factor,
                            const std::vector<char>& intact, const std::vector<Point>& positions,
                            const std::vector<double>& spacing, const ZoneShape& shape);
 
-// Zone in front of a tip.
+// Zone in front of a crack tip.
 Zone zone_ahead(const Point& tip, const Point& direction, double spacing, const ZoneShape& shape);
 
-// Zones in front of both ends of the cracks that cut these bonds.
+// Zones in front of both ends of the initial cracks that cut the bonds `cut`.
 std::vector<Zone> zones_at_ends(const std::vector<int>& cut, const coupling::Terms& bonds,
                                 const std::vector<Point>& positions, const std::vector<double>& spacing,
                                 const ZoneShape& shape);
