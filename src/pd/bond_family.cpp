@@ -31,7 +31,7 @@ double kernel_weight(const BondKernel& kernel, double length, double horizon) {
   return kernel.micromodulus(length, horizon) * volume_factor(length, horizon);
 }
 
-// Contribution of a unit weight to C1111, C2222 and C1122.
+// Contribution of a bond with the weight 1 to the elastic constants C1111, C2222 and C1122.
 Eigen::Vector3d constants_of(const BondOffset& offset) {
   const double c = offset.direction.x() * offset.direction.x(), s = offset.direction.y() * offset.direction.y();
   return offset.length * Eigen::Vector3d(c * c, s * s, c * s);
@@ -46,7 +46,7 @@ double kernel_stiffness(const BondKernel& kernel, double length, double horizon)
 std::vector<BondOffset> bond_family(int horizon_ratio, const BondKernel& kernel) {
   assert(horizon_ratio >= 2);
   std::vector<BondOffset> family = half_family(horizon_ratio);
-  // The correction is w <- w + diag(w) R^T mu, with mu such that R w gives the wanted constants.
+  // The weights w are changed to w + diag(w) R^T mu, with mu such that R w gives the elastic constants required.
   Eigen::Matrix3d system = Eigen::Matrix3d::Zero();
   Eigen::Vector3d missing(1, 1, 1.0 / 3);
   for (const BondOffset& offset : family) {
@@ -55,8 +55,8 @@ std::vector<BondOffset> bond_family(int horizon_ratio, const BondKernel& kernel)
     system += weight * row * row.transpose();
     missing -= weight * row;
   }
-  // Full pivoting is needed: the shortest family has only two kinds of bonds, so that C1111 = C2222 makes the system
-  // consistent but not regular.
+  // Full pivoting is needed: with only two kinds of bonds, in the shortest family, C1111 = C2222 always, so the
+  // equations are consistent but singular.
   const Eigen::Vector3d mu = system.fullPivLu().solve(missing);
   for (BondOffset& offset : family) {
     const double weight = kernel_weight(kernel, offset.length, horizon_ratio) * (1 + constants_of(offset).dot(mu));

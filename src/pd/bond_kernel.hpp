@@ -8,14 +8,15 @@ class BondKernel {
  public:
   virtual ~BondKernel() = default;
 
-  // Name of the kernel; kernels of one name are one kernel.
+  // Name of the kernel; two kernels with the same name are the same.
   virtual const char* name() const = 0;
 
   // Micromodulus c(r), with C1111 = 3 pi / 8 * integral of c r^2 over 0 < r < horizon.
   virtual double micromodulus(double length, double horizon) const = 0;
 
-  // Number pi * integral of c r^3 / horizon. G0 = s_c^2 integral of c r^3 is the energy per unit area that breaks all
-  // bonds across a plane at the critical stretch s_c (Silling and Askari, Comput. Struct. 83, 2005, in two dimensions).
+  // Dimensionless fracture energy pi * integral of c r^3 / horizon. G0 = s_c^2 * integral of c r^3 is the energy per
+  // area that breaks all bonds across a plane at the critical stretch s_c (Silling and Askari, Comput. Struct. 83,
+  // 2005, in two dimensions).
   virtual double energy_number() const = 0;
 };
 

@@ -9,8 +9,8 @@
 
 namespace bempd::pd {
 
-// Copy of a lattice's cells on a grid with a margin of empty cells, so that neighbours need no range checks. It answers
-// the questions that the set-up of bonds asks.
+// Copy of the cells of a lattice on a grid with a margin of empty cells, so that neighbours need no range checks. It
+// answers the questions that arise when bonds are made.
 class CellGrid {
  public:
   CellGrid(const CellLattice& lattice, int margin);
@@ -18,25 +18,27 @@ class CellGrid {
   bool has(const Eigen::Vector2i& cell) const { return cells_[index(cell)] != 0; }
   void remove(const Eigen::Vector2i& cell) { cells_[index(cell)] = 0; }
 
-  // Prepares the queries below; to be called after the last removal of cells.
+  // Prepares the queries below; to be called after the last removal of cells. Depths are limited to `depth_limit`.
   void finish(int depth_limit);
 
   // Whether all cells are present whose lower left corners lie in [from, to).
   bool filled(const Eigen::Vector2i& from, const Eigen::Vector2i& to) const;
 
-  // Number of present cells straight below, above, left and right of a point up to the next face, at most the limit.
+  // Numbers of present cells in a row from a point to the next face: below, above, left and right, up to the depth
+  // limit.
   struct Depth {
     std::int16_t below = 0, above = 0, left = 0, right = 0;
   };
   Depth depth(const Eigen::Vector2i& point) const;
 
-  // Whether the bond stays in the union of the closed cells; running along a face is allowed.
+  // Whether the bond from a point along `step` stays in the union of the closed cells; it may run along a face.
   bool in_sight(const Eigen::Vector2i& from, const Eigen::Vector2i& step) const;
 
-  // Surface vector of a point: outward normals of the faces that meet there, times half their lengths, summed.
+  // Surface vector of a point: sum of the outward normals of the faces that meet there, each times half the face's
+  // length.
   Eigen::Vector2d surface_vector(const Eigen::Vector2i& point) const;
 
-  // Cells around a point: lower left, lower right, upper left, upper right.
+  // Presence of the cells around a point: lower left, lower right, upper left, upper right.
   std::array<bool, 4> around(const Eigen::Vector2i& point) const;
 
  private:

@@ -79,7 +79,8 @@ CellLattice CellLattice::centres_of(const CellLattice& cells) {
   return out;
 }
 
-// Marks cells by a scan line through the middle of every row: cells lie between an odd and the next even crossing.
+// Marks cells by scan lines through the middles of rows: cells lie between an odd crossing of the loops and the next
+// one.
 void CellLattice::mark_cells(const std::vector<std::vector<Eigen::Vector2i>>& loops) {
   const Eigen::Vector2i size = upper_ - lower_;
   std::vector<std::vector<int>> crossings(size.y());

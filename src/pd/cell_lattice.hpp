@@ -14,12 +14,12 @@ class CellLattice {
  public:
   explicit CellLattice(const std::vector<std::vector<Eigen::Vector2i>>& loops);
 
-  // Lattice whose material points are the centres of the cells of another lattice. Its point (i, j) is the centre of
-  // that cell (i, j), so that its coordinates are those of the other less (1/2, 1/2). Its cells are the blocks of four
-  // neighbouring cells; where the other is one cell wide, points have no cells.
+  // Lattice whose material points are the centres of the cells of another lattice, `cells`. Its point (i, j) is the
+  // centre of that lattice's cell (i, j), so its coordinates are smaller by (1/2, 1/2). Its cells are the blocks of
+  // four neighbouring cells; where `cells` is one cell wide, points have no cell.
   static CellLattice centres_of(const CellLattice& cells);
 
-  // All cells of several lattices, each moved by a shift.
+  // Part of a union of lattices: all cells of one lattice, moved by a shift.
   struct Part {
     const CellLattice* lattice;
     Eigen::Vector2i shift;
@@ -28,28 +28,28 @@ class CellLattice {
 
   int point_count() const { return static_cast<int>(points_.size()); }
   const Eigen::Vector2i& point(int i) const { return points_[i]; }
-  // Index of the material point at a place, -1 where there is none.
+  // Index of the material point at grid coordinates `at`, -1 if there is none.
   int find_point(const Eigen::Vector2i& at) const;
 
   int cell_count() const { return cell_count_; }
   bool has_cell(const Eigen::Vector2i& lower_left) const;
-  // Material points at the corners of a present cell: lower left, lower right, upper left, upper right.
+  // Indices of the material points at the corners of a present cell: lower left, lower right, upper left, upper right.
   std::array<int, 4> cell_corners(const Eigen::Vector2i& lower_left) const;
 
-  // Smallest box that holds all points.
+  // Corners of the smallest box that contains all points.
   const Eigen::Vector2i& lower() const { return lower_; }
   const Eigen::Vector2i& upper() const { return upper_; }
 
-  // Number of the four cells around a material point that are present: 4 inside, 2 on a straight face, 1 or 3 at a
-  // corner.
+  // Number of present cells around a material point: 4 inside, 2 on a straight face, 1 or 3 at a corner.
   int cells_around(int point) const;
-  // Whether only two cells around a material point are present, which share just this corner.
+  // Whether the body is pinched at a material point: only two cells around it are present, which share just this
+  // corner.
   bool is_pinched(int point) const;
 
  private:
   CellLattice() = default;
   void mark_cells(const std::vector<std::vector<Eigen::Vector2i>>& loops);
-  // Numbers the places of the box for which has(place) holds.
+  // Numbers the grid points `at` of the box for which has(at) holds.
   template <class Has>
   void number_points(const Has& has);
   void number_corners();

@@ -12,10 +12,11 @@ namespace {
 using Eigen::Vector2i;
 using Eigen::Vector4d;
 
-// Difference up to which missing moments of two points are equal: stiffnesses are of order one, so this is rounding.
+// Largest difference of missing moments, or stiffnesses, that counts as equal: these are of order one, so it is
+// rounding.
 constexpr double same_lack = 1e-12;
 
-// One of the eight symmetries of the square, which maps one box to another.
+// Symmetry of the square lattice, one of eight, that maps a box to another box.
 struct Symmetry {
   bool mirror_x, mirror_y, transpose;
 
@@ -24,7 +25,7 @@ struct Symmetry {
     if (mirror_y) p.y() = size.y() - p.y();
     return transpose ? Vector2i(p.y(), p.x()) : p;
   }
-  // Image of the third moments 111, 112, 122, 222.
+  // Image of third moments, in the order 111, 112, 122, 222.
   Vector4d apply(Vector4d m) const {
     if (mirror_x) m[0] = -m[0], m[2] = -m[2];
     if (mirror_y) m[1] = -m[1], m[3] = -m[3];
@@ -62,7 +63,8 @@ class Finder {
     }
   }
 
-  // Positions in `original` of the images of the bonds of `cluster`; empty if it is no image.
+  // Image of the bonds of `cluster` under a symmetry that maps them to `original`, as positions in its list; empty if
+  // no symmetry does.
   std::vector<int> image(int cluster, int original) const {
     if (clusters_[cluster].size() != clusters_[original].size()) return {};
     for (const bool transpose : {false, true}) {

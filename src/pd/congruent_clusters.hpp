@@ -7,8 +7,9 @@
 
 namespace bempd::pd {
 
-// Clusters of bonds that are images of each other under a symmetry of the square lattice, with missing moments of their
-// points that are images, too. Their least changes are images as well, so that one solution serves them all.
+// Clusters of bonds that are images of each other under a symmetry of the square lattice, and whose points have missing
+// moments (corners.hpp) that are images, too. The least changes of their stiffnesses are then images as well, so that
+// one solution serves them all.
 struct CongruentClusters {
   struct Image {
     int original;            // the cluster to solve; itself for an original
@@ -21,7 +22,7 @@ struct CongruentClusters {
 CongruentClusters find_congruent(const CellLattice& lattice, const std::vector<Eigen::Vector4d>& missing,
                                  const DraftBonds& bonds, const std::vector<std::vector<int>>& clusters);
 
-// Position of the bond between two points, -1 where there is none.
+// Index of the bond between two points, -1 if there is none.
 int find_bond(const DraftBonds& bonds, int first, int second);
 
 }  // namespace bempd::pd

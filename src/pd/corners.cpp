@@ -18,7 +18,7 @@ using Eigen::Vector4d;
 constexpr double least_corner_ratio = 0.02;  // bound on a stiffness over its bulk value
 constexpr double rounding = 1e-13;
 
-// Marks the points closer than `radius` to a given one.
+// Marks the points closer to `center` than `radius`.
 void mark_around(const CellLattice& lattice, const Vector2i& center, int radius, std::vector<std::uint8_t>& mark) {
   for (int dy = -radius + 1; dy < radius; ++dy) {
     for (int dx = -radius + 1; dx < radius; ++dx) {
@@ -35,7 +35,7 @@ bool is_corner(const CellGrid& cells, const Vector2i& p) {
   return count == 1 || count == 3 || (count == 2 && ll == ur);
 }
 
-// Points whose bonds may change: around the corners, and wherever else the templates leave missing moments.
+// Points whose bonds may change: those around corners, and around all points that have missing moments elsewhere.
 std::vector<std::uint8_t> adjustable_points(const CellLattice& lattice, const CellGrid& cells, int m,
                                             const std::vector<Vector4d>& missing) {
   const int radius = 2 * m + 1;
@@ -52,7 +52,7 @@ std::vector<std::uint8_t> adjustable_points(const CellLattice& lattice, const Ce
   return near;
 }
 
-// Clusters of bonds that share no point with bonds of other clusters, so that they can be solved one by one.
+// Clusters of the bonds `free`: bonds of different clusters share no point, so that clusters can be solved separately.
 std::vector<std::vector<int>> clusters_of(const DraftBonds& bonds, const std::vector<int>& free, int points) {
   linalg::DisjointSets sets(points);
   for (const int b : free) sets.join(bonds.first[b], bonds.second[b]);
@@ -69,8 +69,8 @@ std::vector<std::vector<int>> clusters_of(const DraftBonds& bonds, const std::ve
   return clusters;
 }
 
-// Least-change problem of a cluster. The unknown is the change of the stiffness in units of the bulk value, which keeps
-// the columns of one size.
+// Least-change problem of a cluster of bonds. Changes of stiffness are in units of the bulk value, so that the columns
+// are of similar size.
 linalg::LeastChange cluster_problem(const std::vector<BondOffset>& family, const std::vector<Vector4d>& missing,
                                     const DraftBonds& bonds, const std::vector<int>& cluster) {
   std::vector<int> points;
@@ -107,7 +107,7 @@ linalg::LeastChange cluster_problem(const std::vector<BondOffset>& family, const
   return problem;
 }
 
-// Whether the lattice has a symmetry. `map` takes points to points.
+// Whether the lattice is symmetric under `map`, which maps points to points.
 template <class Map>
 bool symmetric_under(const CellLattice& lattice, const CellGrid& cells, const Map& map) {
   for (int i = 0; i < lattice.point_count(); ++i) {
@@ -120,8 +120,8 @@ bool symmetric_under(const CellLattice& lattice, const CellGrid& cells, const Ma
   return true;
 }
 
-// Replaces the stiffness of a bond and of its mirror image by their mean, which is still exact, and symmetric to the
-// last bit.
+// Replaces the stiffnesses of each bond and its mirror image by their mean. The moment equations still hold, and the
+// stiffnesses become symmetric to the last bit.
 template <class Map>
 void average(const CellLattice& lattice, const std::vector<int>& free, const Map& map, DraftBonds& bonds) {
   const std::vector<double> before = bonds.stiffness;
@@ -132,8 +132,8 @@ void average(const CellLattice& lattice, const std::vector<int>& free, const Map
   }
 }
 
-// Makes stiffnesses symmetric where the lattice is: a symmetric body must break symmetrically, so the rounding of the
-// solver must not tell its halves apart.
+// Makes stiffnesses symmetric where the lattice is: a symmetric body must break symmetrically, which rounding errors of
+// the solver would prevent.
 void symmetrise(const CellLattice& lattice, const CellGrid& cells, const std::vector<int>& free, DraftBonds& bonds) {
   const Vector2i sum = lattice.lower() + lattice.upper(), size = lattice.upper() - lattice.lower();
   const Vector2i low = lattice.lower();

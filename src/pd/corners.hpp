@@ -8,7 +8,7 @@
 
 namespace bempd::pd {
 
-// Bonds during set-up, for C1111 = thickness = 1.
+// Bonds while the network is made, for C1111 = thickness = 1.
 struct DraftBonds {
   std::vector<int> first, second;  // sorted
   std::vector<int> start;          // of a point's bonds to points with larger numbers, and the end of the last ones
@@ -17,7 +17,8 @@ struct DraftBonds {
   std::vector<std::uint8_t> adjustable;  // 0: not a bond of the thick part
 };
 
-// Missing third moments 111, 112, 122, 222 of every material point: what its bonds lack to be exact.
+// Missing third moments 111, 112, 122, 222 of every material point: what its bonds lack for balance with the tractions
+// of every constant stress on the faces there.
 std::vector<Eigen::Vector4d> missing_moments(const CellLattice& lattice, const CellGrid& cells,
                                              const std::vector<BondOffset>& family, const DraftBonds& bonds);
 
@@ -26,8 +27,8 @@ struct CornerReport {
   bool positive = true;
 };
 
-// Changes stiffnesses around corners as little as possible so that no point has missing moments. `threads`: 0 for one
-// per core; the result does not depend on it.
+// Changes stiffnesses around corners by the least amounts after which no point has missing moments. The result does not
+// depend on the number of `threads` (0: one per core).
 CornerReport close_corners(const CellLattice& lattice, const CellGrid& cells, const LatticeTemplates& templates,
                            DraftBonds& bonds, int threads);
 

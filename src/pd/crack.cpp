@@ -13,7 +13,7 @@ namespace {
 
 constexpr double tolerance = 1e-9;
 
-// Number of points or bonds (some microseconds of work) between two looks at the host's request to cancel.
+// Number of points or bonds (some microseconds of work) between two checks whether the host has asked to cancel.
 constexpr std::size_t between_polls = 256;
 
 double distance(const Point& p, const Point& a, const Point& b) {
@@ -28,7 +28,7 @@ bool boxes_meet(const Point& a, const Point& b, const Point& c, const Point& d) 
   return low.x() <= high.x() + tolerance && low.y() <= high.y() + tolerance;
 }
 
-// Whether two segments come closer than the tolerance; if they do not cross, they are closest at one of their ends.
+// Whether two segments come closer than the tolerance. If they do not cross, one of the four ends is the closest point.
 bool segments_meet(const Point& a, const Point& b, const Point& c, const Point& d) {
   if (!boxes_meet(a, b, c, d)) return false;
   const bool c_and_d_apart = cross(b - a, c - a) * cross(b - a, d - a) < 0;
@@ -50,13 +50,13 @@ class Polyline {
     tree_ = BoxTree(boxes);
   }
 
-  // Whether `meets(from, to)` holds for a segment; asked only of segments that come within the tolerance of the line
-  // from a to b.
+  // Whether meets(from, to) holds for any segment of the polyline. It is asked only for segments that come within the
+  // tolerance of the segment from a to b.
   template <class Meets>
   bool any_near(const Point& a, const Point& b, const Meets& meets) const {
     Box around(a);
     around.extend(b);
-    // The margin is twice the tolerance plus the rounding of coordinates that are far from the origin.
+    // The margin is twice the tolerance, plus the rounding errors of coordinates far from the origin.
     const double margin =
         2 * tolerance + 1e-14 * std::max(around.min().cwiseAbs().maxCoeff(), around.max().cwiseAbs().maxCoeff());
     around = Box(around.min().array() - margin, around.max().array() + margin);
@@ -89,13 +89,14 @@ std::vector<int> points_on(const std::vector<Point>& points, const Polyline& pol
   return found;
 }
 
-// Bond that crosses the line of a crack: distance of the crossing ahead of the tip, and stiffness across the line.
+// Crossing of a bond with the line of a crack: its distance ahead of the tip, and the bond's stiffness across the line.
 struct LineCrossing {
   int bond;
   double place, weight;
 };
 
-// Crossings up to `reach` from the tip, ascending.
+// Crossings of bonds with the line through `tip` along `direction`, up to `reach` from the tip on both sides,
+// ascending.
 std::vector<LineCrossing> crossings_of_line(const std::vector<Point>& points, const std::vector<Bond>& bonds,
                                             const Point& tip, const Point& direction, double reach) {
   std::vector<LineCrossing> found;
@@ -113,7 +114,8 @@ std::vector<LineCrossing> crossings_of_line(const std::vector<Point>& points, co
   return found;
 }
 
-// Straight line a + b s fitted to the stiffness crossed up to s, most closely in the middle of the reach.
+// Coefficients of a straight line a + b s, fitted to the stiffness of all crossings up to s; the fit is closest in the
+// middle of the reach.
 Eigen::Vector2d even_growth(const std::vector<LineCrossing>& crossings, double reach) {
   constexpr int samples = 400;
   Eigen::Matrix2d normal = Eigen::Matrix2d::Zero();
@@ -131,7 +133,7 @@ Eigen::Vector2d even_growth(const std::vector<LineCrossing>& crossings, double r
   return normal.inverse() * right;
 }
 
-// Whether the segment from c to d meets the bond from a to b at a place between its ends, and not along it.
+// Whether the segment from c to d meets the bond from a to b at a point between the bond's ends, not along the bond.
 bool meets_between_ends(const Point& a, const Point& b, const Point& c, const Point& d) {
   if (!segments_meet(a, b, c, d)) return false;
   const double slope = cross(b - a, d - c), length = (b - a).norm();

@@ -8,28 +8,28 @@
 
 namespace bempd::pd {
 
-// Factor in G0 = factor E horizon s_c^2, the energy per unit area that separates a plane. It is the kernel's number
-// times 9/8 E' / E, where E' = E or, in plane strain, E / (1 - nu^2). At and below the Poisson's ratio of a bond-based
-// solid all bonds across the plane take this energy at the critical stretch: the number times C1111 / E of the bonds,
-// 9/8 in plane stress and 6/5 in plane strain at that ratio. Above it bonds take a part, and the squares of cells the
-// rest.
+// Factor in G0 = factor E horizon s_c^2, the energy per area that separates a plane: the kernel's energy_number() times
+// 9/8 E' / E, where E' = E or, in plane strain, E / (1 - nu^2). Up to the Poisson's ratio of a bond-based solid, bonds
+// take all of this energy at the critical stretch: energy_number() times C1111 / E of the bonds, 9/8 in plane stress
+// and 6/5 in plane strain at that ratio. At larger ratios bonds take a part, and the squares of cells
+// (cell_squares.hpp) the rest.
 double fracture_energy_factor(const PlaneElasticity& elasticity, const BondKernel& kernel = quartic_kernel());
 
-// Stretch at which a bond breaks.
+// Critical stretch, at which a bond breaks, for a fracture energy [J/m^2] and a horizon [m].
 double critical_stretch(double fracture_energy, const PlaneElasticity& elasticity, double horizon,
                         const BondKernel& kernel = quartic_kernel());
 
 double fracture_energy(double critical_stretch, const PlaneElasticity& elasticity, double horizon,
                        const BondKernel& kernel = quartic_kernel());
 
-// Energy that a running crack dissipates in a lattice, over G0: the mean over directions of what bonds that break one
-// by one release per length (docs/directions.md; `benchmarks/run.sh directions` prints it). It is above 1 where bonds
+// Energy that a growing crack dissipates in a lattice, over G0: what bonds that break one by one release per length, as
+// the mean over directions (docs/directions.md; `benchmarks/run.sh directions` prints it). It is above 1 where bonds
 // beside the crack break as well.
 double running_energy(int horizon_ratio);
 
-// Fracture energy factor in plane stress by the constant as printed by Huang et al. (2015) and in Eq. 15 of Yang and
-// Liu (2021), which makes the energy 1.7 % too large and the stretch 0.8 % too small. For reproducing published numbers
-// only.
+// Fracture energy factor in plane stress with the constant as printed by Huang et al. (2015) and in Eq. 15 of Yang and
+// Liu (2021), which makes the energy 1.7 % too large and the stretch 0.8 % too small. Only for reproducing published
+// numbers.
 inline double printed_fracture_energy_factor() {
   using std::numbers::pi;
   return 7 * (120 * pi - 133) / (1024 * pi);

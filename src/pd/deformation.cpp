@@ -18,10 +18,10 @@ using Eigen::Vector3d;
 using Vector7d = Eigen::Matrix<double, 7, 1>;
 using Matrix7d = Eigen::Matrix<double, 7, 7>;
 
-// Symmetric tensor as a vector (xx, yy, sqrt2 xy), so that products of vectors are those of the tensors.
+// Symmetric tensor e e^T as a vector (xx, yy, sqrt2 xy), so that scalar products of vectors are those of the tensors.
 Vector3d dyad(const Vector2d& e) { return {e.x() * e.x(), e.y() * e.y(), std::numbers::sqrt2 * e.x() * e.y()}; }
 
-// Solves a x = b; strains that no bond resists (single rows of points) are 0.
+// Solves a x = b for positive semidefinite a; strains that no bond resists (as in single rows of points) become 0.
 Vector3d solve_semidefinite(const Matrix3d& a, const Vector3d& b) {
   const linalg::SymmetricModes modes = linalg::symmetric_modes(a);
   Vector3d x = Vector3d::Zero();
@@ -33,7 +33,7 @@ Vector3d solve_semidefinite(const Matrix3d& a, const Vector3d& b) {
   return x;
 }
 
-// Sums over the bonds of one point: their tensors and forces.
+// Sums over the bonds of one point, from which its strain follows: their stiffness tensors and their forces.
 struct PointBonds {
   Matrix3d response = Matrix3d::Zero();
   Vector3d carried = Vector3d::Zero();
@@ -43,20 +43,20 @@ struct PointBonds {
   bool one_sided() const { return side.norm() > 1e-6 * response.trace(); }
 };
 
-// Linear fit of the strain around a point. A bond measures the strain at its middle, and of the strain's variation only
-// the part that is symmetric in all three indices: seven numbers in all.
+// Linear fit of the strain around a point. A bond measures the strain at its middle. Of the strain's gradient it
+// measures only the part that is symmetric in all three indices, which makes seven numbers in all.
 struct LinearFit {
   Matrix7d response = Matrix7d::Zero();
   Vector7d carried = Vector7d::Zero();
 
-  // `moment`: of the bond as seen from the point, its length times direction^3.
+  // Adds a bond; `moment` is its length times direction^3 as seen from the point.
   void add(const Vector3d& direction, const Eigen::Vector4d& moment, double weight, double stretch) {
     Vector7d row;
     row << direction, moment;
     response += weight * row * row.transpose();
     carried += weight * stretch * row;
   }
-  // Strain at the point; empty if there are too few bonds to tell.
+  // Strain at the point; empty if there are too few bonds for the fit.
   std::optional<Vector3d> strain() const {
     const linalg::SymmetricModes modes = linalg::symmetric_modes(response);
     if (modes.values[0] < 1e-4 * modes.values[6]) return {};
@@ -65,7 +65,7 @@ struct LinearFit {
   }
 };
 
-// Bonds of a network with the stretches that they have under a displacement.
+// Bonds of a network with their stretches under a displacement.
 class ShownStretches {
  public:
   ShownStretches(const Network& network, const BondStates& states,
@@ -78,7 +78,7 @@ class ShownStretches {
   const Bond& bond(std::size_t b) const { return network_.bonds[b]; }
   const BondOffset& offset(std::size_t b) const { return network_.offsets[network_.offset_of[b]]; }
   double share(std::size_t b) const { return states_.share.empty() ? 1 : states_.share[b]; }
-  // Stretch at which an intact bond would carry the same force.
+  // Stretch of an intact bond that would carry the same force as bond `b` in its state.
   double stretch(std::size_t b) const {
     const Vector2d difference =
         displacements_.segment<2>(2 * bond(b).second) - displacements_.segment<2>(2 * bond(b).first);
@@ -87,7 +87,7 @@ class ShownStretches {
     const double length = offset(b).length;
     return share(b) * (elongation_along(direction.x(), direction.y(), difference.x(), difference.y()) / length - rest);
   }
-  // Stiffness times squared length, relative to the stiffest bond, so that units do not matter.
+  // Weight of a bond: stiffness times squared length, relative to the stiffest bond, so that units do not matter.
   double weight(std::size_t b) const { return bond(b).stiffness / stiffest_ * offset(b).length * offset(b).length; }
 
  private:
@@ -114,7 +114,7 @@ std::vector<PointBonds> collect(int point_count, const ShownStretches& bonds) {
   return points;
 }
 
-// Replaces the strains of points whose bonds lie on one side by those of the linear fit.
+// Replaces the strains of points whose bonds lie on one side, as at faces, by those of the linear fit.
 void refine_at_faces(const std::vector<PointBonds>& points, const ShownStretches& bonds,
                      std::vector<Vector3d>& strains) {
   std::vector<int> fit_of(points.size(), -1);

@@ -19,7 +19,7 @@ void for_forces_on_cell_edges(const Point& a, const Point& b, const std::functio
   const int along = std::abs(b.x() - a.x()) >= std::abs(b.y() - a.y()) ? 0 : 1, across = 1 - along;
   const int line = static_cast<int>(std::lround(a[across]));
   assert(std::abs(a[across] - line) < 1e-9 && std::abs(b[across] - line) < 1e-9);
-  // An end that misses a material point by rounding only is at that point.
+  // An end that misses a material point by rounding only is moved to that point.
   const auto snapped = [](double s) { return std::abs(s - std::round(s)) < 1e-9 ? std::round(s) : s; };
   const double from = snapped(std::min(a[along], b[along])), to = snapped(std::max(a[along], b[along]));
   for (int edge = static_cast<int>(std::floor(from)); edge < to; ++edge) {

@@ -9,16 +9,16 @@
 namespace bempd::pd {
 
 // Visitor of the forces of a traction on the straight piece of boundary from a to b, which lies on one lattice line and
-// may begin and end anywhere. There are four Gauss points for every (part of a) cell edge, each with the lower end of
-// its edge, the axis along it (0 for x, 1 for y), and the fraction along it.
+// may begin and end anywhere. It is called at four Gauss points for every (part of a) cell edge. It gets the lower end
+// of the edge, the axis along the edge (0 for x, 1 for y), the fraction along the edge, and the force.
 using CellEdgeVisitor =
     std::function<void(const Eigen::Vector2i& lower_end, int along, double fraction, const Point& force)>;
 void for_forces_on_cell_edges(const Point& a, const Point& b, const std::function<Point(const Point&)>& traction,
                               const CellEdgeVisitor& visit);
 
-// Adds the nodal forces of a traction on such a piece: f_i = integral of phi_i t ds with linear hats phi_i. All in
-// lattice coordinates; the caller multiplies by spacing and thickness. `forces` holds the components of point i in 2 i
-// and 2 i + 1.
+// Adds the nodal forces of a traction on the straight piece of boundary from a to b, which lies on one lattice line:
+// f_i = integral of phi_i t ds with linear hat functions phi_i. All is in lattice coordinates; the caller multiplies by
+// spacing and thickness. `forces` holds the components of point i in 2 i and 2 i + 1.
 void add_face_forces(const CellLattice& lattice, const Point& a, const Point& b,
                      const std::function<Point(const Point&)>& traction, Eigen::Ref<Eigen::VectorXd> forces);
 

@@ -9,16 +9,17 @@ namespace bempd::pd {
 
 namespace {
 
-// Distance from a whole number of spacings up to which points lie on the rows of a lattice; and distance from a crack
-// below which a point lies on no side of it.
+// Tolerances in spacings: up to the first one, points lie on the rows of a lattice; a point closer to a crack than the
+// second one lies on neither side of it.
 constexpr double on_row = 1e-6, no_side = 1e-9;
 
-// Distances to both sides that are tried, in spacings.
+// Distances on both sides of a crack at which displacements are interpolated, in spacings: the first that is tried, the
+// step to the next, and the last.
 constexpr double nearest_side = 0.5, next_side = 0.1, farthest_side = 1.6;
 
 constexpr double no_weight = 1e-9;
 
-// Distance from a column at which a piece of a crack ends on that column [spacings].
+// Tolerance, in spacings, within which the end of a piece of a crack lies on a column of the lattice.
 constexpr double on_a_line = 1e-9;
 
 Eigen::Vector2i rounded(const Point& p) { return p.array().round().cast<int>().matrix(); }
@@ -39,7 +40,7 @@ Point FacePlaces::Lattice::from_rows(const Point& p) const {
   return lattice.origin + lattice.spacing * (Eigen::Rotation2Dd(lattice.angle) * p);
 }
 
-// Whether two lattices side by side have one network.
+// Whether another lattice has the same rows, columns and stiffness, so that both form one network where they touch.
 bool FacePlaces::Lattice::continues(const FaceLattice& other, double its_stiffness) const {
   return other.angle == lattice.angle && std::abs(other.spacing - lattice.spacing) < on_row * lattice.spacing &&
          its_stiffness == stiffness && is_on_rows(to_rows(other.origin));

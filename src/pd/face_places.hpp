@@ -9,16 +9,17 @@
 
 namespace bempd::pd {
 
-// Rows of a lattice in the body: its points are origin + spacing R (i, j), where R turns by the angle.
+// Position of a lattice in the body: its points are origin + spacing R (i, j), where R is the rotation by `angle`.
 struct FaceLattice {
   Point origin;
   double spacing;
   double angle;
 };
 
-// Place where the two faces of a crack in a lattice may touch. Its gap is the opening along the crack's normal, taken
-// between the points x + h n and x - h' n to both sides of the place x, where displacements are interpolated between
-// material points. Rigid motions have no gap; under a strain the gap is that of the material between.
+// Face place: a place at which the two faces of a crack in a lattice may touch. Its gap is the opening along the
+// crack's normal n, taken between the points x + h n and x - h' n on both sides of the place x, where displacements are
+// interpolated between material points. Rigid motions have no gap. Under a strain the gap is that of the material
+// between the two points.
 struct FacePlace {
   struct Pull {
     int node;
@@ -28,7 +29,7 @@ struct FacePlace {
   double stiffness;         // of the material between, per gap [N/m]
 };
 
-// Places where crack faces can touch, on the lattices of a body.
+// Makes the face places of cracks, places at which crack faces can touch, on the lattices of a body.
 //
 // Docs: materials.md.
 class FacePlaces {
@@ -44,18 +45,19 @@ class FacePlaces {
   std::size_t lattice_count() const { return lattices_.size(); }
   double spacing(int lattice) const { return lattices_[static_cast<std::size_t>(lattice)].lattice.spacing; }
 
-  // Lattice in which two nodes are neighbours along a row or a column; empty if there is none.
+  // Number of a lattice in which two nodes are neighbours along a row or a column; empty if there is none.
   std::optional<int> lattice_of_neighbours(int node, int other) const;
 
-  // Face place at a place on a crack, for a part of the crack `length` spacings long. The points to both sides are the
-  // nearest ones whose material points lie on their own side of the crack, and all of which satisfy `reaches(node,
-  // place)`. Empty if a side has none.
+  // Face place at `place` on a crack with this normal, which stands for `length` spacings of the crack. The points on
+  // both sides are the nearest ones whose material points all lie on the same side of the crack and satisfy
+  // reaches(node, place). Empty if one side has no such point.
   using Reaches = std::function<bool(int node, const Point& place)>;
   std::optional<FacePlace> at(int lattice, const Point& place, const Point& normal, double length,
                               const Reaches& reaches = {}) const;
 
-  // Crossing of a straight piece of a crack with a column of a lattice, or with a row if it crosses more of those, and
-  // the length of the crack that it stands for in spacings: half as much where the piece ends on a column or row.
+  // Crossing of a straight piece of a crack with a column of a lattice, or with a row if it crosses more rows than
+  // columns. `length`, in spacings, is the part of the crack that it stands for: half as much where the piece ends on
+  // the line.
   struct Crossing {
     Point place;
     double length;
@@ -78,8 +80,8 @@ class FacePlaces {
     std::optional<int> node_at(const Eigen::Vector2i& at) const;
   };
 
-  // Interpolates on one side, as near to the place as possible: appends to the pulls and returns the distance in
-  // spacings.
+  // Interpolates the displacement on one side of a crack, as near to the place as possible: appends to `pulls` and
+  // returns the distance in spacings. Empty if no point on this side will do.
   std::optional<double> add_side(const Lattice& lattice, const Point& place, const Point& normal, double sign,
                                  const Reaches& reaches, std::vector<FacePlace::Pull>& pulls) const;
 

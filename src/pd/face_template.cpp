@@ -15,13 +15,13 @@ namespace bempd::pd {
 
 namespace {
 
-// Stiffness of the layered medium: the unknown `index`, or a known value where that is -1.
+// Stiffness in the layered medium: the unknown number `index`, or the value `known` if that is -1.
 struct Entry {
   int index = -1;
   double known = 0;
 };
 
-// Linear equations for the unknown stiffnesses of a medium that does not vary along its face.
+// Linear equations for the unknown stiffnesses of a medium that is the same everywhere along its face.
 class Equations {
  public:
   explicit Equations(int unknowns) : unknowns_(unknowns) {}
@@ -35,7 +35,7 @@ class Equations {
     targets_.back() -= coefficient * stiffness.known;
   }
 
-  // Rows are scaled to one size: their sizes differ much, without meaning.
+  // Solves the equations, with rows scaled to one size: they differ much in size, which means nothing.
   linalg::LeastChangeResult solve(const Eigen::VectorXd& bulk, double lower) {
     linalg::LeastChange problem;
     problem.start = problem.scale = bulk;
@@ -60,10 +60,11 @@ class Equations {
   std::vector<double> targets_;
 };
 
-// Function that gives the stiffness of a bond from the row of its lower end and its step.
+// Function that returns the stiffness of a bond, given the row of its lower end and its step across and away from the
+// face.
 using Layers = std::function<Entry(int row, int across, int away)>;
 
-// Kind of bond; bonds with across > 0 and away > 0 come in mirrored pairs.
+// Kind of bond by its step; kinds with across > 0 and away > 0 stand for two mirrored bonds (`pair`).
 struct Kind {
   int across, away;
   double bulk, pair;
@@ -79,7 +80,8 @@ std::vector<Kind> kinds_of(const std::vector<BondOffset>& family) {
   return kinds;
 }
 
-// Third moments 112 and 222 of one row of points; 111 and 122 vanish by symmetry. `top` is the row of the other face.
+// Adds the equations of the third moments 112 and 222 of the points in one row; 111 and 122 vanish by symmetry. `top`
+// is the row on the opposite face.
 void add_moments(Equations& equations, const std::vector<Kind>& kinds, const Layers& layers, int row, int top) {
   const double surface = row == 0 ? 1 : row == top ? -1 : 0;  // minus the node's surface vector
   for (int power = 2; power >= 0; power -= 2) {
@@ -96,9 +98,9 @@ void add_moments(Equations& equations, const std::vector<Kind>& kinds, const Lay
   }
 }
 
-// Weight of a bond in the flux conditions. Symmetric gradients of Killing tensors make moments of C1111 over a
-// cross-section conserved along a strip. The end of the strip can be closed only where these moments equal those of the
-// network that is assembled cell by cell (edges and diagonals of every cell C11 / 3), which is exact for every body.
+// Weight of a bond in the flux conditions. Along a strip, moments of C1111 over its cross-section are conserved; they
+// belong to symmetric gradients of Killing tensors. The end of a strip can be closed only if these moments equal those
+// of the network assembled cell by cell (edges and diagonals of every cell C11 / 3), which is exact for every body.
 double flux_weight(const Kind& kind, double y, int order) {
   const double a2 = kind.across * kind.across, b2 = kind.away * kind.away, common = kind.pair * a2 / (a2 + b2);
   if (order < 2) return common * a2 * (order == 0 ? 1 : y);
@@ -127,9 +129,9 @@ void add_strip_fluxes(Equations& equations, const std::vector<Kind>& kinds, cons
   }
 }
 
-// Flux conditions for one face of a strip of any height N >= 2 m. Measured from the middle, F2 = 2 (M2 - N M1 + N^2/4
-// M0) plus the contribution of the bulk stiffnesses, where M0, M1, M2 are the moments about the face of what the
-// template adds to them.
+// Adds the flux conditions for one face of a strip of any height N >= 2 m. M0, M1, M2 are the moments, about the face,
+// of what the template adds to the bulk stiffnesses. About the middle that makes F2 = 2 (M2 - N M1 + N^2/4 M0), besides
+// the part of the bulk stiffnesses.
 void add_face_fluxes(Equations& equations, const std::vector<Kind>& kinds, const Layers& layers, int m) {
   const auto excess = [&](int cells, int order) {  // of the cell network over the bulk stiffnesses
     double sum = order == 0 ? cells : cell_network_flux(cells);
@@ -143,7 +145,7 @@ void add_face_fluxes(Equations& equations, const std::vector<Kind>& kinds, const
   const double n1 = 2 * m, n2 = 2 * m + 1, m0 = 0.5 * excess(2 * m, 0);
   const double g1 = 0.5 * excess(2 * m, 2) - n1 * n1 / 4 * m0, g2 = 0.5 * excess(2 * m + 1, 2) - n2 * n2 / 4 * m0;
   const double m1 = g1 - g2, m2 = g1 + n1 * m1;
-  // Moments are taken about the middle of the layer, which keeps the three equations well apart.
+  // Moments are taken about the middle of the layer, so that the three equations differ well from each other.
   const double middle = 0.5 * m;
   const double targets[3] = {m0, m1 - middle * m0, m2 - 2 * middle * m1 + middle * middle * m0};
   for (int order = 0; order <= 2; ++order) {
@@ -244,7 +246,7 @@ double LatticeTemplates::ratio(int below, int above, int across, int away) const
   if (below >= m && above >= m) return 1;
   const int cells = below + away + above;
   if (cells < 2 * m) return cells < 2 ? 1 : strips[cells].ratio(std::min(below, above), across, away);
-  // Changes of two faces add up if they are far apart.
+  // The changes due to two faces add up if the faces are far apart.
   double ratio = 1;
   if (below < m) ratio += face.ratio(below, across, away) - 1;
   if (above < m) ratio += face.ratio(above, across, away) - 1;

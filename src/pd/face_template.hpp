@@ -6,9 +6,9 @@
 
 namespace bempd::pd {
 
-// Stiffnesses next to straight faces as multiples of the bulk stiffness. They make a half plane, or a strip, of
-// material points reproduce every linear displacement field up to its faces. A bond is identified by the depth `row` of
-// its end that is nearer to the face, and by its step across (>= 0) and away from the face (>= 0).
+// Stiffnesses of bonds next to straight faces, as multiples of the bulk stiffness, with which a half plane or a strip
+// of material points reproduces linear displacement fields up to its faces. A bond is identified by the depth `row` of
+// its end nearer to the face, and by its step across (>= 0) and away from the face (>= 0).
 class FaceTemplate {
  public:
   FaceTemplate() = default;
@@ -26,20 +26,21 @@ class FaceTemplate {
   std::vector<double> ratio_;
 };
 
-// Stiffness templates that all bodies with one horizon ratio and one kernel share. They do not depend on the material.
+// Stiffness templates shared by all bodies with one horizon ratio and one kernel; they do not depend on the material.
 struct LatticeTemplates {
   std::vector<BondOffset> family;
   FaceTemplate face;                 // one face, rows 0 .. m - 1; deeper bonds keep the bulk stiffness
   std::vector<FaceTemplate> strips;  // strips[n] for two faces n cells apart, 2 <= n < 2 m
   double residual = 0;               // largest error of the equations that define the templates
 
-  // Ratio for a bond with the given clear depths, below its lower end and above its upper end.
+  // Ratio of a bond's stiffness to the bulk value. `below` and `above` are the numbers of cells between the bond's ends
+  // and the faces beyond them; the bond steps `across` along the faces and `away` from one to the other.
   double ratio(int below, int above, int across, int away) const;
   int horizon_ratio = 0;
 };
 
-// Templates of a horizon ratio, 3 <= horizon_ratio <= 8, computed on first use and kept; may be called from several
-// threads.
+// Templates for a horizon ratio, 3 <= horizon_ratio <= 8. They are computed on first use and kept; several threads may
+// call this.
 const LatticeTemplates& lattice_templates(int horizon_ratio, const BondKernel& kernel = quartic_kernel());
 
 }  // namespace bempd::pd

@@ -7,20 +7,21 @@
 
 namespace bempd::pd {
 
-// Facet that a crack opens between two neighbouring points where the bond between them, one spacing long, is broken:
-// the part of the line between these points that lies beside them. Facets that continue each other end at one place.
+// Facet that a crack opens between two neighbouring points when the bond between them, one spacing long, breaks: the
+// part of the crack that belongs to these points, across the bond. Facets that continue each other share the number of
+// an end.
 struct CrackFacet {
   int term;  // the bond, of the scene
   Point from, to;
   std::array<int, 2> places;  // numbers of its ends
 };
 
-// Paths of a fluid in cracks among bonds, and its forces.
+// Paths of a fluid in cracks among bonds, and the forces of its pressure.
 struct FluidPaths {
   std::vector<CrackFacet> facets;  // of all bonds one spacing long, whole or not
-  // Force along each term by the pressure, under a pressure on all sides of the body [N/Pa]. As bond forces do for any
-  // constant stress, the forces of the terms across any line have the resultant of the pressure there. So a pressure in
-  // a crack is applied as these forces with the opposite sign at the broken terms.
+  // Force along each term due to a unit pressure on all sides of the body [N/Pa]. As in any constant stress, the forces
+  // of the terms across a line have the resultant of the pressure on it. So the pressure in a crack is applied as these
+  // forces, with the opposite sign, at the broken terms.
   std::vector<double> push;
 };
 

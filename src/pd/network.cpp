@@ -17,9 +17,9 @@ namespace {
 
 using Eigen::Vector2i;
 
-// Removes thin cells, which are those where the body is one cell wide. A thin cell gets the network of nearest
-// neighbours and is taken out of the rest of the body, which then has faces of its own there. The right-hand sides of
-// the moment equations are sums over cells, so networks of disjoint parts add up to an exact one.
+// Removes thin cells from `cells`: those where the body is one cell wide. A thin cell gets a network of nearest
+// neighbours of its own, and the rest of the body then has faces there. Networks of disjoint parts add up to an exact
+// one, because the right-hand sides of the moment equations are sums over cells.
 void remove_thin_cells(const CellLattice& lattice, CellGrid& cells) {
   const auto thin = [&](const Vector2i& c) {
     const Vector2i x(1, 0), y(0, 1);
@@ -37,8 +37,8 @@ void remove_thin_cells(const CellLattice& lattice, CellGrid& cells) {
   }
 }
 
-// Stiffness that the nearest-neighbour network of single cells gives a bond: C1111 / 3 for the edges and the diagonals
-// of every cell. `in` tells which cells take part.
+// Stiffness that the network of nearest neighbours gives a bond: C1111 / 3 for each edge and diagonal of a cell.
+// in(cell) tells which cells take part.
 template <class In>
 double cell_network_stiffness(const Vector2i& from, const Vector2i& step, const In& in) {
   const int a = step.x(), b = step.y();
@@ -50,8 +50,8 @@ double cell_network_stiffness(const Vector2i& from, const Vector2i& step, const 
   return count / 3.0;
 }
 
-// Ratio of a bond's stiffness to the bulk stiffness, from the faces that are closest to it in the two directions.
-// Changes of both add up, because the moment equations are linear; that leaves the least correction for the corners.
+// Ratio of a bond's stiffness to the bulk stiffness, from the nearest faces in both directions. Their changes are
+// added, because the moment equations are linear; so the least correction is left for corners.
 double template_ratio(const LatticeTemplates& templates, const CellGrid& cells, const Vector2i& from,
                       const Vector2i& step) {
   const int a = std::abs(step.x()), b = step.y();
@@ -72,8 +72,8 @@ void append(DraftBonds& bonds, int first, int second, std::size_t offset, double
   bonds.adjustable.push_back(adjustable);
 }
 
-// All bonds in sight of each other in the thick part, with template stiffnesses, and those of thin cells, still with
-// stiffness 0.
+// Makes all bonds between points of the thick part that see each other, with template stiffnesses, and the bonds of
+// thin cells, still with the stiffness 0.
 DraftBonds draft_bonds(const CellLattice& lattice, const CellGrid& cells, const LatticeTemplates& templates) {
   const int m = templates.horizon_ratio;
   const auto thin = [&](const Vector2i& c) { return lattice.has_cell(c) && !cells.has(c); };
@@ -107,7 +107,7 @@ DraftBonds draft_bonds(const CellLattice& lattice, const CellGrid& cells, const 
   return bonds;
 }
 
-// Adds the nearest-neighbour network of the cells that are not in the thick part.
+// Adds the network of nearest neighbours of the thin cells, those that are not in `thick`.
 void add_thin_cells(const CellLattice& lattice, const CellGrid& thick, const std::vector<BondOffset>& family,
                     DraftBonds& bonds) {
   const auto thin = [&](const Vector2i& c) { return lattice.has_cell(c) && !thick.has(c); };

@@ -9,16 +9,16 @@
 
 namespace bempd::pd {
 
-// Pair of material points that pull on each other along their common line: force = stiffness * elongation.
+// Bond: a pair of material points that pull on each other along their common line, with force = stiffness * elongation.
 struct Bond {
   int first, second;
   double stiffness;  // [N/m], thickness included
 };
 
-// Bonds of a body. Those of build_network() reproduce every linear displacement field exactly: under constant strain
+// Bonds of a body. Those of build_network() reproduce every linear displacement field exactly: under a constant strain
 // their forces equal the resultants of the tractions on the faces around each material point, everywhere in the body.
-// Bonds alone make a material with Poisson's ratio 1/3 in plane stress and 1/4 in plane strain; cell_squares.hpp adds
-// the rest for any other one.
+// Bonds alone have Poisson's ratio 1/3 in plane stress and 1/4 in plane strain. For other ratios cell_squares.hpp adds
+// terms.
 struct Network {
   std::vector<BondOffset> offsets;       // step from first to second, its length and direction; few distinct ones
   std::vector<Bond> bonds;               // sorted by (first, second)
@@ -28,8 +28,8 @@ struct Network {
   bool reduced = false;                  // no such network was found at this horizon: nearest neighbours only
 };
 
-// 2 <= horizon_ratio <= 8; the ratio 2 gives the network of nearest neighbours. Parts of the body one cell wide get the
-// network of nearest neighbours. `threads`: 0 for one a core.
+// Builds the bonds of a lattice, 2 <= horizon_ratio <= 8. Parts of the body that are one cell wide, and all of it at
+// the ratio 2, get the network of nearest neighbours. `threads`: 0 for one per core.
 Network build_network(const CellLattice& lattice, int horizon_ratio, const PlaneElasticity& elasticity, int threads = 0,
                       const BondKernel& kernel = quartic_kernel());
 

@@ -7,7 +7,7 @@
 
 namespace bempd::pd {
 
-// Data of the lattice and the material around a tip that the growth of a crack line needs.
+// Data of the lattice and the material around a tip, which the growth of a crack line needs.
 struct TipLaw {
   double spacing = 0;    // [m]
   double horizon = 0;    // [m]
@@ -16,7 +16,7 @@ struct TipLaw {
   double toughness = 0;  // [Pa m^(1/2)]; infinite for a material that does not break
 };
 
-// Laws of all regions in which cracks grow as lines.
+// Data of all regions in which cracks grow as lines.
 struct TipLaws {
   std::vector<TipLaw> laws;
   std::vector<int> of_node;                              // law of its region; -1 where there is none

@@ -25,7 +25,7 @@ bool has_factors(const OutlinedBody& body) {
                      [](double factor) { return std::abs(factor - 1) > negligible_factor; });
 }
 
-// Points of some patches, each once; those of the first patch come first.
+// Points of some patches, each once; those of the patch `first` come first.
 std::vector<int> points_of(const OutlinedBody& body, const CellPatches& patches, int first,
                            const std::vector<int>& others = {}) {
   std::vector<int> all;
@@ -39,7 +39,8 @@ std::vector<int> points_of(const OutlinedBody& body, const CellPatches& patches,
   return all;
 }
 
-// Adds the bonds along edges and diagonals of some patches, as far as they exist.
+// Appends the existing bonds between any two of `points` to `found`, sorted and each once; `bonds` are sorted by their
+// ends.
 void add_bonds_among(const std::vector<Bond>& bonds, const std::vector<int>& points, std::vector<int>& found) {
   const auto before = [](const Bond& bond, const std::pair<int, int>& ends) {
     return std::pair(bond.first, bond.second) < ends;
@@ -56,7 +57,7 @@ void add_bonds_among(const std::vector<Bond>& bonds, const std::vector<int>& poi
   found.erase(std::unique(found.begin(), found.end()), found.end());
 }
 
-// Orthonormal basis of the combinations of points that vanish for every linear function.
+// Orthonormal basis of the linear combinations of values at points that vanish for every linear function.
 MatrixXd blind_to_linear(const OutlinedBody& body, const std::vector<int>& points) {
   MatrixXd linear(static_cast<Eigen::Index>(points.size()), 3);
   for (std::size_t k = 0; k < points.size(); ++k) {
@@ -67,8 +68,8 @@ MatrixXd blind_to_linear(const OutlinedBody& body, const std::vector<int>& point
   return q.rightCols(q.cols() - 3);
 }
 
-// Changes of the stencils at the outline that make them add up to the surface vectors with factors: the smallest
-// changes that leave the gradient of linear displacements as it is.
+// Correction of the stencils at the outline: the smallest changes of G after which the sum of G at each point is its
+// surface vector times its balancing factor (surface_balance.hpp). The gradients of linear displacements stay exact.
 class Correction {
  public:
   Correction(const OutlinedBody& body, const CellPatches& patches) : body_(body) {
@@ -96,7 +97,7 @@ class Correction {
     problem_.lower = -std::numeric_limits<double>::infinity();
   }
 
-  // Calls visit(patch, points, changes of G) for every patch; returns the largest remaining error.
+  // Calls visit(patch, points, changes of G) for every patch at the outline; returns the largest error that is left.
   template <class Visit>
   double solve(const Visit& visit) {
     const auto [x, left_of_x] = component(0);
@@ -136,7 +137,7 @@ class Correction {
   linalg::LeastChange problem_;
 };
 
-// Patch during set-up.
+// Stencil of a patch while it is made.
 struct Stencil {
   std::vector<int> points, bonds;
   std::vector<Vector2d> gradient;

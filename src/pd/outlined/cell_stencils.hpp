@@ -9,10 +9,11 @@
 namespace bempd::pd {
 
 // Gradient stencils of patches of cells, for a body with any outline, in units of the spacing: vectors G_i such that
-// the sum of G_i u_i^T is the patch's area times the mean gradient of the displacement, exact for linear ones. For a
-// single cell G_i is its polygon's surface vector at the point. Over all patches the G of a point add up to its surface
-// vector: a constant stress is balanced by its traction on the chords. Where the surface vectors have factors
-// (surface_balance.hpp), patches at the outline also use points of their neighbours, so that their G add up to those.
+// the sum of G_i u_i^T is the patch's area times the mean gradient of the displacement, exact for linear ones. In a
+// single cell G_i is the surface vector of its polygon at the point. Over all patches, the G of a point add up to the
+// point's surface vector, so that a constant stress is balanced by its tractions on the chords. If surface vectors have
+// factors (surface_balance.hpp), patches at the outline also use points of their neighbours, so that the sums include
+// the factors.
 struct CellStencils {
   std::vector<std::size_t> start{0}, bond_start{0};  // per patch, and the end of the last
   std::vector<int> point;                            // the patch's own come first
@@ -27,7 +28,7 @@ struct CellStencils {
   std::span<const Eigen::Vector2d> gradients(std::size_t patch) const { return of(patch, start, gradient); }
   std::span<const double> shares(std::size_t patch) const { return of(patch, start, share); }
   std::span<const int> bonds(std::size_t patch) const { return of(patch, bond_start, bond); }
-  // Whether there are no stencils, because bonds alone make the material.
+  // Whether there are no stencils: bonds alone make the material.
   bool empty() const { return area.empty(); }
 
  private:
@@ -38,11 +39,12 @@ struct CellStencils {
   }
 };
 
-// Stencils of the patches: the lattice's whole cells, and two or three triangles each. Single triangles would be too
-// many constraints: the body could hardly change its shape where it hardly changes its volume.
+// Makes the stencils of all patches: whole lattice cells, and groups of two or three triangles. Single triangles would
+// be too many constraints: nearly incompressible bodies could hardly deform.
 CellStencils cell_stencils(const OutlinedBody& body);
 
-// Square term (cell_squares.hpp) of a patch of any shape: k/2 (sum of pull_i . u_i)^2 over the points of a stencil.
+// Square: a term k/2 (sum of pull_i . u_i)^2 of the energy of a patch of any shape (as in cell_squares.hpp), over the
+// points of its stencil.
 struct StencilSquare {
   std::vector<Eigen::Vector2d> pull;
   double stiffness;  // k [N/m], thickness included

@@ -80,7 +80,7 @@ bool ChordSearch::inside(const Point& p) const {
   return within;
 }
 
-// Fractions between the ends at which the segment meets chords.
+// Fractions, between the ends of the segment from `from` to `to`, at which it meets chords; sorted.
 std::vector<double> ChordSearch::meetings(const Point& from, const Point& to) const {
   const Point d = to - from;
   const double length = d.norm(), slack = sight_tolerance / length;
@@ -105,7 +105,8 @@ std::vector<double> ChordSearch::meetings(const Point& from, const Point& to) co
   return found;
 }
 
-// Whether the segment stays inside. Between two meetings it stays on one side, so the middles decide.
+// Whether the segment stays inside. Between two meetings with chords it is all inside or all outside, so the middles
+// decide.
 bool ChordSearch::in_sight(const Point& from, const Point& to) const {
   std::vector<double> stations = meetings(from, to);
   stations.insert(stations.begin(), 0.0);

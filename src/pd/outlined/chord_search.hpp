@@ -8,14 +8,15 @@
 
 namespace bempd::pd {
 
-// Grid of squares that finds what lies near a place.
+// Grid of squares with lists of items, to find the items near a place.
 class Buckets {
  public:
   Buckets() = default;
   Buckets(const Box& box, double side);
 
   void add(const Box& box, int item);
-  // Calls visit(item) for items that may meet a box, perhaps several times for one item, until it returns true.
+  // Calls visit(item) for the items that may meet a box, until it returns true; some items may be visited several
+  // times.
   template <class Visit>
   bool any_near(const Box& box, const Visit& visit) const {
     const Eigen::Array2i low = square_of(box.min()), high = square_of(box.max());
@@ -35,18 +36,18 @@ class Buckets {
   std::vector<std::vector<int>> items_;
 };
 
-// Searches within the polygon of the chords: which points lie in it, and which see each other.
+// Searches in the polygon of an outline's chords: which points lie inside, and which of them see each other.
 class ChordSearch {
  public:
   explicit ChordSearch(const Chords& chords);
 
-  // Whether the closed polygon has the point, up to 1e-9.
+  // Whether a point lies in the closed polygon, up to 1e-9.
   bool inside(const Point& p) const;
-  // Whether the segment between two points of the closed polygon stays in it; along a chord is inside.
+  // Whether the segment between two points of the closed polygon stays in it; it may run along a chord.
   bool in_sight(const Point& from, const Point& to) const;
 
-  // What a point of the closed polygon sees up to `reach`: everything there, as long as it lies on the inner side of
-  // all the straight pieces around.
+  // View from a point of the closed polygon, up to the distance `reach`. A point there is seen if both lie on the inner
+  // side of all straight pieces nearby; else the segment between them is checked.
   class View {
    public:
     View(const ChordSearch& search, const Point& from, double reach);

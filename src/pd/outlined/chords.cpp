@@ -8,7 +8,7 @@ namespace bempd::pd {
 
 namespace {
 
-// Largest angle by which a round piece turns from chord to chord [rad].
+// Largest angle between neighbouring chords of a round piece [rad].
 constexpr double largest_turn = std::numbers::pi / 3;
 
 int chord_count(const Arc& piece) {
@@ -16,16 +16,16 @@ int chord_count(const Arc& piece) {
   return std::max(1, static_cast<int>(std::max(by_length, by_turn)));
 }
 
-// Fraction of a piece at which a node lies. With a swing the distances of nodes vary as 1 + swing (cos 2 pi x - cos 4
-// pi x), which is 1 at the ends, where corners need equal chords.
+// Fraction of a piece at which node number `node` lies. A `swing` makes the distances of nodes vary as 1 + swing (cos 2
+// pi x - cos 4 pi x), which is 1 at the ends, where corners need equal chords.
 double node_fraction(int node, int count, double swing) {
   if (node == 0 || node == count) return node == 0 ? 0 : 1;
   const double x = static_cast<double>(node) / count, turn = 2 * std::numbers::pi;
   return x + swing / turn * (std::sin(turn * x) - 0.5 * std::sin(2 * turn * x));
 }
 
-// Sum of l^2 times the chord vectors, over the sum of the vectors. Both sums have the direction from end to end,
-// because a piece is symmetric; a loop is balanced if all of its pieces have the same ratio.
+// Mean square of the chord lengths of a piece: sum of l^2 times the chord vectors, over the sum of the vectors. (Both
+// have the direction from end to end, by symmetry.) A loop is balanced if all of its pieces have the same mean square.
 double mean_square(const Arc& piece, double swing) {
   const int count = chord_count(piece);
   Point sum = Point::Zero();
@@ -37,7 +37,8 @@ double mean_square(const Arc& piece, double swing) {
   return sum.dot(whole) / whole.squaredNorm();
 }
 
-// Swing that gives a piece a mean square above that of equal chords; negative if there is none.
+// Swing (node_fraction()) that gives a piece the mean square `wanted`, above that of equal chords; negative if there is
+// none.
 double swing_for(const Arc& piece, double wanted) {
   double low = 0, high = 0.3;
   if (mean_square(piece, high) < wanted) return -1;
@@ -48,7 +49,8 @@ double swing_for(const Arc& piece, double wanted) {
   return 0.5 * (low + high);
 }
 
-// Swings that give all pieces of a loop one mean square; zero if there are none.
+// Swings that give all pieces of a loop the same mean square of chord lengths; zeros if there are none. Only pieces
+// with `may_vary` can have a swing.
 std::vector<double> swings_of(const std::vector<Arc>& loop, const char* may_vary, bool any) {
   std::vector<double> swings(loop.size(), 0.0), squares;
   if (!any || std::none_of(may_vary, may_vary + loop.size(), [](char one) { return one != 0; })) return swings;

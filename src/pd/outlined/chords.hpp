@@ -6,14 +6,14 @@
 
 namespace bempd::pd {
 
-// Straight piece between neighbouring material points of an outline, with the body on its left.
+// Chord: the straight line between neighbouring material points of an outline, with the body on its left.
 struct Chord {
   int first, second;
   int piece;        // of the outline, counted through all loops
   double from, to;  // fractions of the piece
 };
 
-// Outline of a body as equal chords on every piece of it, in units of the spacing. Chord k starts at node k.
+// Outline of a body as chords, of equal length on every piece, in units of the spacing. Chord k starts at node k.
 struct Chords {
   std::vector<Point> nodes;  // exactly on the outline
   std::vector<char> kept{};  // nodes whose surface vectors others rely on; empty for none
@@ -26,17 +26,17 @@ struct Chords {
   int chord_before(int node) const;
   Point along(int chord) const { return nodes[chords[chord].second] - nodes[chords[chord].first]; }
   double length(int chord) const { return along(chord).norm(); }
-  // Outward normal of a chord times its length.
+  // Outward normal of a chord, times the chord's length.
   Point normal(int chord) const { return {along(chord).y(), -along(chord).x()}; }
-  // Surface vector of a node: half of the normals of both chords there.
+  // Surface vector of a node: half the sum of normal() of the two chords that meet there.
   Point surface_vector(int node) const { return 0.5 * (normal(node) + normal(chord_before(node))); }
-  // Angle of the body at a node [rad].
+  // Interior angle of the body at a node [rad].
   double angle(int node) const;
 };
 
-// Makes the chords of loops whose pieces have the body on their left. Every piece gets as many chords as it is spacings
-// long. They are equal, except on pieces that `may_vary` (by number): where chords of different lengths on some of
-// these balance a loop (surface_balance.hpp) without factors, they get such lengths.
+// Makes the chords of loops whose pieces have the body on their left; a piece gets as many chords as it is spacings
+// long. Chords of a piece are equal. Only on pieces with `may_vary` (by number) may they differ in length, where this
+// balances a loop (surface_balance.hpp) without factors.
 Chords make_chords(const std::vector<std::vector<Arc>>& loops, const std::vector<char>& may_vary = {});
 
 }  // namespace bempd::pd

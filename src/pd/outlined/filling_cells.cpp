@@ -16,16 +16,16 @@ namespace {
 using Eigen::Vector2i;
 using Side = std::pair<int, int>;  // directed
 
-// Advancing front of directed sides with the area to be filled on their left. Each side takes the point that sees it
-// under the largest angle, so that the triangulation is a constrained Delaunay one (Shewchuk, 1997). Points on one
-// circle tie; existing triangles decide between them.
+// Advancing front of directed sides, with the area to be filled on their left. Each side forms a triangle with the
+// point that sees it under the largest angle, which makes a constrained Delaunay triangulation (Shewchuk, 1997). Points
+// on one circle tie; existing triangles decide between them.
 class Front {
  public:
   Front(const std::vector<Point>& points, const Box& box)
       : points_(points), near_points_(box, 2), near_sides_(box, 2) {}
 
   void add_point(int i) { near_points_.add(Box(points_[i]), i); }
-  // Adds a side; its right-hand side is filled or outside.
+  // Adds the directed side from a to b; the area on its right is filled already or lies outside.
   void add_side(int a, int b) {
     open_.insert({a, b});
     taken_.insert({b, a});
@@ -54,7 +54,7 @@ class Front {
     near_sides_.add(box, static_cast<int>(sides_.size()));
     sides_.push_back({a, b});
   }
-  // Adds a side of a new triangle, which lies on its left.
+  // Adds the directed side from a to b of a new triangle, which lies on its left.
   void put(int a, int b) {
     if (open_.erase({a, b}) == 0) {
       open_.insert({b, a});
@@ -102,7 +102,7 @@ class Front {
 };
 
 void add_cell_sides(const OutlinedPoints& points, const Vector2i& at, Front& front, std::set<int>& used) {
-  // Sides of the cell, counter-clockwise, with the neighbour behind each.
+  // Sides of the cell are taken counter-clockwise, each with the neighbour behind it.
   const std::array<Vector2i, 4> corners{at, at + Vector2i(1, 0), at + Vector2i(1, 1), at + Vector2i(0, 1)};
   const std::array<Vector2i, 4> behind{Vector2i(0, -1), Vector2i(1, 0), Vector2i(0, 1), Vector2i(-1, 0)};
   for (int k = 0; k < 4; ++k) {

@@ -7,9 +7,9 @@
 
 namespace bempd::pd {
 
-// The ten cubic Killing tensor fields at points, four rows each, in the form in which they multiply the third moments
-// 111, 112, 122, 222 of bonds; orthonormal. Both ends of a bond have the same product with them, so bonds cannot change
-// these sums.
+// Ten cubic Killing tensor fields at some places, four rows for each place, orthonormal. The rows are the factors of
+// the third moments 111, 112, 122, 222 of bonds. Both ends of a bond have the same product with such a field, so bonds
+// cannot change the sum of these products over all points.
 Eigen::MatrixXd killing_tensors(const std::vector<Point>& places);
 
 }  // namespace bempd::pd

@@ -20,14 +20,14 @@ using linalg::ProfileCholesky;
 
 constexpr double balanced = 1e-14;  // for values and equations of order one
 
-// Missing odd and even moments of every point, and the weight of its even ones, without which these do not count.
+// Missing odd and even moments of every point, and the weights of the even ones; empty without even moments.
 struct Missing {
   std::vector<Vector4d> odd, even;
   std::vector<double> evenness;
 };
 
-// Balance of one part by primal-dual active sets (Hintermueller, Ito, Kunisch 2002), as solve_long_least_change() of
-// linalg has them, with the normal equations in the order of points along the outline.
+// Least change of the stiffnesses in one part of a layer, by primal-dual active sets (Hintermueller, Ito, Kunisch 2002)
+// as in solve_long_least_change() of linalg, with the normal equations in the order of points along the outline.
 class PartBalance {
  public:
   PartBalance(const OutlinedBonds& all, const LayerParts::Part& part, const std::vector<int>& number,
@@ -74,7 +74,8 @@ class PartBalance {
     normal_ = std::make_unique<ProfileCholesky>(first_group);
   }
 
-  // Sets the kernel off which multipliers are projected: its rounding would drown waves, which are nearly as soft.
+  // Sets the kernel of the normal matrix (Killing tensor fields), to which multipliers are made orthogonal. Rounding in
+  // it would exceed multipliers that vary slowly along the outline, whose eigenvalues are nearly zero, too.
   void set_kernel(const std::vector<int>& points, const std::vector<Point>& places) {
     std::vector<Point> ordered;
     for (const int k : order_) ordered.push_back(places[points[k]]);
@@ -84,7 +85,7 @@ class PartBalance {
       kernel_.middleRows<4>(row(static_cast<int>(k), 0)) = fields.middleRows<4>(4 * static_cast<Eigen::Index>(k));
   }
 
-  // Solves the part. Usually a rough solution already tells which values are held at the bound.
+  // Solves the part, or returns false. A rough solution usually tells which values are held at the bound.
   bool solve() {
     constexpr int most_rounds = 20;
     bool rough = true;
@@ -110,7 +111,7 @@ class PartBalance {
   double value(std::size_t bond) const { return bonds_[bond].value; }
 
  private:
-  // Share of the missing moments that is left after one step above which the equations contradict each other.
+  // Limit on the missing moments after one step, over those before: above it the equations contradict each other.
   static constexpr double hopeless = 0.1;
 
   struct Bond {
@@ -154,7 +155,7 @@ class PartBalance {
     normal_->at(2 * high + 1, 2 * high + 1) += of_high * of_high.transpose();
   }
 
-  // The diagonal takes a shift near rounding, because rows depend on each other.
+  // Factorizes the normal matrix, shifted by about its rounding error, because rows depend on each other.
   bool factorize() {
     for (double shift = 3e-17; shift < 1e-11; shift *= 10) {
       normal_->clear();
@@ -173,7 +174,7 @@ class PartBalance {
     is_rough_ = true;
   }
 
-  // Conjugate gradients for the multipliers and so the values of free bonds; returns the largest missing moment.
+  // Improves multipliers and free values by conjugate gradients; returns the largest missing moment.
   double approach(int most_rounds, int most_steps) {
     double left = 0, before = HUGE_VAL;
     for (int round = 0; round <= most_rounds; ++round) {
@@ -208,7 +209,7 @@ class PartBalance {
       rz = next;
     }
   }
-  // Product with the normal matrix N.
+  // Product of the normal matrix N with the vector p.
   VectorXd product(const VectorXd& p) const {
     VectorXd q = VectorXd::Zero(target_.size());
     for (const Bond& b : bonds_)
@@ -221,8 +222,7 @@ class PartBalance {
     const VectorXd along = kernel_.transpose() * x;
     x -= kernel_ * along;
   }
-  // Preconditioner: F^-1 with the factor F. If the kernel is not projected out, it is F^-1 N F^-1 as soon as the
-  // residual is so small that its rounding in the kernel of N would drown the rest (linalg/minimum_norm.hpp).
+  // Preconditioner F^-1, or F^-1 N F^-1 against rounding in the kernel of N (linalg/minimum_norm.hpp); F factorizes N.
   VectorXd precondition(VectorXd r) const {
     project_off_kernel(r);
     normal_->solve_in_place(r);
@@ -233,11 +233,11 @@ class PartBalance {
     return r;
   }
 
-  // Holds the values that the multipliers would take below the bound; returns whether that changed any.
+  // Holds values that the multipliers would take below the bound; returns whether the set of held values changed.
   bool update_held() {
     bool changed = false;
     for (Bond& b : bonds_) {
-      // A margin keeps rounding from letting a value change sides for ever.
+      // A margin prevents rounding from moving a value in and out of the set for ever.
       const bool next = b.start + pull(b, lambda_) < lower_ + (b.held ? 1e-12 : -1e-12);
       changed = changed || next != b.held;
       b.held = next;
@@ -245,7 +245,7 @@ class PartBalance {
     return changed;
   }
 
-  // Whether this set of held values is new; otherwise the rounds would repeat themselves.
+  // Whether this set of held values is new, else the rounds repeat themselves; adds it to `known`.
   bool is_new(std::vector<std::vector<char>>& known) const {
     std::vector<char> held;
     for (const Bond& b : bonds_) held.push_back(b.held);
@@ -254,7 +254,7 @@ class PartBalance {
     return true;
   }
 
-  // Holds the values that are below the bound; returns whether there were any.
+  // Holds at the bound the values that are below it; returns whether there were any.
   bool hold_more() {
     bool changed = false;
     for (Bond& b : bonds_) {

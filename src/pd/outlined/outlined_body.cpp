@@ -23,8 +23,8 @@ struct Attempt {
   bool is_careful = false;        // surface vectors balanced piece by piece, the kernel of the equations left
 };
 
-// Attempts in the order in which they are made. Short families have their best networks at smaller gaps and need the
-// whole layer; with longer ones a part of it gives smaller errors in thin bodies.
+// Attempts to build a network, in the order in which they are made. Short families have their best networks at smaller
+// gaps and need the whole layer; with longer ones, a part of the layer gives smaller errors in thin bodies.
 std::vector<Attempt> attempts_for(int horizon_ratio, bool may_move, bool is_careful) {
   const bool is_short = horizon_ratio == 3;
   const double whole = horizon_ratio, less = is_short ? whole : 0.75 * horizon_ratio;
@@ -65,19 +65,20 @@ Network finish_outlined(const std::vector<Point>& surface, OutlinedBonds bonds, 
   return network;
 }
 
-// Depth of the layer of points that lack bonds. Short families give a better stress at an edge with a deeper layer.
+// Depth of the layer of points that lack bonds. In short families a deeper layer gives a more exact stress at an edge.
 double layer_depth(const Attempt& attempt, int horizon_ratio) {
   return longest_bond(horizon_ratio) + attempt.gap + (horizon_ratio == 3 ? 0.75 : 0);
 }
 
-// Layers that are tried one after the other. Short bonds suffice almost everywhere, and their equations are few and
-// close together; longer bonds follow where they do not.
+// Layers that are tried one after the other. Short bonds suffice almost everywhere; their equations are few, between
+// points close to each other. Longer bonds follow where the short ones do not suffice.
 std::vector<Layer> layers_for(const Attempt& attempt, int horizon_ratio) {
   const double reach = horizon_ratio == 3 ? HUGE_VAL : 0.8 * horizon_ratio;
   return {{attempt.free_depth, layer_depth(attempt, horizon_ratio), reach}, {attempt.free_depth, HUGE_VAL, HUGE_VAL}};
 }
 
-// Weights of the even moments of points, 0 at corners, where even moments do not vanish.
+// Weights of the points' even moments; 0 at corners, where even moments do not vanish. Empty if only constant stress
+// has to be balanced.
 std::vector<double> evenness_of(const Chords& chords, std::size_t point_count, OutlineBalance balance) {
   if (balance == OutlineBalance::constant_stress) return {};
   constexpr double weight = 100, smooth = 40 * std::numbers::pi / 180;
@@ -118,7 +119,8 @@ OutlinedBody build_outlined_body(const Chords& chords, const LatticePlace& place
                                  const BondKernel& kernel) {
   assert(horizon_ratio >= 3 && horizon_ratio <= 8);
   std::optional<OutlinedBody> best;
-  // Careful attempts come second: long outlines with different chords need them, and other bodies keep their digits.
+  // Careful attempts come second: only long outlines with different chords need them, and other bodies keep their
+  // digits.
   for (const bool is_careful : {false, true}) {
     if (is_careful && balancing_factors(chords, true) == balancing_factors(chords)) break;
     for (const Attempt& attempt : attempts_for(horizon_ratio, !place.fixed, is_careful)) {

@@ -19,24 +19,24 @@ struct OutlinedBody {
   LatticePlace place;
   bool is_careful = false;  // found with chords that count alike piece by piece (surface_balance.hpp)
 
-  // Whether the bonds are positive and reproduce every linear displacement field.
+  // Whether all stiffnesses are positive and every linear displacement field is reproduced.
   bool is_exact() const { return network.max_residual < 1e-11 && network.min_weight_ratio > 0; }
 };
 
 // Builds the bonds between all points closer than the horizon that see each other. Far from the outline they have the
 // lattice's own stiffness. Near the outline stiffnesses change as little as possible from what the kernel and the area
 // of each point suggest, so that forces balance the tractions of constant stress on the chords of the outline. If that
-// fails, other gaps between the outline and the points inside are tried, then other positions of these points, and last
-// chords of different lengths that are balanced piece by piece; the result is that of the best attempt. 3 <=
-// horizon_ratio <= 8.
+// fails, other gaps between the outline and the points inside are tried, then other positions of these points. Last,
+// chords of different lengths are balanced piece by piece. The best attempt is returned. 3 <= horizon_ratio <= 8.
 OutlinedBody build_outlined_body(const Chords& chords, const LatticePlace& place, int horizon_ratio,
                                  const PlaneElasticity& elasticity, int threads = 0,
                                  OutlineBalance balance = OutlineBalance::constant_stress,
                                  const BondKernel& kernel = quartic_kernel());
 
-// Corner at which positive bonds cannot carry the surface vector. Bonds of a corner of the angle alpha <= 180 degrees
-// pull in directions from 30 degrees off one edge to 30 degrees off the other, because the third harmonic of what they
-// carry vanishes (sum of k L f(theta) with f = sin(theta - 30) + sin(3 theta + 60) / sqrt(3) >= 0).
+// Corner at which positive bond stiffnesses cannot balance the surface vector. At a corner of the angle alpha <= 180
+// degrees the sum of the bonds' pulls lies between 30 degrees off one edge and 30 degrees off the other. This is
+// because the third harmonic of what they carry vanishes (sum of k L f(theta) with f = sin(theta - 30) + sin(3 theta +
+// 60) / sqrt(3) >= 0).
 struct ImpossibleCorner {
   int node;
   double angle;           // [rad]

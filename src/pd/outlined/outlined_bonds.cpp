@@ -83,7 +83,7 @@ class Drafting {
     const ChordSearch::View view(search_, p, horizon_);
     for (const int j : others) {
       const Point step = points_.points()[j] - p;
-      // A bond as long as the horizon up to rounding has no stiffness.
+      // A bond as long as the horizon, up to rounding, has no stiffness.
       if (step.norm() > horizon_ - 1e-6 || !view.sees(points_.points()[j])) continue;
       const double stiffness = kernel_stiffness(kernel_, step.norm(), horizon_);
       made_.bonds.push_back({i, j, static_cast<int>(made_.offsets.size()), stiffness, false, false});

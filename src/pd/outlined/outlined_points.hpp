@@ -15,7 +15,7 @@ struct LatticePlace {
 };
 
 // Material points of a body with any outline, in units of the spacing: first the nodes of its chords, then the points
-// of a lattice that keep a gap from them.
+// of a lattice inside that keep a gap from the chords.
 class OutlinedPoints {
  public:
   OutlinedPoints(const Chords& chords, const LatticePlace& place, double gap, double deepest);
@@ -28,11 +28,11 @@ class OutlinedPoints {
     return lattice_points_[static_cast<std::size_t>(i) - outline_count_];
   }
   int find_point(const Eigen::Vector2i& at) const;
-  // Distance from the outline, at most `deepest`.
+  // Distance of a point from the outline, limited to `deepest`.
   double depth(int i) const { return depth_[i]; }
-  // Rotation to the direction of the lattice's rows.
+  // Rotation from the x axis to the lattice's rows.
   const Eigen::Matrix2d& turn() const { return turn_; }
-  // Place in coordinates of the lattice.
+  // Coordinates of a place in the lattice, where lattice points have whole numbers.
   Point place_on_lattice(const Point& p) const { return turn_.transpose() * (p - origin_); }
 
   // Whether the lattice cell with this lower left corner has all its points and does not touch the outline.
@@ -48,7 +48,7 @@ class OutlinedPoints {
     return (at.array() >= lower_.array()).all() && (at.array() <= upper_.array()).all();
   }
   void mark_inside(const std::vector<Point>& nodes, const Chords& chords, std::vector<char>& inside) const;
-  // Least distances from the chords of all places of the grid moved by a shift.
+  // Distances from the nearest chord, at most `deepest`, of all points of the grid moved by `shift` along both axes.
   std::vector<double> distances(const std::vector<Point>& nodes, const Chords& chords, double shift,
                                 double deepest) const;
 

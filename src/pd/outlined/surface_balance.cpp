@@ -16,7 +16,7 @@ using Eigen::VectorXd;
 constexpr double negligible_number = 1e-15;  // number over the perimeter's fourth power
 constexpr double largest_factor_change = 0.02;
 
-// Trace of the symmetric product of three vectors, times 3.
+// Trace of the symmetric product of three vectors, times 3: the vector T_kkl that acts on surface vectors.
 Point trace_of(const Point& u, const Point& v, const Point& w) { return u * v.dot(w) + v * u.dot(w) + w * u.dot(v); }
 
 class LoopBalance {
@@ -27,7 +27,8 @@ class LoopBalance {
     for (int i = 0; i < count_; ++i) size_ = std::max(size_, (chords.nodes[first_ + i] - centre_).norm());
   }
 
-  // Contribution of a node to the three numbers, with lengths in units of the loop's size.
+  // Contribution of node `i` to the three numbers that have to vanish for a loop, with lengths in units of the loop's
+  // size.
   std::array<double, 3> numbers(int i) const {
     const Point x = place(i), r(-x.y(), x.x()), n = vector(i);
     return {trace_of({1, 0}, r, r).dot(n), trace_of({0, 1}, r, r).dot(n), trace_of(r, r, r).dot(n)};
@@ -39,9 +40,9 @@ class LoopBalance {
     return sum;
   }
 
-  // Makes the chords of every piece with four or more of them count as if they had one length, by factors of two nodes
-  // at either of its ends: a (1, -1, .., -1, 1) keeps resultant and moment of a straight piece and adds a l^3 (2 n - 6)
-  // to the sum of N s^2, in which chords of another length lack n l (l^2 - wanted) / 6.
+  // Makes all chords of the loop count as if they had one length, by factors of the two nodes next to each end of every
+  // piece with four or more chords. Factor changes a (1, -1, .., -1, 1) keep resultant and moment of a straight piece,
+  // and add a l^3 (2 n - 6) to the sum of N s^2, in which chords of another length lack n l (l^2 - wanted) / 6.
   void level(std::vector<double>& factors) const {
     const std::vector<int> pieces = own_pieces();
     const double wanted = wanted_square(pieces);
@@ -57,7 +58,9 @@ class LoopBalance {
     }
   }
 
-  // `moments_a_piece`: of a constant load that are kept, none, the zeroth, or the first one too.
+  // Changes the factors so that the loop is balanced; returns false if that takes too large changes. `moments_a_piece`
+  // is the number of moments of a constant load that every piece keeps: 0, 1 (the resultant) or 2 (the first moment,
+  // too).
   bool change(int moments_a_piece, std::vector<double>& factors) const {
     const std::vector<int> pieces = own_pieces();
     const Eigen::Index rows = 9 + static_cast<Eigen::Index>(pieces.size()) * moments_a_piece;
@@ -98,7 +101,7 @@ class LoopBalance {
     }
     return pieces;
   }
-  // Square of the length that chords are to count as: that of pieces too short to be changed, or else the mean.
+  // Square of the length that all chords are to count as: that of pieces too short to be changed, or else the mean.
   double wanted_square(const std::vector<int>& pieces) const {
     double sum = 0, of_short = 0, length = 0, length_of_short = 0;
     for (const int piece : pieces) {
