@@ -7,7 +7,7 @@
 
 namespace bempd::linalg {
 
-// Lists of numbers, one list per item, in one array.
+// Lists of integers, one list per item, stored in one array.
 struct Adjacency {
   std::vector<int> offset{0};
   std::vector<int> value;
@@ -20,8 +20,8 @@ struct Adjacency {
   }
 };
 
-// `each(add)` calls add(item, value) for every entry, twice over in the same order; a list keeps the order of its
-// entries.
+// Makes the lists of `items` items. each(add) must call add(item, value) for every entry; it is called twice and must
+// do so in the same order. A list keeps the order of its entries.
 template <class Each>
 Adjacency make_adjacency(std::size_t items, const Each& each) {
   Adjacency lists;

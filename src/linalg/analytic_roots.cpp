@@ -17,7 +17,8 @@ struct Box {
   Complex middle() const { return {0.5 * (left + right), 0.5 * (low + high)}; }
 };
 
-// Value with the relative slope there, which tells how near roots are: one at the distance d adds 1 / d.
+// Value of a function and magnitude of its slope over its value, which tells how near roots are: a root at the distance
+// d adds 1 / d.
 struct Sample {
   Complex place, value;
   double slope;
@@ -28,7 +29,8 @@ struct Sample {
   }
 };
 
-// Change of the argument along the straight line between two places, halved until no root can hide beside it.
+// Change of the function's argument along the straight line between two places. The line is halved until no root can
+// lie so close to it that a turn is missed.
 double turning(const AnalyticFunction& f, const Sample& from, const Sample& to, int depth) {
   constexpr double small = 0.8;
   constexpr int most_halvings = 40;
@@ -38,7 +40,7 @@ double turning(const AnalyticFunction& f, const Sample& from, const Sample& to, 
   return turning(f, from, middle, depth + 1) + turning(f, middle, to, depth + 1);
 }
 
-// Number of roots in a box: turns of the function around it.
+// Number of roots in a box: how often the function turns around zero along the box's sides.
 int count_roots(const AnalyticFunction& f, const Box& box) {
   const std::array<Sample, 4> corners{Sample(f, {box.left, box.low}), Sample(f, {box.right, box.low}),
                                       Sample(f, {box.right, box.high}), Sample(f, {box.left, box.high})};
@@ -47,7 +49,7 @@ int count_roots(const AnalyticFunction& f, const Box& box) {
   return static_cast<int>(std::lround(sum / (2 * std::numbers::pi)));
 }
 
-// Left one of two roots that are close together or equal, by parabolas.
+// Left one of two roots that are close together or equal, near `start`: roots of the parabola through three values.
 Complex left_of_two(const AnalyticFunction& f, const Complex& start, double reach) {
   Complex z = start;
   for (const double step : {reach, 0.3 * reach, 0.1 * reach, 0.1 * reach}) {
@@ -62,7 +64,8 @@ Complex left_of_two(const AnalyticFunction& f, const Complex& start, double reac
   return z;
 }
 
-// Newton's method with differences; returns the start if it leaves the neighbourhood.
+// Root near `start` by Newton's method with difference quotients; `start` itself if the iteration goes farther than
+// `reach`.
 Complex refined(const AnalyticFunction& f, const Complex& start, double reach) {
   Complex z = start;
   for (int iteration = 0; iteration < 60; ++iteration) {
@@ -80,7 +83,7 @@ Complex refined(const AnalyticFunction& f, const Complex& start, double reach) {
 }  // namespace
 
 std::optional<Complex> leftmost_root(const AnalyticFunction& f, RealRange range, double most_imaginary) {
-  // Odd share: roots are often half way, where a side of a box must not be.
+  // Boxes are divided at an odd share, because roots often lie half way, where no side of a box must be.
   constexpr double share = 0.4871, precise = 1e-4;
   Box box{range.from, range.to, -0.9713 * most_imaginary, most_imaginary};
   if (count_roots(f, box) <= 0) return std::nullopt;
@@ -92,7 +95,7 @@ std::optional<Complex> leftmost_root(const AnalyticFunction& f, RealRange range,
     else
       box.left = first.right;
   }
-  // The upper half holds the upper one of a conjugate pair.
+  // The upper half of the box is taken if it has a root, so that of a conjugate pair the upper one is found.
   Box upper = box;
   upper.low = -0.37 * precise;
   if (count_roots(f, upper) > 0) box = upper;

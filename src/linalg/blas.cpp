@@ -16,7 +16,8 @@ namespace bempd::linalg {
 
 namespace {
 
-// Calls a function that only some BLAS have, which is looked up by name, so that any other BLAS can take its place.
+// Calls a function that only some BLAS have, or returns `unknown`. It is looked up by name at run time, so that the
+// library can be used with any BLAS.
 template <class Result>
 Result ask(const char* function, Result unknown) {
   void* const found = dlsym(RTLD_DEFAULT, function);
@@ -29,13 +30,13 @@ std::string first_words(const std::string& text, int count) {
   return text.substr(0, end);
 }
 
-// Names of OpenBLAS's kernels for x86 without AVX2 (its cpuid_x86.c and dynamic.c).
+// Names of OpenBLAS's kernels for x86 processors without AVX2 (its cpuid_x86.c and dynamic.c).
 constexpr std::array older_cores = {
     "Generic", "Katmai",       "Coppermine",    "Northwood",   "Prescott",  "Banias",     "Core2",      "Penryn",
     "Atom",    "Dunnington",   "Nehalem",       "Athlon",      "Opteron",   "Barcelona",  "Bobcat",     "Nano",
     "Unknown", "Opteron_SSE3", "Opteron(SSE3)", "Sandybridge", "Bulldozer", "Piledriver", "Steamroller"};
 
-// What OpenBLAS asks the system for on processors of 64 bits (BUFFER_SIZE of its param.h), and a little more.
+// Memory that OpenBLAS requests from the system on 64-bit processors (BUFFER_SIZE of its param.h), and a little more.
 constexpr std::size_t openblas_buffer = (std::size_t{128} << 20) + (std::size_t{1} << 20);
 
 bool system_gives(std::size_t bytes) {
@@ -47,7 +48,7 @@ bool system_gives(std::size_t bytes) {
   return true;
 }
 
-// A product that is large enough for OpenBLAS's own kernels, which work in the buffer.
+// Multiplies matrices that are large enough for OpenBLAS's own kernels, which makes OpenBLAS take its buffer.
 void multiply_once() {
   constexpr Eigen::Index size = 64;
   const Eigen::MatrixXd factor = Eigen::MatrixXd::Ones(size, size);

@@ -5,7 +5,7 @@
 
 namespace bempd::linalg {
 
-// BLAS in use, which the host's system chooses when the program is loaded.
+// BLAS in use: it is chosen by the host's system when the program is loaded.
 struct Blas {
   std::string name;  // name with version; "BLAS" if unknown
   std::string core;  // kind of processor of its kernels; empty if unknown
@@ -14,17 +14,17 @@ struct Blas {
 
 Blas running_blas();
 
-// "OpenBLAS 0.3.21 (Haswell, 4 threads)".
+// Text such as "OpenBLAS 0.3.21 (Haswell, 4 threads)".
 std::string describe(const Blas& blas);
 
-// Whether kernels for this kind of processor are half as wide as those for AVX2.
+// Whether BLAS kernels for this kind of processor (Blas::core) are older than AVX2, and so half as wide.
 bool is_before_avx2(std::string_view core);
 
-// Whether the processor of this machine has AVX2 and its fused multiplication and addition.
+// Whether the processor of this machine has AVX2 and FMA (fused multiply-add).
 bool processor_has_avx2();
 
-// Makes OpenBLAS take its buffer of 128 MB before the first computation: it tries forever where the system gives it
-// none. Throws NoMemory instead.
+// Makes OpenBLAS take its buffer of 128 MB before the first computation; throws NoMemory if the system gives none.
+// Without this, OpenBLAS would try forever.
 void require_blas_buffer();
 
 }  // namespace bempd::linalg

@@ -13,7 +13,8 @@ using Get = int (*)();
 using Set = void (*)(int);
 using Exchange = int (*)(int);
 
-// Functions that get and set the number of BLAS threads; looked up by name, so that any other BLAS can take its place.
+// Functions of the BLAS in use that get and set its number of threads; null if it has none. They are looked up by name,
+// so that the library can be used with any BLAS.
 struct ThreadControl {
   Get get = nullptr;
   Set set = nullptr;
@@ -53,7 +54,8 @@ const ThreadControl& control() {
   return found;
 }
 
-// State of the whole process: number of scopes, number of threads before the first one, and the number that they set.
+// State of all scopes of the process: their number, the number of BLAS threads before the first one, and the one in
+// force.
 struct Shared {
   std::mutex mutex;
   int scopes = 0, before = 0, now = 0;
@@ -89,7 +91,7 @@ BlasThreads::~BlasThreads() {
   } else if (blas.whole_process && blas.get) {
     Shared& all = shared();
     const std::lock_guard<std::mutex> lock(all.mutex);
-    // A number that the host has set meanwhile, in another thread or a callback, stays.
+    // A number that the host has set meanwhile, in another thread or a callback, is left alone.
     if (--all.scopes == 0 && all.now != all.before && blas.get() == all.now) blas.set(all.before);
   } else if (blas.get) {
     blas.set(before_);

@@ -2,11 +2,11 @@
 
 namespace bempd::linalg {
 
-// Scope in which products and factorizations of this process use a number of BLAS threads; its end restores the host's
-// choice. One host thread for each model, each with all BLAS threads, is many times slower than one BLAS thread each.
-// OpenBLAS with threads of its own has one number for the whole process: among several scopes the least counts, and the
-// last one to end restores what there was before the first. OpenBLAS on OpenMP, MKL and BLIS have a number for each
-// thread of the host. Nothing is changed for another BLAS.
+// Scope in which the BLAS uses `threads` threads; its end restores the host's number. (Several host threads with a
+// model each are many times slower if each uses all BLAS threads than with one BLAS thread each.) OpenBLAS with its own
+// threads has one number for the whole process: of several scopes the least number counts, and the end of the last one
+// restores the number before the first. OpenBLAS on OpenMP, MKL and BLIS have a number for each host thread. Other BLAS
+// are not changed.
 class BlasThreads {
  public:
   explicit BlasThreads(int threads) noexcept;

@@ -8,14 +8,15 @@
 
 namespace bempd::linalg {
 
-// Throws if the CHOLMOD that runs has another main version: its settings lie elsewhere in memory.
+// Throws std::runtime_error if the CHOLMOD that is loaded has another main version than the one compiled with, because
+// its settings then lie elsewhere in memory.
 inline void require_cholmod(int running) {
   if (running == CHOLMOD_MAIN_VERSION) return;
   throw std::runtime_error("CHOLMOD " + std::to_string(running) + " runs, but bempd was compiled with CHOLMOD " +
                            std::to_string(CHOLMOD_MAIN_VERSION) + "; install that one or compile bempd again");
 }
 
-// Workspace and settings of CHOLMOD; errors become exceptions instead of messages on the host's terminal.
+// Workspace and settings of CHOLMOD. Its errors become exceptions instead of messages on the host's terminal.
 class CholmodCommon {
  public:
   CholmodCommon() {
@@ -33,16 +34,16 @@ class CholmodCommon {
   cholmod_common* get() { return &common_; }
   cholmod_common* operator->() { return &common_; }
 
-  // Throws after a failed CHOLMOD call, and has to follow each: a negative status is an error, a positive one a
-  // warning.
+  // Throws if the last CHOLMOD call has failed; to be called after each. A negative status is an error, a positive one
+  // a warning.
   void check() const {
-    // CHOLMOD's integers have 32 bits: matrices that are too large for them would need tens of gigabytes.
+    // A matrix too large for CHOLMOD's 32-bit integers would need tens of gigabytes, so it counts as out of memory.
     if (common_.status == CHOLMOD_OUT_OF_MEMORY || common_.status == CHOLMOD_TOO_LARGE) throw std::bad_alloc();
     if (common_.status < 0) throw std::runtime_error(std::string("CHOLMOD: ") + last_message());
   }
 
  private:
-  // Message of the last error. The handler gets no user pointer, but the message belongs to the call just made on this
+  // Message of the last error in this thread. CHOLMOD's handler gets no user pointer, so the message is stored per
   // thread.
   static const char*& last_message() {
     thread_local const char* message = "unknown error";

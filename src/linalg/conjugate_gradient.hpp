@@ -12,7 +12,7 @@ struct ConjugateGradientOptions {
 
 namespace detail {
 
-// Conjugate gradients from (x, r = b - A x) until the updated residual has at most the given inf-norm.
+// Conjugate gradients from x, with r = b - A x, until the updated residual r has at most the largest entry `target`.
 template <class Apply, class Precondition>
 Sweep conjugate_gradient_sweep(const Apply& apply, const Precondition& precondition, double target, int max_iterations,
                                Eigen::VectorXd& x, Eigen::VectorXd& r, int& iterations) {
@@ -43,10 +43,12 @@ Sweep conjugate_gradient_sweep(const Apply& apply, const Precondition& precondit
 }  // namespace detail
 
 // Preconditioned conjugate gradients (Hestenes and Stiefel 1952) for A x = b, with A and the preconditioner symmetric
-// positive definite. Eigen's own method takes two products with A instead of one where the factor is exact, and notices
-// neither an indefinite matrix nor that its residuals have drifted: on the published centre crack, with one solution
-// per event, 2.4 s instead of 1.9 s. `apply(x, y)` sets y = A x; `precondition(r)` overwrites r by M^-1 r. `x` holds
-// the initial guess and then the best solution found, also after a failure.
+// positive definite. apply(x, y) sets y = A x; precondition(r) overwrites r by M^-1 r. `x` holds the initial guess,
+// then the best solution found, also after a failure.
+//
+// Eigen's own method is not used: with an exact factor it takes two products with A instead of one, and it notices
+// neither an indefinite matrix nor drifting residuals. (On the published centre crack, with one solution per event, it
+// takes 2.4 s instead of 1.9 s.)
 template <class Apply, class Precondition>
 KrylovResult conjugate_gradient(const Apply& apply, const Precondition& precondition, const Eigen::VectorXd& b,
                                 Eigen::VectorXd& x, const ConjugateGradientOptions& options = {}) {

@@ -8,7 +8,7 @@ namespace {
 
 constexpr Eigen::Index smallest_block = 48;
 
-// Number of rows or columns that a triangle of n rows is multiplied by in one part.
+// Number of rows or columns by which a triangle of n rows is multiplied between two checks for cancellation.
 Eigen::Index at_once(Eigen::Index n) {
   const auto square = static_cast<double>(n) * static_cast<double>(n);
   return std::max<Eigen::Index>(64, static_cast<Eigen::Index>(operations_at_once / square));

@@ -123,7 +123,7 @@ bool factorize_in_parts(Matrix lower) {
 void DenseCholesky::compute(Eigen::MatrixXd matrix) {
   m_isInitialized = false;
   m_matrix = std::move(matrix);
-  // The norm is the largest column sum, as Eigen measures it for the condition.
+  // The norm is the largest column sum of magnitudes, as Eigen uses it to estimate the condition.
   Eigen::VectorXd sums = Eigen::VectorXd::Zero(m_matrix.rows());
   for (Eigen::Index j = 0; j < m_matrix.cols(); ++j) {
     const auto below = m_matrix.col(j).tail(m_matrix.rows() - j).cwiseAbs();
@@ -138,7 +138,7 @@ void DenseCholesky::compute(Eigen::MatrixXd matrix) {
   m_isInitialized = true;
 }
 
-// Blocked elimination as Eigen's own (its PartialPivLU.h), with products in parts.
+// Factorizes by blocked elimination as Eigen's own method does (its PartialPivLU.h), with long products done in parts.
 void DenseLU::compute(Eigen::MatrixXd matrix) {
   const Eigen::Index n = matrix.rows();
   if (!is_long(operations(matrix, n) * 2 / 3)) {

@@ -9,15 +9,16 @@
 
 namespace bempd::linalg {
 
-// Dense algebra that can be cancelled: long operations are done in parts. Short ones are one call, as without this
-// file.
+// Dense algebra that can be cancelled: long operations are done in parts, with a check for cancellation between them.
+// Short ones are a single call of Eigen.
 
-// Number of floating point operations in a part: some 30 ms.
+// Number of floating-point operations in one part, which takes some 30 ms.
 constexpr double operations_at_once = 5e8;
 
 inline bool is_long(double operations) { return operations > operations_at_once; }
 
-// Matrix in memory, or the transpose of one. Products are compiled for these alone, as every kind takes seconds.
+// Matrix in memory, or the transpose of one. Products are compiled for these types alone, because each takes seconds to
+// compile.
 class Operand {
  public:
   template <class Derived>
@@ -37,7 +38,7 @@ class Operand {
   }
   Operand transpose() const { return {data_, cols_, rows_, stride_, !is_transposed_}; }
 
-  // Calls visit(matrix) with an expression of Eigen's.
+  // Calls visit(matrix) with the matrix or its transpose as an Eigen expression.
   template <class Visit>
   void as_matrix(const Visit& visit) const {
     using Stored = Eigen::Map<const Eigen::MatrixXd, 0, Eigen::OuterStride<>>;
@@ -60,15 +61,16 @@ class Operand {
 // Computes c += factor * a * b.
 void add_product(Eigen::Ref<Eigen::MatrixXd> c, const Operand& a, const Operand& b, double factor = 1);
 
-// Computes the lower triangle of c += factor * a * a^T.
+// Computes c += factor * a * a^T, the lower triangle only.
 void add_square(Eigen::Ref<Eigen::MatrixXd> c, const Operand& a, double factor = 1);
 
-// Computes x <- L^-1 x, x <- L^-T x and x <- x L^-T, where L is the lower triangle of a matrix.
+// Solve with the lower triangle L of a matrix: x <- L^-1 x, x <- L^-T x and x <- x L^-T.
 void solve_lower(const Eigen::Ref<const Eigen::MatrixXd>& lower, Eigen::Ref<Eigen::MatrixXd> x);
 void solve_upper(const Eigen::Ref<const Eigen::MatrixXd>& lower, Eigen::Ref<Eigen::MatrixXd> x);
 void solve_upper_from_right(const Eigen::Ref<const Eigen::MatrixXd>& lower, Eigen::Ref<Eigen::MatrixXd> x);
 
-// Replaces the lower triangle by its Cholesky factor; false if it is not positive definite.
+// Replaces the lower triangle of a symmetric matrix by its Cholesky factor; false if the matrix is not positive
+// definite.
 bool factorize_in_parts(Eigen::Ref<Eigen::MatrixXd> lower);
 
 // Cholesky factor of a symmetric positive definite matrix, of which only the lower triangle is read.
@@ -84,7 +86,7 @@ class DenseLU : public Eigen::PartialPivLU<Eigen::MatrixXd> {
   void compute(Eigen::MatrixXd matrix);
 };
 
-// Solution factor^-1 x, a few right-hand sides at a time.
+// Solution factor^-1 x, computed for a few columns of x at a time so that it can be cancelled.
 template <class Factor>
 Eigen::MatrixXd solve_in_parts(const Factor& factor, Eigen::MatrixXd x) {
   const double each = 2 * static_cast<double>(factor.rows()) * static_cast<double>(factor.rows());

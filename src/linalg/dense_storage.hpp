@@ -2,9 +2,9 @@
 
 #include <Eigen/Core>
 
-// Safe resizing for Eigen 3.4, whose matrices keep a pointer to freed memory when there is no memory for a new size;
-// the next use or the destructor then damages the heap. Here such a matrix is empty. Eigen's own function is replaced
-// for the types that this library resizes; the header comes first in every source file (src/CMakeLists.txt).
+// Safe resizing for Eigen 3.4: if there is no memory for a new size, Eigen's matrices keep a pointer to freed memory,
+// and their next use or destructor damages the heap. With these functions such a matrix is empty. They replace Eigen's
+// own for the types that this library resizes; the header comes first in every source file (src/CMakeLists.txt).
 namespace Eigen {
 
 template <>

@@ -120,7 +120,7 @@ class EigenCholesky final : public SparseCholesky {
     pattern_.assign(lower);
   }
 
-  // Upper triangle in the order of elimination, with sorted columns.
+  // Upper triangle of the matrix in the order of elimination, with sorted columns.
   SparseMatrix permuted(const SparseMatrix& lower) const {
     Eigen::PermutationMatrix<Eigen::Dynamic, Eigen::Dynamic, int> to_place(lower.rows());
     for (std::size_t k = 0; k < order_.size(); ++k) to_place.indices()[order_[k]] = static_cast<int>(k);

@@ -9,7 +9,7 @@ namespace bempd::linalg {
 
 namespace {
 
-// Columns of L, the diagonal entry first: of L L^T, or of L D L^T with D on the diagonal.
+// Columns of the factor, the diagonal entry first: of L in L L^T, or of L in L D L^T with D on the diagonal.
 class FactorColumns {
  public:
   explicit FactorColumns(const cholmod_factor& factor)
@@ -23,7 +23,7 @@ class FactorColumns {
 
   bool has_roots() const { return factor_.is_super || factor_.is_ll; }
 
-  // visit(row, value), rows ascending.
+  // Calls visit(row, value) for the entries of a column, rows ascending.
   template <class Visit>
   void for_each(int column, const Visit& visit) const {
     if (!factor_.is_super) {
@@ -58,7 +58,7 @@ class FactorColumns {
 
 }  // namespace
 
-// The block is y^T y, or y^T D^-1 y, where L y = b and b are the unit vectors of the places.
+// Computes the block as y^T y, or y^T D^-1 y, where L y = b and the columns of b are the unit vectors of the places.
 Eigen::MatrixXd inverse_block(const cholmod_factor& factor, const std::vector<int>& places) {
   using Rows = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
   const FactorColumns columns(factor);

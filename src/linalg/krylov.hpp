@@ -26,8 +26,8 @@ struct Sweep {
   bool residual_is_true = false;  // the residual it updated is as good as b - A x
 };
 
-// Solves A x = b by sweeps of an iteration. `sweep(target, max_iterations, x, r, iterations)` iterates from (x, r = b -
-// A x) until it believes the residual to be at most the given inf-norm, or until it has to restart.
+// Solves A x = b by sweeps of an iteration. sweep(target, max_iterations, x, r, iterations) iterates from x with r = b
+// - A x, until the residual it updates has at most the largest entry `target`, or until it has to restart.
 //
 // Updated residuals drift from the true one, so only b - A x decides about convergence. If it is still too large, the
 // iteration restarts from it, which refines the solution, until a restart gains less than a factor of two.

@@ -18,10 +18,10 @@ namespace {
 using Eigen::VectorXd;
 using Sparse = Eigen::SparseMatrix<double>;
 
-// Residual that no further round can improve, for values and equations of order one.
+// Residual that no further round can reduce, because values and equations are of order one.
 constexpr double rounding = 5e-16;
 
-// Solver for the shortest x = B^T lambda with B x = r, for a consistent right-hand side.
+// Solver for the shortest x with B x = r, which has the form x = B^T lambda, for consistent r.
 class MinimumNormSolver {
  public:
   using Step = SparseMinimumNorm::Step;
@@ -29,7 +29,7 @@ class MinimumNormSolver {
   virtual Step solve(VectorXd r) const = 0;
 };
 
-// Complete orthogonal decomposition, for a few equations that may be close to dependent.
+// Solver by complete orthogonal decomposition, for a few equations that may be nearly dependent.
 class DenseSolver final : public MinimumNormSolver {
  public:
   explicit DenseSolver(const Sparse& b)
@@ -60,7 +60,7 @@ struct Candidate {
   double residual = 0;
 };
 
-// Scales of the values, zero for those that are held.
+// Scales of the values, with zeros for the values that are held at the bound.
 VectorXd free_scales(const LeastChange& problem, const std::vector<char>& held) {
   VectorXd scale = problem.scale;
   for (std::size_t i = 0; i < held.size(); ++i)
@@ -75,7 +75,7 @@ Candidate starting_candidate(const LeastChange& problem, const std::vector<char>
   return c;
 }
 
-// Refines a candidate by at most this many steps, as long as they improve it.
+// Refines a candidate by at most `most` steps, as long as they reduce the residual by half.
 template <class Solver>
 void refine(const LeastChange& problem, const VectorXd& free_scale, const Solver& solve, int most, Candidate& c) {
   VectorXd missing = problem.target - problem.constraints * c.values;
@@ -93,7 +93,7 @@ void refine(const LeastChange& problem, const VectorXd& free_scale, const Solver
   }
 }
 
-// Least change with some of the values held at the bound.
+// Least change with the values marked in `held` fixed at the bound.
 Candidate solve_with_held(const LeastChange& problem, const std::vector<char>& held) {
   Candidate c = starting_candidate(problem, held);
   const VectorXd free_scale = free_scales(problem, held);
@@ -110,14 +110,14 @@ Candidate solve_with_held(const LeastChange& problem, const std::vector<char>& h
   return c;
 }
 
-// Values that the multipliers of a candidate would take below the bound.
+// Flags of the values that the multipliers of a candidate would take below the bound. `held` are those held so far.
 std::vector<char> held_by(const LeastChange& problem, const Candidate& c, const std::vector<char>& held) {
   const VectorXd pull = problem.constraints.transpose() * c.lambda;
   const bool bounded = std::isfinite(problem.lower);
   std::vector<char> next(held.size(), 0);
   for (std::size_t i = 0; i < held.size(); ++i) {
     const double wanted = problem.start[i] + problem.scale[i] * problem.scale[i] * pull[i];
-    // A margin keeps rounding from letting a value change sides for ever.
+    // A margin prevents rounding from moving a value in and out of the set for ever.
     const double margin = held[i] ? 1e-12 : -1e-12;
     next[i] = bounded && wanted < (problem.lower + margin) * problem.scale[i];
   }
@@ -144,8 +144,8 @@ LeastChangeResult solve_least_change(const LeastChange& problem) {
   return result;
 }
 
-// Solves the long problem. A rough solution usually tells which values are held, so exact solutions wait until these
-// are known, or until some rounds have not found them.
+// Solves the long problem by active sets. A rough solution usually tells which values are held, so exact solutions wait
+// until the set of these no longer changes, or until some rounds have passed.
 LeastChangeResult solve_long_least_change(const LeastChange& problem) {
   if (problem.target.size() <= 80) return solve_least_change(problem);
   constexpr double shift = 3e-15;

@@ -21,8 +21,8 @@ struct LeastChangeResult {
 
 LeastChangeResult solve_least_change(const LeastChange& problem);
 
-// Solves the same problem for equations along a line that is hundreds of times longer than the reach of each equation,
-// and whose long waves have eigenvalues near rounding.
+// Solves the same problem where the equations lie along a line hundreds of times longer than the reach of each.
+// Solutions that vary slowly along the line then have eigenvalues near rounding.
 LeastChangeResult solve_long_least_change(const LeastChange& problem);
 
 }  // namespace bempd::linalg

@@ -5,8 +5,8 @@
 
 namespace bempd::linalg {
 
-// Solves dense equations in the sense of least squares by a complete orthogonal decomposition; of several solutions it
-// takes the shortest. There is one size for all, as each takes seconds to compile.
+// Least-squares solver of dense equations, by a complete orthogonal decomposition; of several solutions it returns the
+// shortest. Eigen's class is compiled for one (dynamic) size only, because each size takes seconds.
 class LeastSquares {
  public:
   explicit LeastSquares(const Eigen::MatrixXd& equations);

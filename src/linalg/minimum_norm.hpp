@@ -7,23 +7,24 @@
 
 namespace bempd::linalg {
 
-// Shortest x = B^T lambda with B x = r for a consistent right-hand side, by conjugate gradients on N lambda = r, N = B
-// B^T. N is singular, so the Cholesky factor F of the slightly shifted matrix serves as preconditioner, in the form
-// F^-1 N F^-1: F^-1 alone would amplify the kernel's share of the rounding in r by the inverse of the shift and drown
+// Solver for the shortest x = B^T lambda with B x = r, for consistent r, by conjugate gradients on N lambda = r with N
+// = B B^T. N is singular, so the Cholesky factor F of the slightly shifted N serves as preconditioner, in the form F^-1
+// N F^-1. F^-1 alone would amplify the rounding of r in the kernel of N by the inverse of the shift, until it exceeds
 // the rest.
 class SparseMinimumNorm {
  public:
-  // `shift` of N, over its largest entry: eigenvalues below it take many steps; a shift near rounding may leave nothing
-  // positive to factorize, and is then raised.
+  // Prepares the solver with a shift of N's diagonal, over its largest entry. Eigenvalues below the shift take many
+  // steps. With a shift near rounding the matrix may not be positive definite; the shift is then raised.
   explicit SparseMinimumNorm(double shift) : shift_(shift) {}
 
-  // Factorizes N of a matrix B; matrices that follow each other have the same pattern. Can be cancelled.
+  // Factorizes N = B B^T for the matrix B. All matrices given to one object must have the same pattern. Can be
+  // cancelled.
   void factorize(const Eigen::SparseMatrix<double>& b);
 
   struct Step {
     Eigen::VectorXd lambda, change;  // change = B^T lambda
   };
-  // Solves to a residual of 1e-5 of r, or half of `least_residual`.
+  // Solves N lambda = r until the residual is 1e-5 of r or half of `least_residual`.
   Step solve(Eigen::VectorXd r, double least_residual) const;
 
  private:

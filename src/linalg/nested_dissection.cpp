@@ -10,7 +10,7 @@ namespace bempd::linalg {
 
 namespace {
 
-// Size of parts that are not divided further: their factor is full anyway.
+// Number of nodes in parts that are not divided further: their part of the factor is full anyway.
 constexpr std::ptrdiff_t leaf_size = 24;
 
 class Dissection {
@@ -63,7 +63,7 @@ class Dissection {
     divide(upper_begin, upper_end);
   }
 
-  // Place of a cut between two different coordinates, with as many nodes below as above if possible.
+  // Coordinate of a cut between nodes of different coordinates, with half of the nodes on each side if possible.
   double middle(Iterator begin, Iterator end, int axis) {
     coordinates_.clear();
     for (Iterator it = begin; it != end; ++it) coordinates_.push_back(graph_.positions[*it][axis]);
@@ -72,12 +72,12 @@ class Dissection {
     const double value = *median;
     const auto [lowest_place, highest] = std::minmax_element(coordinates_.begin(), coordinates_.end());
     const double lowest = *lowest_place;
-    // The tolerance is relative to the part's size: the order must not depend on the unit of length.
+    // The tolerance is relative to the part's size, because the order must not depend on the unit of length.
     const double tolerance = 1e-9 * (*highest - lowest);
     return value - tolerance > lowest ? value - tolerance : value + tolerance;
   }
 
-  // Nodes of one side that are coupled to the other.
+  // Nodes of one side of a cut that are coupled to the other side.
   std::vector<int> boundary(Iterator begin, Iterator end, int axis, double cut, Side side) {
     const Side other = side == lower ? upper : lower;
     std::vector<char> group_is_cut;

@@ -7,8 +7,8 @@
 
 namespace bempd::linalg {
 
-// Graph of the couplings of a matrix: pairs of nodes, each at most `reach` apart from its partners, and groups all of
-// whose members are coupled to each other.
+// Graph of the couplings of a matrix between nodes in the plane: pairs of coupled nodes (partners), and groups in which
+// all nodes are coupled to each other.
 struct NodeGraph {
   std::vector<Eigen::Vector2d> positions;
   Adjacency partners;
@@ -19,8 +19,8 @@ struct NodeGraph {
             const std::vector<int>& second, std::vector<std::vector<int>> coupled_groups);
 };
 
-// Order of elimination with little fill (George 1973): the nodes are halved across their longer side, the nodes that
-// couple the halves come after both, and the halves are ordered in the same way. Only nodes marked in `member` are
+// Order of elimination with little fill (George 1973): the nodes are halved across their longer side, and the nodes
+// that couple the two halves come after both. The halves are ordered in the same way. Only nodes marked in `member` are
 // ordered.
 std::vector<int> nested_dissection(const NodeGraph& graph, const std::vector<char>& member);
 

@@ -23,7 +23,7 @@ ProfileCholesky::ProfileCholesky(const std::vector<int>& first_coupled)
 
 void ProfileCholesky::clear() {
   for (MatrixXd& panel : panels_) panel.setZero();
-  // Rows beyond the last unknown get a unit diagonal.
+  // Rows of the last panel beyond the last unknown get a unit diagonal.
   for (Index i = size_ - static_cast<Index>(panels_.size() - 1) * rows; !panels_.empty() && i < rows; ++i)
     panels_.back()(i, panels_.back().cols() - rows + i) = 1;
 }
@@ -88,7 +88,7 @@ std::vector<int> close_order(const std::vector<int>& start, const std::vector<in
   std::vector<int> order, seen(static_cast<std::size_t>(count), 0);
   order.reserve(static_cast<std::size_t>(count));
   const auto degree = [&](int node) { return start[node + 1] - start[node]; };
-  // Appends the part connected to a node, in rounds from it.
+  // Appends the part of the graph that is connected to `node`, by breadth-first search, and marks it.
   const auto sweep = [&](int node, int mark) {
     const std::size_t begin = order.size();
     seen[node] = mark;

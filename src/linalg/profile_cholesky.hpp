@@ -5,21 +5,21 @@
 
 namespace bempd::linalg {
 
-// Cholesky factor of a symmetric positive definite matrix whose entries lie close to the diagonal: each row is stored
-// from its first entry on, in dense panels of rows. Unknowns come in groups of four.
+// Cholesky factor of a symmetric positive definite matrix whose entries lie close to the diagonal. Each row is stored
+// from its first entry to the diagonal, in dense panels of rows. Unknowns come in groups of four.
 class ProfileCholesky {
  public:
   static constexpr int group = 4;
 
-  // Prepares storage from the first group that each group is coupled to, which is at most itself.
+  // Prepares storage. `first_coupled` has for each group the first group that it is coupled to, at most itself.
   explicit ProfileCholesky(const std::vector<int>& first_coupled);
 
   void clear();
-  // Block where rows of the group `row` meet columns of the group `column` <= row; blocks on the diagonal need all 16
-  // entries.
+  // Block of the matrix with the rows of group `row` and the columns of group `column` <= row. Of diagonal blocks all
+  // 16 entries must be set.
   Eigen::Block<Eigen::MatrixXd, group, group> at(int row, int column);
   double largest_diagonal() const;
-  // Factorizes the matrix plus `shift` on its diagonal; false if that is not positive definite.
+  // Factorizes the matrix plus `shift` on its diagonal; false if the sum is not positive definite.
   bool factorize(double shift);
 
   void solve_in_place(Eigen::Ref<Eigen::VectorXd> x) const;
@@ -36,8 +36,8 @@ class ProfileCholesky {
   std::vector<Eigen::MatrixXd> panels_;  // from that up to itself
 };
 
-// Order of nodes in which coupled ones are close to each other (Cuthill and McKee 1969), one connected part after the
-// other. `neighbours` of nodes are in compressed rows.
+// Order of nodes in which coupled ones are near each other (Cuthill and McKee 1969), one connected part after the
+// other. The neighbours of node n are `neighbours` from start[n] to start[n + 1].
 std::vector<int> close_order(const std::vector<int>& start, const std::vector<int>& neighbours);
 
 }  // namespace bempd::linalg

@@ -7,7 +7,7 @@
 
 namespace bempd::linalg {
 
-// Pattern of a compressed matrix, remembered to tell whether an analysis still fits.
+// Sparsity pattern of a compressed matrix, stored to tell whether an analysis is still valid for a matrix.
 template <class Index>
 class SparsityPattern {
  public:
@@ -18,7 +18,7 @@ class SparsityPattern {
   }
   void clear() { start_.clear(); }
 
-  // Whether the matrix has the remembered pattern; never after clear().
+  // Whether the matrix has the stored pattern; always false after clear().
   bool matches(const Eigen::SparseMatrix<double>& matrix) const {
     assert(matrix.isCompressed());
     return start_.size() == static_cast<std::size_t>(matrix.cols() + 1) &&
@@ -26,7 +26,8 @@ class SparsityPattern {
            std::equal(rows_.begin(), rows_.end(), matrix.innerIndexPtr());
   }
 
-  // Compressed columns: the entries of column j are `rows` from column_start[j] to column_start[j + 1].
+  // Stored pattern in compressed columns: the entries of column j are `rows` from column_start[j] to column_start[j +
+  // 1].
   const std::vector<Index>& column_start() const { return start_; }
   const std::vector<Index>& rows() const { return rows_; }
 

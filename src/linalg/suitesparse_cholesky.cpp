@@ -55,10 +55,10 @@ cholmod_dense view(Eigen::Ref<Eigen::MatrixXd> matrix) {
   return out;
 }
 
-// Number of factor entries from which one solution takes some 50 ms.
+// Number of factor entries above which one solution takes more than some 50 ms.
 constexpr std::int64_t entries_of_a_long_solution = 50'000'000;
 
-// Asks for large pages: the first access to many small pages costs as much as a third of a factorization.
+// Requests large pages for a block of memory: the first access to many small pages costs a third of a factorization.
 void use_large_pages([[maybe_unused]] void* memory, [[maybe_unused]] std::size_t bytes) {
 #ifdef MADV_HUGEPAGE
   const auto page = static_cast<std::size_t>(sysconf(_SC_PAGESIZE));
@@ -70,7 +70,7 @@ void use_large_pages([[maybe_unused]] void* memory, [[maybe_unused]] std::size_t
 class SuiteSparseCholesky final : public SparseCholesky {
  public:
   SuiteSparseCholesky() {
-    // Supernodal whatever the size, because L L^T notices a negative pivot and CHOLMOD's simplicial L D L^T does not.
+    // Supernodal factors are used for all sizes: L L^T notices a negative pivot, CHOLMOD's simplicial L D L^T does not.
     common_->supernodal = CHOLMOD_SUPERNODAL;
     // AMD is the only ordering. CHOLMOD's other choice, METIS, reseeds the process-wide random generator and swaps
     // signal handlers, which an embedded library must not do to its host.
@@ -123,7 +123,8 @@ class SuiteSparseCholesky final : public SparseCholesky {
       factor.solve_lower(ordered);
       factor.solve_upper(ordered);
     } else {
-      // Long solutions use the two halves, which can be cancelled, with the digits of the call above.
+      // Long solutions are done in two halves, with a check for cancellation between, and have the same digits as in
+      // one call.
       triangular_solve(CHOLMOD_L, ordered);
       check_cancelled();
       ordered = solution();
@@ -136,7 +137,7 @@ class SuiteSparseCholesky final : public SparseCholesky {
   void solve_forward(Eigen::Ref<Eigen::MatrixXd> rhs) const override {
     assert(has_factor_ && factor_->is_super && rhs.rows() == diagonal_.size());
     if (rhs.size() == 0) return;
-    // Columns are copied one by one, as many long ones take a while.
+    // Columns are copied one by one with checks for cancellation, because many long columns take a while.
     Eigen::MatrixXd ordered(rhs.rows(), rhs.cols());
     for (Eigen::Index c = 0; c < rhs.cols(); ++c) {
       check_cancelled();
@@ -178,7 +179,8 @@ class SuiteSparseCholesky final : public SparseCholesky {
     assert(has_factor_ && columns.rows() == diagonal_.size());
     if (columns.nonZeros() == 0) return true;
     has_factor_ = false;  // until this call succeeds
-    // The factor becomes simplicial only at the first change: a run without changes keeps the faster supernodal solves.
+    // The factor becomes simplicial only at its first change; runs without changes keep the faster supernodal
+    // solutions.
     if (factor_->is_super) {
       cholmod_change_factor(CHOLMOD_REAL, 0, 0, 0, 1, factor_.get(), common_.get());
       common_.check();
@@ -210,7 +212,7 @@ class SuiteSparseCholesky final : public SparseCholesky {
   }
 
  private:
-  // Leaves a supernodal factor in `factor_`, analysed for this pattern.
+  // Sets `factor_` to a supernodal factor without values, analysed for the pattern of `lower`.
   void prepare_factor(const SparseMatrix& lower, cholmod_sparse& matrix) {
     if (!analysis_ || !pattern_.matches(lower)) {
       factor_.reset();
@@ -222,7 +224,7 @@ class SuiteSparseCholesky final : public SparseCholesky {
       for (std::size_t k = 0; k < order_.size(); ++k) position_[order_[k]] = static_cast<int>(k);
       pattern_.assign(lower);  // assigned last, so that all is done anew if memory is missing before
     }
-    // A changed factor is simplicial; so the next one starts from the analysis again.
+    // A changed factor is simplicial, so the next one is made from the analysis again.
     if (!factor_ || !factor_->is_super) {
       factor_.reset(cholmod_copy_factor(analysis_.get(), common_.get()));
       common_.check();
@@ -236,7 +238,7 @@ class SuiteSparseCholesky final : public SparseCholesky {
   void analyse(cholmod_sparse& matrix) {
     const bool given = !wanted_order_.empty();
     common_->method[0].ordering = given ? CHOLMOD_GIVEN : CHOLMOD_AMD;
-    // Postordering gathers columns into larger supernodes, but may move those that must stay last.
+    // Postordering gathers columns into larger supernodes, but may move unknowns that must come last.
     for (const int postorder : {1, 0}) {
       common_->postorder = postorder;
       analysis_.reset(cholmod_analyze_p(&matrix, given ? wanted_order_.data() : nullptr, nullptr, 0, common_.get()));
@@ -255,7 +257,7 @@ class SuiteSparseCholesky final : public SparseCholesky {
     return last(found + analysis_->n) == last(wanted_order_.data() + wanted_order_.size());
   }
 
-  // Solves a triangular system and leaves the result in solution().
+  // Solves a triangular system and stores the result in solution().
   void triangular_solve(int system, Eigen::Ref<Eigen::MatrixXd> rhs) const {
     cholmod_dense b = view(rhs);
     cholmod_solve2(system, factor_.get(), &b, nullptr, solution_.slot(), nullptr, work_y_.slot(), work_e_.slot(),

@@ -18,7 +18,7 @@ using Panel = Eigen::Map<Eigen::MatrixXd, 0, Eigen::OuterStride<>>;
 
 constexpr int none = -1;
 
-// Lower triangle in the order of elimination.
+// Lower triangle of the matrix in the order of elimination, in compressed columns.
 struct Ordered {
   std::vector<int> begin, row;
   std::vector<double> value;
@@ -93,7 +93,8 @@ class Factorization {
   int rows(int s) const { return rows_begin_[s + 1] - rows_begin_[s]; }
   double* panel(int s) { return values_ + values_begin_[s]; }
 
-  // Number proportional to the operations of a supernode: its own elimination and its updates of later ones.
+  // Work of a supernode, proportional to its floating-point operations: its own elimination and its updates of later
+  // ones.
   double operations_of(int s) const { return static_cast<double>(columns(s)) * rows(s) * rows(s); }
   double operations(int count) const {
     double sum = 0;
@@ -111,7 +112,7 @@ class Factorization {
     }
   }
 
-  // Subtracts the update of an earlier supernode d from the columns of s.
+  // Subtracts the update of an earlier supernode d from the columns of supernode s.
   void subtract(int s, int d) {
     check_cancelled();
     const int* const own_rows = row_ + rows_begin_[d];
@@ -132,7 +133,7 @@ class Factorization {
     queue_at_ancestor(d);
   }
 
-  // Computes the first `wide` columns of A A^T, where A is `high` rows of a panel.
+  // Computes the first `wide` columns of A A^T, where A consists of `high` rows of a panel with `inner` columns.
   void multiply(const double* a, int stride, int inner, int wide, int high) {
     const double work = 2.0 * inner * wide * high;
     const int at_once =
@@ -167,7 +168,7 @@ class Factorization {
     return true;
   }
 
-  // Hands supernode d on to the one that its next rows belong to.
+  // Adds supernode d to the list of the supernode that it updates next: the one that contains its next row.
   void queue_at_ancestor(int d) {
     if (done_[d] >= rows(d)) return;
     const int ancestor = supernode_of_[row_[rows_begin_[d] + done_[d]]];

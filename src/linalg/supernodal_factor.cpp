@@ -33,7 +33,7 @@ Eigen::MatrixXd SupernodalFactor::trailing_block(int size) const {
   return block;
 }
 
-// Gathers the rows below the triangle of a supernode, of all right-hand sides.
+// Gathers the entries of all right-hand sides in the rows below the triangle of supernode `s`.
 void SupernodalFactor::gather(std::ptrdiff_t s, const Eigen::Ref<const Eigen::MatrixXd>& x) {
   const int columns = columns_of(s), below = rows_of(s) - columns;
   const int* const row = row_ + rows_begin_[s] + columns;

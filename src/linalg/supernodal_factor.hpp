@@ -7,7 +7,7 @@
 
 namespace bempd::linalg {
 
-// Calls visit(j, d_j) for every pivot of CHOLMOD's L L^T (supernodal or simplicial) or L D L^T.
+// Calls visit(j, d_j) for every pivot d_j of CHOLMOD's factor L L^T (supernodal or simplicial) or L D L^T.
 template <class Visit>
 void for_each_pivot(const cholmod_factor& factor, Visit visit) {
   const double* x = static_cast<const double*>(factor.x);
@@ -28,25 +28,26 @@ void for_each_pivot(const cholmod_factor& factor, Visit visit) {
   }
 }
 
-// Access to CHOLMOD's supernodal factor L: columns lie in dense panels, one for each supernode. Rows and columns are in
-// the order of elimination.
+// View of CHOLMOD's supernodal factor L: its columns lie in dense panels, one for each supernode. Rows and columns are
+// in the order of elimination.
 class SupernodalFactor {
  public:
   explicit SupernodalFactor(const cholmod_factor& factor);
 
-  // Last rows and columns of L, a lower triangle.
+  // Last `size` rows and columns of L, a lower triangle.
   Eigen::MatrixXd trailing_block(int size) const;
 
-  // Computes x <- L^-1 x and x <- L^-T x by the BLAS calls of CHOLMOD's own function, which cannot be cancelled and
-  // does not report missing memory everywhere.
+  // Solve with L: x <- L^-1 x and x <- L^-T x, by the BLAS calls of CHOLMOD's own function, which cannot be cancelled
+  // and does not report all cases of missing memory.
   void solve_lower(Eigen::Ref<Eigen::MatrixXd> x);
   void solve_upper(Eigen::Ref<Eigen::MatrixXd> x);
 
-  // Solves L^T x = b for rows of right-hand sides whose last `known` entries are solutions already; in all supernodes,
-  // or in marked ones only.
+  // Solves L^T x = b, where each row of `transposed` is a right-hand side whose last `known` entries are solutions
+  // already. Only the supernodes in `marked` are computed (null: all).
   void solve_backward(Eigen::Ref<Eigen::MatrixXd> transposed, int known,
                       const std::vector<char>* marked = nullptr) const;
-  // Marks the supernodes that solutions in these places depend on: their own ones and all on the path to the root.
+  // Flags of the supernodes on which solutions at `places` depend: those of the places and all on their paths to the
+  // root.
   std::vector<char> supernodes_needed_for(const std::vector<int>& places) const;
 
  private:

@@ -5,22 +5,24 @@
 
 namespace bempd::linalg {
 
-// Order of elimination with little fill for a symmetric matrix given by its lower triangle: the unknown eliminated
-// k-th.
+// Order of elimination with little fill for a symmetric matrix, given by its lower triangle: entry k is the unknown
+// that is eliminated as the k-th.
 std::vector<int> minimum_degree(const Eigen::SparseMatrix<double>& lower);
-// Upper triangle in that order; its columns are not sorted.
+// Upper triangle of a symmetric matrix, given by its lower triangle, in an order of elimination; columns are not
+// sorted.
 Eigen::SparseMatrix<double> upper_in_order(const Eigen::SparseMatrix<double>& lower, const std::vector<int>& order);
 
-// Factors A = L D L^T of a sparse symmetric matrix, row after row of L, eliminated in the order of the rows (T. A.
-// Davis, ACM Trans. Math. Software 31, 2005, algorithm 849). Eigen's own method can neither be cancelled nor report its
+// Factors A = L D L^T of a sparse symmetric matrix, computed row by row of L in the order of elimination (T. A. Davis,
+// ACM Trans. Math. Software 31, 2005, algorithm 849). Eigen's own method can neither be cancelled nor report its
 // progress.
 class UpLookingLDLT {
  public:
   using Matrix = Eigen::SparseMatrix<double>;
 
-  // Finds the pattern of L from the upper triangle. The order of the entries in its columns decides the order of sums.
+  // Finds the pattern of L from the upper triangle of A. The order of the entries in its columns decides the order of
+  // sums.
   void analyse(const Matrix& upper);
-  // Computes the values for the analysed pattern; false if a pivot is 0. Can be cancelled.
+  // Computes the values of L and D for the analysed pattern; false if a pivot is 0. Can be cancelled.
   bool factorize(const Matrix& upper);
 
   const Matrix& unit_lower() const { return unit_lower_; }  // without its diagonal of ones
@@ -30,7 +32,8 @@ class UpLookingLDLT {
   void solve_backward(Eigen::Ref<Eigen::MatrixXd> x) const;  // x <- L^-T x
 
  private:
-  // Columns that have an entry in row k, each after those that it depends on, from the columns of the upper triangle.
+  // Finds the columns of L that have an entry in row k, each after those that it depends on, from the columns of the
+  // upper triangle.
   int pattern_of_row(const Matrix& upper, int k);
 
   Matrix unit_lower_;
