@@ -55,7 +55,7 @@ def measure() -> dict[str, tuple[int, int]]:
     profiles.mkdir(exist_ok=True)
     for old in profiles.glob("*.profraw"):
         old.unlink()
-    subprocess.run(["ctest", "--preset", "coverage"], cwd=ROOT, check=False,
+    subprocess.run(["ctest", "--preset", "coverage", "-j", str(os.cpu_count())], cwd=ROOT, check=False,
                    env={**os.environ, "LLVM_PROFILE_FILE": str(profiles / "%4m.profraw")})
     merged = BUILD / "merged.profdata"
     subprocess.run(["llvm-profdata", "merge", "--sparse", "-o", merged, *map(str, profiles.glob("*.profraw"))], check=True)
