@@ -9,31 +9,33 @@ namespace bempd::fracture {
 
 namespace {
 
-// Elastic energy of the proportional load relative to the undamaged scene at which nothing resists it any more.
+// Elastic energy of the proportional load over that of the undamaged scene, below which nothing resists the load any
+// more.
 constexpr double separated_energy_ratio = 1e-10;
 
-// Share of loads that supports bear where these only keep a body from moving; more is what they are there for. A spall
-// takes less than that along, half of a plate all of it.
+// Share of the loads that supports may bear while they only keep a body from moving; with a larger one they carry load
+// by purpose. A spall removes less than this share of the loads, half of a plate all of it.
 constexpr double bystanders_share = 0.1;
 
-// What next to nothing resists at all: the energy of moving supports against the largest stiffness, up to rounding.
+// Energy due to moving supports, over what it would be with the largest stiffness, below which nothing resists the
+// motion up to rounding.
 constexpr double energy_rounding = 1e-14;
 
-// Forces and energies are not measured by less than this share of what moving supports would make of the largest
-// stiffness: where they move a body without stress all forces are rounding, of some 1e-14 of that. Ordinary scenes lie
-// above: a strip under tension at 1 / (number of elements along it).
+// Least scale of forces and energies where supports move a body, relative to what this motion would cause with the
+// largest stiffness. If they move it without stress, all forces are rounding of about 1e-14 of that. Ordinary scenes
+// have larger forces: a strip in tension 1 / (number of elements along it).
 constexpr double scale_without_stress = 1e-5;
 
-// Constant and proportional parts of loads that cancel leave the rounding of both, of some 1e-14 of them. Forces are
-// not measured by less than this share of these parts, energies by less than its square of theirs: where a load program
-// rests at zero all forces are rounding. A way of loads has larger ones unless it is 1e6 times as short as its time.
+// Least scale of forces where the constant and the proportional part of the loads cancel, relative to these parts; for
+// energies its square. All forces are then rounding, about 1e-14 of the parts, as in a load program that is at rest at
+// zero. A path of loads has larger forces unless it is 1e6 times as short as its time.
 constexpr double scale_of_parts = 1e-6;
 
 constexpr char causes_of_rounding[] =
     "look for strips that are very thin for their length, also those that holes, cracks and edges leave between "
     "them, and for parts that supports or a few bonds hardly hold";
 
-// How far supports, and springs that hold what came free, have moved the body.
+// Largest displacement of the body by supports, and by springs that hold parts that have come free.
 double moved_by_holds(const coupling::EquilibriumSystem& system, double load_factor) {
   double largest = std::max(system.load().support_motion(load_factor), system.rest_motion(load_factor));
   for (const coupling::HoldingSpring& spring : system.springs()) largest = std::max(largest, std::abs(spring.anchor));

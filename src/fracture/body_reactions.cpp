@@ -1,4 +1,4 @@
-// What supports exert on a body, and what it bears.
+// Reactions of supports, and the force that the body carries.
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -68,7 +68,7 @@ double LoadedBody::resistance(const std::vector<double>& reactions, double load_
 }
 
 double LoadedBody::unbalanced_share() const {
-  // Loads are divided by a power of 2 of their size: squares of far loads are beyond the range of numbers.
+  // Loads are scaled by a power of 2 of their size, because the squares of extreme loads exceed the range of numbers.
   double largest = 0;
   for (int node : loaded_nodes_)
     largest = std::max(largest, load_on(node, state_.load_factor).lpNorm<Eigen::Infinity>());

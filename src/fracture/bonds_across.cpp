@@ -53,8 +53,9 @@ void BondsAcross::add_at_right_angles(const coupling::Terms& terms, std::size_t 
   }
 }
 
-// Adds the estimate by two bonds, out of all pairs the one with the least weights. A bond at the angle f to this one
-// has the stretch a cos^2 f + b sin^2 f + g sin f cos f, so that two of them eliminate the shear g.
+// Adds an estimate of b, the stretch across `bond`, by two other bonds at its node: the pair with the smallest weights.
+// With the stretch a along `bond` and the shear g, a bond at the angle f to it has the stretch a cos^2 f + b sin^2 f +
+// g sin f cos f; a combination of two bonds eliminates g.
 void BondsAcross::add_by_two(const coupling::Terms& terms, std::size_t bond, std::span<const int> at_node) {
   std::optional<Estimate> best;
   double least = most_weight;

@@ -7,7 +7,7 @@
 
 namespace bempd::fracture {
 
-// Connectivity of nodes through intact terms and bodies that cannot break.
+// Connectivity of nodes by intact terms and by bodies that cannot break (boundary element regions).
 class Connectivity {
  public:
   explicit Connectivity(const coupling::EquilibriumSystem& system);

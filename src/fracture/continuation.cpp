@@ -1,4 +1,4 @@
-// What event sources know beside the body's state.
+// State of the event sources that is needed to continue a run, beside the body's state.
 #include "fracture/continuation.hpp"
 
 #include <algorithm>
@@ -62,7 +62,7 @@ void EventSources::go_on() {
   }
 }
 
-// Opens the window again from where the body was when it was opened first.
+// Opens the saved window again from the state in which it was first opened.
 bool EventSources::open_again(const Continuation& continuation) {
   const WindowOrigin& window = *continuation.window;
   BodyState& state = body_.state();
@@ -85,8 +85,8 @@ bool EventSources::open_again(const Continuation& continuation) {
   return window_.open_again(window);
 }
 
-// Does to the factor what settle() would do with an open window; the state's displacements are those of the window's
-// last event.
+// Does to the system's factor what settle() would do with an open window, for a window that is saved but not opened
+// again. The state's displacements are already those of its last event.
 void EventSources::close_awaited() {
   if (!awaited_) return;
   if (awaited_->window->has_changed_terms) body_.system().forget_factor();

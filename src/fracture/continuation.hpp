@@ -9,9 +9,8 @@
 
 namespace bempd::fracture {
 
-// What a run knows beside its state, and what it has computed ahead, as the way to compute it again: with it a restored
-// run goes on with the same digits as the one that was saved. The body of the state follows from it and from nothing
-// else, so that a run may go on without.
+// What a run knows beside its state, including how to compute again what it has computed ahead: with it a restored run
+// continues with the same digits as the saved one. It is optional, because the body's state is complete without.
 struct Continuation {
   int whole_body_events = 0;  // before the next window
   int patience = 1;

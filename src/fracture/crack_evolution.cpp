@@ -14,14 +14,16 @@ namespace bempd::fracture {
 
 namespace {
 
-// The most events of crack faces at one load factor; each leaves every face as it should be.
+// Largest number of contact events at one load factor. After each of them all faces agree with their gaps; more of them
+// mean that faces open and close without end.
 constexpr int most_events = 1000;
 
-// A path of equilibrium may turn where faces close or open. If it turns back again at the same load factor, it leads
-// down with the faces as they are above, and up with those below: the path ends.
+// Detects the end of an equilibrium path at contact events, where the path may reverse its direction in the load
+// factor. If it reverses twice at one load factor it cannot continue: it would lead down with the contact state that
+// holds above, and up with the one that holds below.
 class Turns {
  public:
-  // False if the path ends at this event of faces.
+  // Records a contact event; returns false if the path ends there.
   bool pass(const Event& event) {
     const bool here = event.load_factor == load_factor_;
     events_ = here ? events_ + 1 : 1;
@@ -140,7 +142,7 @@ StopReason CrackEvolution::run(double target, Goal goal, const SteppingOptions& 
   return state_.separated ? StopReason::separated : StopReason::load_factor;
 }
 
-// Why no event is left, where that ends a step.
+// Reason for the end of a step when no event is left; empty if the step goes on to a load factor.
 std::optional<StopReason> CrackEvolution::why_there_is_none(Goal goal, const SteppingOptions& options) {
   if (options.control == Control::path) {
     sources_.bring_up_to_date();
@@ -150,11 +152,11 @@ std::optional<StopReason> CrackEvolution::why_there_is_none(Goal goal, const Ste
   return goal == Goal::load_factor ? std::nullopt : std::optional(StopReason::no_further_event);
 }
 
-// Whether this is found now: the connection that carried the load has lost its resistance, and what is left breaks
-// under larger loads only, if at all.
+// Whether the body is found to be separated now: the connection that carried the load has lost its resistance, and the
+// remainder breaks only under larger loads, if at all.
 bool CrackEvolution::has_come_apart(const Event* next, double target, const SteppingOptions& options) {
   if (state_.separated || !is_lost(state_.resistance, options.separation_share)) return false;
-  // Bonds that an increment stretches too far wait for the end of the next one.
+  // Bonds that exceed their critical stretch after an increment break in the next one, so separation is not judged yet.
   if (options.mode == SteppingMode::increments &&
       !body_.ratios().overstretched(system_.intact(), state_.load_factor).empty()) {
     return false;
@@ -162,7 +164,7 @@ bool CrackEvolution::has_come_apart(const Event* next, double target, const Step
   if (next) {
     const double direction = target >= state_.load_factor ? 1 : -1;
     double farthest = direction * state_.load_factor;
-    // The load factor of a path of equilibrium may have been larger before.
+    // The load factor may have been larger before on an equilibrium path.
     if (options.control == Control::path) {
       for (const HistoryEntry& line : state_.history) farthest = std::max(farthest, direction * line.load_factor);
     }
@@ -172,8 +174,8 @@ bool CrackEvolution::has_come_apart(const Event* next, double target, const Step
   return true;
 }
 
-// False if no equilibrium is left after the event, and what was reached before it is to be kept: then it did not
-// happen.
+// Performs an event. With `keep_what_was_reached`, returns false if no equilibrium exists after it, and the state
+// before it is restored: the event has then not happened.
 bool CrackEvolution::perform(const Event& event, const SteppingOptions& options, bool keep_what_was_reached) {
   const auto perform_and_book = [&] {
     const double within_before = within(event.load_factor);
@@ -200,7 +202,7 @@ bool CrackEvolution::perform(const Event& event, const SteppingOptions& options,
   }
 }
 
-// Bonds around the tip of a line are left to it.
+// Next bond that breaks by itself; bonds around the tips of crack lines are left out.
 std::optional<NextBond> CrackEvolution::next_bond(bool upwards, Control control) {
   look();
   std::vector<char> intact = system_.intact();

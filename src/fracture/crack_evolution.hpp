@@ -14,7 +14,7 @@
 
 namespace bempd::fracture {
 
-// An event at which tips with elements have grown.
+// Event at which tips with boundary elements have grown.
 struct Growth {
   double ratio = 1;                 // largest equivalent stress intensity factor over the toughness, before it
   double critical_load_factor = 0;  // at which that tip just reached its toughness
@@ -24,7 +24,7 @@ struct Growth {
   int ties = 0;  // tips that would have grown as soon
 };
 
-// A bond that breaks by itself: at which load factor, and its stretch over the critical one at present.
+// Bond that breaks next by itself, with the load factor of that and its present ratio of stretch to critical stretch.
 struct NextBond {
   int term;
   double load_factor, ratio;
@@ -44,34 +44,34 @@ enum class StopReason {
 };
 
 // Quasi-static growth of cracks. Between two breaks the response is linear in the load factor, so the next break is
-// found in closed form; a break is a low-rank change of the system. An event is one batch of bonds broken at one load
-// factor; events follow each other at the same load factor until no bond exceeds its critical stretch.
+// found in closed form; a break is a low-rank change of the system. An event is one batch of bonds that break at one
+// load factor; events follow each other at that load factor until no bond exceeds its critical stretch.
 //
-// The sources say which event comes next and perform it; the books are kept here: work and energies, history, and the
+// Event sources find and perform the next event. This class keeps the records: work and energies, history, and the
 // state to return to when a call fails.
 class CrackEvolution {
  public:
-  // `reaction_dofs[s]` are the degrees of freedom of support s. Bonds in `cut` are broken from the start.
+  // `reaction_dofs[s]` are the degrees of freedom of support s. The bonds `cut` are broken from the start.
   CrackEvolution(coupling::EquilibriumSystem& system, const std::vector<Point>& positions,
                  std::vector<double> critical_stretch, const std::vector<int>& cut,
                  std::vector<std::vector<int>> reaction_dofs, ContactPlan contact = {});
 
-  // Makes cracks grow as lines from these tips, by the laws that they name; called before the first step.
+  // Lets cracks grow as lines from these tips, by the laws that they refer to; called before the first step.
   void grow_lines(pd::TipLaws laws, std::vector<GrowingTip> tips);
 
-  // Adds the fluid by which pressures in cracks among bonds act; called before the first loads.
+  // Adds the fluid that carries pressures into cracks among bonds; called before the first loads.
   void add_crack_fluid(CrackFluid fluid) { body_.add_crack_fluid(std::move(fluid)); }
 
-  // `work_within`: what loads do beside the work of the nodal forces, half of (1, f) within (1, f) at the load factor
-  // f. It is stored in the body as soon as it is done.
+  // Sets new loads and prescribed displacements. `work_within` is the quadratic form W of the work that nodal forces do
+  // not include: (1, f) W (1, f)^T / 2 at the load factor f. This work is stored in the body at once.
   void set_load(const coupling::Affine& force, const coupling::Affine& prescribed,
                 const Eigen::Matrix2d& work_within = Eigen::Matrix2d::Zero(), const CrackPressures& pressures = {});
 
-  // Replaces the loads by others that equal the present ones at this load factor: nothing moves.
+  // Replaces the loads by others that are equal at the present load factor, so that nothing moves.
   void take_over(const coupling::Affine& force, const coupling::Affine& prescribed, const Eigen::Matrix2d& work_within,
                  const CrackPressures& pressures = {});
 
-  // What set_load() replaces, to come back to.
+  // Loads that set_load() replaces, for restore_loads().
   struct Loads {
     ActingLoads acting;
     Eigen::Matrix2d work_within;
@@ -83,8 +83,8 @@ class CrackEvolution {
   }
   void restore_loads(Loads loads) noexcept;
 
-  // Other rests of terms and operators, as heat makes them. What they do to the stored energy where nothing moves is
-  // work; after that the body has to find equilibrium. Returns what restore_rest_lengths() takes to undo it.
+  // Changes the rest lengths of terms and operators by heating. The change of stored energy at unchanged displacements
+  // is work; the body then has to find equilibrium. Returns what restore_rest_lengths() needs to undo it.
   struct Heat {
     coupling::Rests rests;
     Eigen::VectorXd total_force;
@@ -93,8 +93,9 @@ class CrackEvolution {
   Heat heat(coupling::Rests rests);
   void restore_rest_lengths(Heat heat) noexcept;
 
-  // What loads inside operators make of the gaps of faces there. What new ones do to the stored energy where nothing
-  // moves is work, as with heat; set_load() or take_over() has to follow. Returns what unload_faces() takes to undo it.
+  // Changes the gaps of contact constraints due to loads inside operators (body forces, tractions on cracks). The
+  // change of stored energy at unchanged displacements is work; set_load() or take_over() has to follow. Returns what
+  // unload_faces() needs to undo it.
   struct FaceLoads {
     coupling::Affine offsets;
     double work;
@@ -102,61 +103,64 @@ class CrackEvolution {
   FaceLoads load_faces(coupling::Affine offsets);
   void unload_faces(FaceLoads loads) noexcept;
 
-  // Calls `on_event` after every event and `on_end` at the end; what they throw, and any other failure, takes the run
-  // back to where it was.
+  // Runs to a target or goal. `on_event` is called after every event, `on_end` at the end. If they throw, or after any
+  // other failure, the run returns to where it was.
   StopReason advance(double target, Goal goal, const SteppingOptions& options,
                      const std::function<void(const EvolutionState&)>& on_event, const std::function<void()>& on_end);
 
-  // Makes the state consistent with the present loads, at the present load factor.
+  // Finds the equilibrium under the present loads at the present load factor.
   void find_equilibrium();
 
-  // The tip that grows next after StopReason::growth, and how many others would grow as soon.
+  // Tip that grows next after StopReason::growth, and the number of tips that tie with it.
   struct Due {
     crack::TipId tip;
     int ties = 0;
   };
   const Due& due() const { return due_; }
 
-  // Puts the run back to where it was before the advance() that ended with StopReason::growth; called next after it.
+  // Returns the run to its state before the advance() that ended with StopReason::growth; only called directly after
+  // it.
   void take_back() noexcept;
 
-  // A tip of a line goes no further: it has come to an interface, or its crack goes on in another carrier.
+  // Stops a tip of a crack line: it has come to an interface, or its crack continues in boundary elements.
   void stop_line(const crack::TipId& tip, crack::TipState state = crack::TipState::at_interface);
 
-  // Ends the step after StopReason::growth, because these tips cannot grow: they have stopped.
+  // Ends the step after StopReason::growth if the tips that were due cannot grow: they are stopped.
   void end_with_stopped(const std::vector<crack::TipId>& tips, const std::function<void()>& on_end);
 
-  // Goes on with the run of another body whose cracks have grown since, at its load factor. `node_before` has of each
-  // node the one that was there before, or one close by. book() has to follow.
+  // Continues the run of another body (`before`) whose cracks have grown since, at its load factor. `node_before` maps
+  // each node to the one at the same place before, or a close one. `entering` are tips that have entered a lattice.
+  // book() has to follow.
   void go_on_after_growth(CrackEvolution& before, const std::vector<int>& node_before,
                           const std::vector<crack::TipId>& entering);
-  // Energy that this released, at constant loads, and what that is beyond the one on the path of equilibrium, along
-  // which the load factor goes to another one [J].
+  // Energy released by the growth at constant loads; and the part of it that exceeds the release along the equilibrium
+  // path, on which the load factor changes to `load_factor` [J].
   double released_by_growth() const { return growth_.released_energy; }
   double released_beyond_path(const CrackEvolution& before, double load_factor) const;
-  // Writes it down as an event.
+  // Enters a growth in the history as an event.
   void book(const Growth& growth);
 
-  // Nodes of parts that the last equilibrium under new loads found to move freely; they are held from there on.
+  // Nodes of parts that could move freely in the last equilibrium under new loads and are held since; the list is
+  // cleared.
   std::vector<int> take_held() { return std::exchange(held_, {}); }
 
-  // Displacements and forces are brought up to date first; nothing else depends on whether they are asked for.
+  // State with its displacements and forces brought up to date. Reading it does not affect the run.
   const EvolutionState& state() {
     look();
     return state_;
   }
-  // What a restored run needs beside it to go on with the same digits.
+  // What a restored run needs beside the state to continue with the same digits.
   Continuation continuation() {
     look();
     return sources_.continuation();
   }
-  // The state without its solution: numbers, bonds and history are right, displacements and forces may be those of an
-  // earlier event.
+  // State without an up-to-date solution: numbers, bonds and history are right, displacements and forces may be those
+  // of an earlier event.
   const EvolutionState& progress() const { return state_; }
   void restore(EvolutionState state, std::optional<Continuation> continuation = std::nullopt) noexcept;
-  // The system's terms are in their present stages, also after a failure or another state.
+  // Brings the stages of the system's terms up to date, also after a failure or a return to another state.
   void bring_terms_up_to_date() { sources_.refresh(); }
-  // Makes the run go on bit for bit as one that is restored from a copy of the present state alone.
+  // Lets the run continue bit for bit like one that is restored from a copy of the present state alone.
   void synchronize();
 
   Eigen::Vector2d reaction(std::size_t support) {
@@ -171,29 +175,31 @@ class CrackEvolution {
     look();
     return body_.reaction_at(dof);
   }
-  // The places where crack faces meet come first for initial cracks, from this number on for grown ones; can_have()
-  // says whether a bond and normal make a grown one.
+  // Number of the first contact place that growth has added (places on initial cracks come first); and whether a bond
+  // and normal can make such a place.
   std::size_t first_grown_constraint() const { return body_.faces().first_grown(); }
   bool can_have(const GrownFace& face) const { return body_.faces().can_have(face); }
   double seconds_search() { return body_.seconds_search(); }
 
-  // Whether cracks among bonds grow as lines, and what their tips do next under the present loads.
+  // Whether cracks in lattices grow as lines; and the tips of these lines with their next growth under the present
+  // loads.
   bool grows_lines() { return sources_.lines() != nullptr; }
   std::vector<crack::Tip> tips_of_lines() {
     look();
     return sources_.lines() ? sources_.lines()->tips() : std::vector<crack::Tip>();
   }
 
-  // The load factors at which nothing breaks, in the present state of the bonds and under the present loads.
+  // Range of load factors in which nothing breaks, for the present bonds and loads.
   LoadInterval admissible_load_factors() {
     look();
     return body_.admissible();
   }
-  // The bond that breaks next by itself, away from tips of lines, on the way of the load factor; null if none does.
+  // Bond that breaks next by itself, away from tips of lines, as the load factor rises or falls; empty if there is
+  // none.
   std::optional<NextBond> next_bond(bool upwards, Control control);
   double work() const;  // of loads and supports so far [J]
 
-  // Whether displacements and forces have products beyond the range of numbers.
+  // Whether products of displacements and forces exceed the range of numbers, so that energies are unknown.
   bool energies_are_lost() const;
 
  private:
@@ -202,7 +208,7 @@ class CrackEvolution {
     sources_.show();
   }
 
-  // The books as they were when a call began.
+  // Sums and sizes of lists at the start of a call, to return to.
   struct Start {
     Sums sums;
     std::size_t history_size, extensions_size;
@@ -224,8 +230,8 @@ class CrackEvolution {
   void forget_lines(const Start& start) noexcept;  // of the history, and what was added to the sums
   void return_to(const Start& start) noexcept;
   double within(double load_factor) const;
-  // The least energy by which those within are measured: where both parts of the loads cancel, they are known to a
-  // share of the energies of the parts only.
+  // Least scale of the energies in `within`: where the parts of the loads cancel, these are known only up to a share of
+  // the energies of the parts.
   double least_scale_within(double load_factor) const;
   double work_that_moves(const Event& event, const Outcome& outcome, const SteppingOptions& options);
   void book(const Event& event, const Outcome& outcome, const SteppingOptions& options);
@@ -234,8 +240,9 @@ class CrackEvolution {
   void find_lost_work(double stored_energy);
   void note_separation(const Outcome& outcome);
   void end_step();
-  // Throws Error (unsolvable) for a line whose forces or energies do not balance.
+  // Updates the largest work so far, by which energy errors are measured.
   void measure_work();
+  // Adds a line to the history. Throws Error (unsolvable) if its forces or energies do not balance.
   void write_line(const HistoryEntry& line, double energy_scale, const std::vector<double>& reactions_before,
                   const std::vector<double>& reactions);
 

@@ -11,11 +11,11 @@ namespace bempd::fracture {
 
 namespace {
 
-// Distance outside of a facet or a bond at which both still meet, in spacings: bonds pass through places where facets
-// join.
+// Distance outside a facet or a bond within which the two still meet, in spacings: bonds pass through points where
+// facets join.
 constexpr double rounding = 1e-6;
 
-// Whether two segments meet, ends included; parallel ones do not.
+// Whether two segments (a, b) and (c, d) meet within `near`, ends included; parallel segments never do.
 bool meet(const Point& a, const Point& b, const Point& c, const Point& d, double near) {
   const Point along = b - a, other = d - c;
   const double area = cross(along, other);

@@ -14,22 +14,23 @@
 
 namespace bempd::fracture {
 
-// Constant and proportional part of the pressure in some cracks, by their ids [Pa].
+// Pressures in cracks by crack id, constant and proportional part [Pa].
 using CrackPressures = std::map<int, Eigen::RowVector2d>;
 
-// A fluid in cracks among bonds. It goes from where a crack is at first wherever open facets join on, and acts in place
-// of all terms that are broken there: those that the crack cuts, those that cross a facet that it has reached, and what
-// follows these.
+// Fluid in cracks of lattices. It spreads from a crack's initial faces to all open facets that join on. Its pressure
+// acts in place of the broken terms: those that the crack cuts, those that cross a facet that the fluid has reached,
+// and their followers.
 class CrackFluid {
  public:
   CrackFluid() = default;
-  // `cut`: by crack, the bonds that it parts at first.
+  // `cut` gives the bonds that each crack (id) cuts at first.
   CrackFluid(pd::FluidPaths ways, std::map<int, std::vector<int>> cut, const coupling::Terms& terms,
              const std::vector<Point>& positions);
 
   bool empty() const { return cut_.empty(); }
 
-  // Adds nodal forces [N]. Beside nodes without loads there are none. Where cracks have met the first of them counts.
+  // Adds the nodal forces of the pressures [N]. Terms with an unloaded node have none. Where fluids of several cracks
+  // have met, the pressure of the first crack acts.
   void add_forces(const CrackPressures& pressures, const coupling::Terms& terms, const std::vector<char>& intact,
                   const std::vector<char>& unloaded, coupling::Affine& force) const;
 

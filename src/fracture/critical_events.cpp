@@ -9,10 +9,11 @@ namespace bempd::fracture {
 
 namespace {
 
-// A ratio that differs from 1 by less than this belongs to a bond that is just reaching its critical stretch.
+// Difference of a ratio from 1 below which a bond counts as just reaching its critical stretch.
 constexpr double excess_tolerance = 1e-12;
 
-// Ratios that grow less with the load factor do not grow: the load factor of 1 would be none.
+// Smallest slope of a ratio over the load factor that counts; with a smaller one the load factor at the ratio 1 would
+// exceed the range of numbers.
 constexpr double least_slope = 1e-280;
 
 // Widens the tie band so that mirrored bonds, equal up to rounding, fall on the same side of its limit.
@@ -51,7 +52,8 @@ void StretchRatios::update(const coupling::Affine& displacement) {
 
 namespace {
 
-// The range in which a function is at least 1, in load factors times a direction.
+// Range of (load factor times direction) in which the function constant + proportional * load factor is at least 1.
+// Empty (first > second) or infinite if the function is constant.
 std::pair<double, double> at_least_one(double constant, double proportional, double direction) {
   const double infinity = std::numeric_limits<double>::infinity();
   const double slope = proportional * direction;
@@ -107,7 +109,7 @@ LoadInterval AffineRatios::admissible(const std::vector<char>& intact, bool upwa
       const Span span = critical_span(b, 1);
       if (!(span.begin <= span.end)) continue;
       if (std::isinf(span.begin) && std::isinf(span.end)) return {infinity, -infinity};
-      // The range without a critical bond that the way comes from counts, where there are two.
+      // Critical bonds may lie between two admissible ranges; the one that the load path comes from counts.
       if (std::isinf(span.begin) || (!upwards && !std::isinf(span.end))) {
         result.lowest = std::max(result.lowest, span.end);
       } else {

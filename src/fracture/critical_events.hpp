@@ -12,20 +12,20 @@
 
 namespace bempd::fracture {
 
-// Load factors at which no bond exceeds its critical stretch; infinite where there is no bound.
+// Range of load factors in which no bond exceeds its critical stretch; infinite where there is no bound.
 struct LoadInterval {
   double lowest, highest;
 
   bool is_empty() const { return lowest > highest; }
-  // The end of the interval in a direction; null if there is none.
+  // End of the range in a direction; empty if it is infinite or the range is empty.
   std::optional<double> next(bool upwards) const {
     const double end = upwards ? highest : lowest;
     return is_empty() || std::isinf(end) ? std::nullopt : std::optional(end);
   }
 };
 
-// Stretch of bonds over their critical stretch as affine functions of the load factor. From it goes what is positive of
-// a second function where there is one, so that the ratio is the lesser of two functions.
+// Ratios of stretch to critical stretch of bonds, as affine functions of the load factor. If there is a relief (a
+// second function), its positive values are subtracted, so that the ratio is the smaller of two affine functions.
 struct AffineRatios {
   std::vector<double> constant, proportional;
   AffineRelief relief;  // empty: of no bond
@@ -39,13 +39,14 @@ struct AffineRatios {
   // bond exceeds its critical stretch there. Empty if no intact bond becomes critical.
   std::optional<double> next_break(const std::vector<char>& intact, double from, double to) const;
 
-  // next_break() upwards to any load factor, where all constant parts are 0, and the ratios of broken bonds too.
+  // next_break() with rising load factor and no bound, for the case that all constant parts are 0, and the ratios of
+  // broken bonds too.
   std::optional<double> next_proportional_break(double from) const;
 
-  // The interval without critical bonds; where critical bonds lie between two, the one that a way in this direction
-  // comes from.
+  // Range of load factors without critical bonds. If critical bonds lie between two such ranges, the one that a path in
+  // this direction comes from.
   LoadInterval admissible(const std::vector<char>& intact, bool upwards = true) const;
-  // The load factor at which a bond that has reached its critical stretch just reaches it; the given one if the bond
+  // Load factor at which a bond that exceeds its critical stretch just reaches it; `load_factor` itself if the bond
   // always exceeds it.
   double critical_load_factor(std::size_t bond, double load_factor) const;
   double steepest() const;  // largest ratio at the load factor 1 without the constant parts
@@ -60,7 +61,7 @@ struct AffineRatios {
                                   double largest) const;
 
  private:
-  // Load factors times a direction between which a bond is at or beyond its critical stretch.
+  // Range of (load factor times direction) in which a bond is at or beyond its critical stretch.
   struct Span {
     double begin, end;
   };
@@ -68,14 +69,14 @@ struct AffineRatios {
   std::optional<double> critical_from(std::size_t bond, double from, double direction) const;
 };
 
-// Share of the largest ratio from which on bonds break together with it; wider than the band by the rounding in which
-// mirrored bonds differ.
+// Ratio over the largest ratio from which on bonds break together with the most stretched one: 1 - band, less the
+// rounding by which mirrored bonds differ.
 double tie_limit(double band);
 
-// The ratios of all terms of a system: elastic elongations over the critical ones of the terms' stages.
+// Ratios of all terms of a system: elastic elongation over the critical one of the term's stage.
 class StretchRatios : public AffineRatios {
  public:
-  // All terms are in their first stage. An infinite critical stretch marks a term that cannot break.
+  // Puts all terms in their first stage. An infinite critical stretch marks a term that cannot break.
   StretchRatios(const coupling::Terms& terms, std::vector<double> critical_stretch);
 
   void enter(const std::vector<std::uint8_t>& stages);  // of all terms; the ratios follow with the next update
@@ -84,7 +85,7 @@ class StretchRatios : public AffineRatios {
   const coupling::CriticalScales& scales() const { return scales_; }
   const coupling::Terms& terms() const { return terms_; }
   const BondsAcross& across() const { return across_; }
-  // The critical stretch of a term in one of its stages; infinite where it is broken.
+  // Critical stretch of a term in one of its stages; infinite where the term is broken.
   double critical_stretch(std::size_t term, int stage) const {
     return critical_stretch_[term] * terms_.law_of(term).critical_share(stage);
   }

@@ -20,8 +20,8 @@ std::vector<ChangingTerm> changing_terms(const Event& event, const coupling::Equ
   return result;
 }
 
-// Potential energy lost. It is a quadratic function of the displacements that is least in equilibrium: where a
-// stiffness k of a term is lost, whose elastic elongation grows from e to e', it falls by k e e' / 2.
+// Potential energy lost in an event. It is a quadratic function of the displacements that is least in equilibrium: if a
+// term loses the stiffness k while its elastic elongation grows from e to e', the energy falls by k e e' / 2.
 double released_energy(const std::vector<ChangingTerm>& terms, const BodyChange& change, const EventBody& body,
                        double load_factor) {
   double sum = change.released_first;
@@ -47,7 +47,7 @@ std::optional<Outcome> perform_event(const Event& event, const coupling::Equilib
   outcome.work = change->work;
   outcome.stored_energy = body.stored_energy(f);
   const double released = released_energy(terms, *change, body, f);
-  // Lost loads take their part along with the piece.
+  // A piece that comes free takes the energy of its loads with it.
   outcome.released_energy =
       change->takes_loads_along ? outcome.work + outcome.stored_energy_before - outcome.stored_energy : released;
   outcome.bond_energy =

@@ -12,19 +12,19 @@ namespace bempd::fracture {
 // Rounding in the ratio of a term that just reaches its critical value.
 constexpr double ratio_rounding = 1e-9;
 
-// Terms that reach their critical value together, at one load factor.
+// Event: terms that reach their critical value together, at one load factor.
 struct Event {
   double load_factor = 0;
   double ratio = 0;                 // largest stretch over critical stretch
   double critical_load_factor = 0;  // at which the term of this ratio just reaches its critical value
-  // The term of this ratio is stretched beyond what it bears, not just to it.
+  // Whether equilibrium is lost: the term is stretched beyond its critical value, not just to it.
   bool is_out_of_balance() const { return ratio > 1 + ratio_rounding; }
 
-  // Changes of the event's terms and of those that follow them, ascending; not told where the event lies beyond the
+  // Changes of the stages of the event's terms and their followers, ascending; empty if the event lies beyond the
   // target.
   std::vector<coupling::StageChange> changes;
 
-  // Nothing breaks: faces of cracks close or open on the way.
+  // Whether nothing breaks and faces of cracks close or open.
   bool is_contact = false;
   bool goes_down = false;  // then: the load factor falls on the way
 
@@ -41,13 +41,13 @@ struct Event {
   }
 };
 
-// Share of loads that only supports balance (LoadedBody::unbalanced_share), where a part takes its loads along: before
-// and after that.
+// Share of the loads that only supports balance (LoadedBody::unbalanced_share), before and after a part takes its loads
+// away.
 struct LostBalance {
   double before = 0, after = 0;
 };
 
-// What an event did.
+// Outcome of an event.
 struct Outcome {
   std::int64_t broken = 0;    // terms that break
   std::int64_t switches = 0;  // places of faces that have closed or opened
@@ -72,7 +72,7 @@ struct Outcome {
   int ties = 0;                            // others that would have grown as soon
 };
 
-// Says where on the way of the load factor the next event comes, and performs it on the body.
+// Event source: finds the next event as the load factor changes, and performs it on the body.
 class EventSource {
  public:
   EventSource() = default;
@@ -80,11 +80,11 @@ class EventSource {
   EventSource& operator=(const EventSource&) = delete;
   virtual ~EventSource() = default;
 
-  // The next event on the way to a target; null if the source knows of none in that direction. It may lie beyond the
+  // Next event on the way to a target; null if the source knows of none in that direction. It may lie beyond the
   // target.
   virtual const Event* next(double target, const SteppingOptions& options) = 0;
 
-  // The event that next() told.
+  // Performs the event that next() returned.
   virtual Outcome perform() = 0;
 };
 

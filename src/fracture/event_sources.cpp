@@ -31,7 +31,7 @@ void EventSources::freeze(const std::set<crack::TipId>& tips) {
 
 const Event* EventSources::next(double target, const SteppingOptions& options) {
   const bool possible = may_use_window(target, options);
-  // Tips with elements ask for displacements of the whole body, which are found for each event of a window then.
+  // Tips with elements need the displacements of the whole body, which are then computed at each event of a window.
   const auto comes_first = [&](const Event* event) {
     const double present = body_.state().load_factor;
     return options.elements && event &&
@@ -64,8 +64,8 @@ const Event* EventSources::next(double target, const SteppingOptions& options) {
   return first_of(source, event, target);
 }
 
-// The first of two events by the order of all tips: one among bonds, which may be the step of a line, and the growth of
-// tips with elements.
+// First of two events in the order of all tips: `event`, a break or line step in lattices (null if there is none), and
+// the next growth of tips with elements. Null if neither exists.
 const Event* EventSources::first_with(crack::Carrier& elements, const Event* event, const crack::LoadWay& way) {
   std::vector<crack::Candidate> candidates = elements.candidates(way);
   if (event) {
@@ -85,7 +85,7 @@ EventSource& EventSources::everywhere() {
   return whole_body_;
 }
 
-// An event of a source on the way to the target, or faces that close or open before it.
+// First event on the way to the target: `event` of the given source, or faces that close or open before it.
 const Event* EventSources::first_of(EventSource& source, const Event* event, double target) {
   const Event* contact = contact_.before(event, target);
   told_ = contact ? static_cast<EventSource*>(&contact_) : &source;
@@ -103,7 +103,7 @@ void EventSources::open_window(double target, const SteppingOptions& options) {
   if (!window_.open(*next, options)) be_patient();
 }
 
-// Load factor of an event that a window could perform.
+// Load factor of the next event if a window could perform it; empty otherwise.
 std::optional<double> EventSources::next_in_window(double target, const SteppingOptions& options) {
   if (!lines_) return body_.next_critical(body_.way_to(target, options.control));
   const Event* event = lines_->next(target, options);
@@ -157,8 +157,8 @@ void EventSources::refresh() {
   if (!body_.state().in_equilibrium) close_awaited();  // other loads act since
 }
 
-// The first search for an event may change the system's factor if no window is open; with an open one nothing changes
-// before the first mark.
+// Begins a call that can be taken back. The continuation is kept at once only if no window is open, because the first
+// search for an event may then change the system's factor. With an open window nothing changes before the first mark.
 void EventSources::begin_call() {
   call_.emplace();
   if (!window_.is_open()) keep_way_on();
@@ -183,8 +183,8 @@ void EventSources::mark() {
   }
 }
 
-// The present is kept to the last bit: once more events are computed the same displacements come out with other
-// rounding.
+// Keeps the present state to the last bit, because displacements that are computed again later would have other
+// rounding errors.
 void EventSources::keep_present() {
   mark();
   complete_mark();
@@ -200,7 +200,7 @@ void EventSources::return_to_mark() noexcept {
   const bool has_state = mark_ && !mark_->place;
   if (has_state) body_.state() = std::move(mark_->state);
   if (mark_ && mark_->place) window_.return_to(*mark_->place);
-  // An open window is whole wherever the mark is a place in it, or nothing was marked; all else may be half done.
+  // An open window is intact if the mark is a position in it, or if nothing was marked; all else may be half done.
   if (has_state || !window_.is_open()) {
     abandon();
     if (call_ && call_->way_on) continue_with(std::move(*call_->way_on));

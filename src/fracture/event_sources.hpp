@@ -12,26 +12,26 @@
 
 namespace bempd::fracture {
 
-// Chooses the source of the next event: a window wherever one can be of use, the whole body otherwise. A window that
-// finds nothing to do is not tried again at once, and each time later.
+// Chooses the source of the next event: a window where that saves time, else the whole body. After a window without
+// use, the next one is tried later, each time after twice as many events.
 class EventSources {
  public:
-  // Bonds in `cut` are broken from the start.
+  // The bonds `cut` are broken from the start.
   EventSources(LoadedBody& body, const std::vector<int>& cut);
   EventSources(const EventSources&) = delete;
   EventSources& operator=(const EventSources&) = delete;
 
-  // Makes cracks grow as lines from now on, from the tips of the body's state.
+  // Lets cracks grow as lines from now on, starting from the tips in the body's state.
   void grow_lines(pd::TipLaws laws);
 
-  // Tips that the host keeps where they are, until other ones are named.
+  // Sets the tips that the host has frozen, until the next call.
   void freeze(const std::set<crack::TipId>& tips);
 
-  // The next event on the way to a target; null if none is left in that direction. It may lie beyond the target.
+  // Next event on the way to a target; null if none is left in that direction. It may lie beyond the target.
   const Event* next(double target, const SteppingOptions& options);
   Outcome perform();
 
-  // Cracks that grow as lines, of a state that is up to date; null where cracks grow bond by bond.
+  // Carrier of the crack lines, for a state that is up to date; null if cracks grow bond by bond.
   crack::Carrier* lines() {
     if (!lines_) return nullptr;
     lines_->look(window_.is_open());
@@ -40,32 +40,32 @@ class EventSources {
 
   const LineSteps* line_steps() const { return lines_ ? &lines_->steps() : nullptr; }
 
-  // Displacements and forces in the body's state, which fall behind while events come from a window.
+  // Brings displacements and forces in the body's state up to date; they are not while events come from a window.
   void bring_up_to_date() { window_.bring_up_to_date(); }
   void show() { window_.show(); }  // for someone who looks: nothing later depends on it
   void settle();                   // brings up to date and leaves the window: loads may change
   void forget();                   // what comes next is what it would be in a fresh run from the present state
 
-  // The body's state has become another one, at once and without memory: window, system and ratios follow with the next
-  // refresh(), which has to come before anything else.
+  // Notes that the body's state has been replaced. Window, system and ratios are adapted by the next refresh(), which
+  // has to come before anything else.
   void abandon() noexcept;
   void refresh();
 
-  // What is known beside the body's state; and after abandon(), what is to be known again. An open window is opened
-  // again by go_on(), before the run does.
+  // Saves what is known beside the body's state, and sets it again after abandon(). A saved window is opened again by
+  // go_on(), before the run continues.
   Continuation continuation() const;
   void continue_with(Continuation continuation) noexcept { awaited_ = std::move(continuation); }
   void go_on();
 
-  // One state of the body to return to: the one at the first mark since the last was dropped; with what is known beside
-  // it where begin_call() was called before.
+  // One state of the body to return to: the first one marked since the last drop_mark(). If begin_call() was called
+  // before, what is known beside the state is restored as well.
   void begin_call();
   void mark();
   void drop_mark();
   void return_to_mark() noexcept;
 
  private:
-  // A mark that was set in a window: while this is open a place in it stands for the large parts of the state.
+  // Marked state. In an open window a position in it replaces the large parts of the state.
   struct Mark {
     BodyState state;
     std::optional<WindowEvents::Place> place;
@@ -85,7 +85,8 @@ class EventSources {
   bool open_again(const Continuation& continuation);
   void close_awaited();
 
-  // What was known beside the state when a call began, for the case that it fails: kept once it is about to change.
+  // Data for the case that a call fails: what was known beside the state when it began, kept when it is about to
+  // change.
   struct Call {
     std::optional<Continuation> way_on;
   };

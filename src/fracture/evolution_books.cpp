@@ -1,4 +1,4 @@
-// The books of a run: work and energies, what the body bears, and lines of the history.
+// Records of a run: work and energies, resistance of the body, and lines of the history.
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -10,8 +10,8 @@
 
 namespace bempd::fracture {
 
-// What loads give in an event beyond equilibrium, and bonds do not take: it sets the body in motion, and is neither
-// released by breaking nor work of a quasi-static run.
+// Excess work of an event out of equilibrium: the part of the loads' work that the bonds do not absorb. It becomes
+// kinetic energy, so it counts neither as released by breaking nor as work of a quasi-static run.
 double CrackEvolution::work_that_moves(const Event& event, const Outcome& outcome, const SteppingOptions& options) {
   if (options.mode != SteppingMode::events || !event.is_out_of_balance()) {
     state_.work_out_of_balance = 0;
@@ -54,12 +54,12 @@ void CrackEvolution::book(const Event& event, const Outcome& outcome, const Step
   write_line(line, outcome.energy_scale, outcome.reactions_before, outcome.reactions);
 }
 
-// Books what happens between two events, where nothing breaks.
+// Records a contact event, at which nothing breaks.
 void CrackEvolution::pass(const Outcome& outcome) {
   state_.work = in_range(state_.work + outcome.work_before);
   measure_work();
   state_.contact_switches += outcome.switches;
-  // Faces may be all that holds the undamaged scene: its energy is larger after they close.
+  // Closed faces may be all that holds the undamaged scene; its energy is then larger after they close.
   if (state_.events == 0) state_.first_unit_energy = std::max(state_.first_unit_energy, body_.unit_energy());
   if (!outcome.comes_free) return;
   state_.work = in_range(state_.work + outcome.work);
@@ -73,7 +73,7 @@ void CrackEvolution::note_separation(const Outcome& outcome) {
     state_.separated = true;
 }
 
-// Work that was beyond the range of numbers is known again where energies are within it: what is stored and released.
+// Restores the work after it was beyond the range of numbers, as the sum of the stored and the released energy.
 void CrackEvolution::find_lost_work(double stored_energy) {
   const auto is_lost = [](double energy) { return !(std::abs(energy) < std::numeric_limits<double>::max()); };
   if (!is_lost(state_.work) || is_lost(stored_energy) || is_lost(state_.released_energy)) return;

@@ -6,7 +6,7 @@
 #include "fracture/crack_evolution.hpp"
 #include "number_range.hpp"
 
-// Runs that go on in another body, whose cracks have grown, and the way back.
+// Continuation of a run in another body whose cracks have grown, and the way back.
 namespace bempd::fracture {
 
 using coupling::Affine;
@@ -58,7 +58,8 @@ void CrackEvolution::end_with_stopped(const std::vector<crack::TipId>& tips, con
 
 namespace {
 
-// Loads of nodes that have lost them since did nothing more.
+// Potential, at the displacements before, of the loads that nodes have lost since then: these loads did no further
+// work.
 double potential_of_lost_loads(const Affine& force, const std::vector<char>& lost, const std::vector<char>& lost_before,
                                const Eigen::VectorXd& displacement, double load_factor) {
   double sum = 0;
@@ -72,7 +73,8 @@ double potential_of_lost_loads(const Affine& force, const std::vector<char>& los
 
 }  // namespace
 
-// Bonds that longer cracks cut are gone beside those that were, and cracks that have come among bonds have tips there.
+// Takes over the stages of terms. Bonds that longer cracks cut are broken too, and cracks that have entered a lattice
+// get their tips there.
 void CrackEvolution::take_over_lattices(const BodyState& old, const std::vector<crack::TipId>& entering) {
   const std::vector<std::uint8_t> cut = std::move(state_.stages);
   state_.stages = old.stages;
@@ -86,8 +88,9 @@ void CrackEvolution::take_over_lattices(const BodyState& old, const std::vector<
   state_.tips = std::move(tips);
 }
 
-// Exact constraints of a longer crack are found anew. Places on the initial cracks are, too, where a crack has come
-// among bonds: all are open at first, and some places of broken bonds may have become places of the crack.
+// Takes over the contact state. Exact constraints of longer cracks are determined anew. If a crack has entered a
+// lattice, so are the places on initial cracks: all are open at first, and some places of broken bonds may have become
+// places of the crack.
 void CrackEvolution::take_over_faces(const CrackFaces& before, const FaceState& old) {
   FaceState& faces = state_.faces;
   const std::size_t exact_before = before.constraints().exact_count(), exact = system_.constraints().exact_count();
@@ -103,7 +106,7 @@ void CrackEvolution::take_over_faces(const CrackFaces& before, const FaceState& 
   faces.pending = old.pending;
 }
 
-// What broke and what holds parts where they are stays as it was.
+// Takes over the body's state: what is broken, and what holds separated parts.
 void CrackEvolution::take_over_body(const BodyState& old, const std::vector<int>& node_before,
                                     const std::vector<crack::TipId>& entering) {
   state_.load_factor = old.load_factor;
@@ -128,12 +131,13 @@ void CrackEvolution::take_over_body(const BodyState& old, const std::vector<int>
   sources_.refresh();
 }
 
-// A piece that comes off is held where it was. Far away from where it was without loads the rounding of its stiffness
-// makes forces of that motion; there it is held where it is without loads.
+// Equilibrium after growth. A piece that comes off is held at its present position. If that is far from its unloaded
+// position, the rounding errors of its stiffness cause forces; it is then held at its unloaded position instead.
 LoadedBody::FirstEquilibrium CrackEvolution::find_equilibrium_of_pieces() {
   constexpr double balanced = 1e-8;
   BodyState given = state_;
-  // Rounding above `balanced` looks like a motion that no spring holds where bonds are broken as well: finding fails.
+  // If bonds are broken as well, residuals above `balanced` look like a motion that no spring holds, and the solution
+  // fails.
   try {
     const LoadedBody::FirstEquilibrium found = body_.find_equilibrium();
     if (found.held.empty() || body_.residual() <= balanced) return found;
@@ -147,8 +151,8 @@ LoadedBody::FirstEquilibrium CrackEvolution::find_equilibrium_of_pieces() {
   return body_.find_equilibrium();
 }
 
-// A body's potential energy falls by what its cracks take at constant loads; the work of the loads follows from where
-// they have come to.
+// Continues the run of the body `before`. At constant loads the potential energy falls by what the crack growth
+// releases; the work of the loads follows from that and the stored energy.
 void CrackEvolution::go_on_after_growth(CrackEvolution& before, const std::vector<int>& node_before,
                                         const std::vector<crack::TipId>& entering) {
   const EvolutionState& old = before.state();
@@ -184,23 +188,24 @@ void CrackEvolution::go_on_after_growth(CrackEvolution& before, const std::vecto
   growth_.resistance = body_.resistance(growth_.reactions);
 }
 
-// What loads lose of their potential less the energy that is stored: what a body has given away at a load factor.
+// Negative potential energy at a load factor: potential that the loads have lost less the stored energy.
 double CrackEvolution::potential_at(double load_factor) const {
   const double of_loads =
       coupling::evaluate(system_.force(), load_factor).dot(coupling::evaluate(state_.displacement, load_factor));
   return of_loads + within(load_factor) - body_.stored_energy_at(load_factor);
 }
 
-// The energy released at a constant load factor is quadratic in that. On the way from one to another it is, up to the
-// third power of the crack's extension, the bilinear form that belongs to it: by Betti's theorem half the difference of
-// what the forces of either crack do on the displacements of the other.
+// Excess of the energy released at constant loads over that along the equilibrium path. The former is a quadratic
+// function R of the load factor. Along a path from a to b, the release is the bilinear form B(a, b) with B(f, f) =
+// R(f), up to the third power of the extension. It is, by Betti's theorem, half the difference of the works that each
+// crack's forces do on the other's displacements. B follows from three values of R.
 double CrackEvolution::released_beyond_path(const CrackEvolution& before, double load_factor) const {
   const auto released = [&](double at) { return potential_at(at) - before.potential_at(at); };
   const double present = state_.load_factor;
   return 1.5 * released(present) - 2 * released(0.5 * (present + load_factor)) + 0.5 * released(load_factor);
 }
 
-// Steps of one event share its energy by their lengths.
+// Records the extensions of crack lines; those of one event share its energy by their lengths.
 void CrackEvolution::book_lines(const Outcome& outcome, double released_energy) {
   double length = 0;
   for (const CrackExtension& extension : outcome.extensions) length += extension.length;
@@ -213,7 +218,8 @@ void CrackEvolution::book_lines(const Outcome& outcome, double released_energy) 
     extension.event = state_.events;
     extension.crack_length = before + extension.length;
     extension.released_energy = released_energy * extension.length / length;
-    // What a last ligament releases beyond its fracture energy, at a load factor that is held, becomes motion.
+    // Energy that a last ligament releases beyond its fracture energy, at a constant load factor, becomes kinetic
+    // energy.
     const double taken = outcome.bond_energy * extension.length / length;
     const double most = extension.has_ended() ? extension.surface_energy : taken;
     state_.bond_energy -= std::max(0.0, taken - most);

@@ -5,7 +5,7 @@
 #include "fracture/crack_evolution.hpp"
 #include "number_range.hpp"
 
-// What comes upon a run from outside: new loads.
+// New loads of a run.
 namespace bempd::fracture {
 
 using coupling::Affine;
@@ -93,7 +93,7 @@ double CrackEvolution::least_scale_within(double load_factor) const {
   return accuracy * 0.5 * loads.dot(work_within_.cwiseAbs() * loads);
 }
 
-// Loads may leave the body as it was: what they have done until then measures what work and energies differ by.
+// Loads may leave the body as it was, so the largest work so far is the measure of energy errors.
 void CrackEvolution::measure_work() { state_.largest_work = std::max(state_.largest_work, std::abs(work())); }
 
 double CrackEvolution::work() const { return in_range(state_.work + within(state_.load_factor)); }

@@ -12,7 +12,7 @@
 
 namespace bempd::fracture {
 
-// One line of the history: an event, or (event 0) the end of a step.
+// Line of the history: an event, or (event 0) the end of a step.
 struct HistoryEntry {
   std::int64_t event = 0;
   std::int64_t total_broken_bonds = 0;
@@ -23,12 +23,12 @@ struct HistoryEntry {
   double work = 0;
   double energy_balance_error = 0;
   double residual = 0;
-  // The load factor of the equilibrium path at which the bonds of the event just reach their critical stretch, and the
-  // energy stored there after it; at the end of a step the same as above.
+  // Load factor of the equilibrium path at which the bonds of the event just reach their critical stretch, and the
+  // energy stored there after the event. At the end of a step: `load_factor` and `stored_energy`.
   double critical_load_factor = 0;
   double critical_stored_energy = 0;
   double bond_energy = 0;  // released by then, had each event happened there
-  // Just before the event; at the end of a step the same as there.
+  // Values just before the event; at the end of a step those at its end.
   double load_factor_before = 0;
   double stored_energy_before = 0;
   double work_before = 0;
@@ -39,7 +39,7 @@ struct HistoryEntry {
 
 using CrackExtension = crack::Extension;
 
-// The body as it is at a load factor.
+// State of the body at a load factor.
 struct BodyState {
   double load_factor = 0;
   bool in_equilibrium = false;  // false before the first solution and after the host changed loads
@@ -57,15 +57,15 @@ struct BodyState {
   std::vector<crack::TipId> stopped;  // tips with elements that cannot go on
 };
 
-// What the body bears: half of the sum of the magnitudes of all support forces and nodal loads, the pull in a tensile
-// test.
+// Resistance: the force that the body carries, as the pull in a tensile test. It is half the sum of the magnitudes of
+// all support forces and nodal loads.
 struct Resistance {
   double present = 0;    // after the last event [N]
   double peak = 0;       // the largest that was borne in equilibrium just before an event [N]
   double stiffness = 1;  // share that events have left of it, each at the loads of its own
 };
 
-// What the run has counted and added up.
+// Counts and sums of a run.
 struct Sums {
   std::int64_t events = 0;
   std::int64_t broken_bonds = 0;
@@ -82,12 +82,13 @@ struct Sums {
   double work_out_of_balance = 0;     // of loads since equilibrium was lost, as far as it is stored
 };
 
-// Everything that a run changes. Copying it saves the run; what it goes on with by the same digits is a Continuation.
+// Everything that a run changes: a copy saves the run. A Continuation is needed as well to continue with the same
+// digits.
 struct EvolutionState : BodyState, Sums {
   std::vector<HistoryEntry> history;
-  // Each support has an x and a y per line of the history: what it exerts at the line and just before its event [N],
-  // and how far it moves the body, which an event does not change: the mean over its nodes, NaN where it does not say
-  // [m].
+  // Values of supports, an x and a y for each support and line of the history. `reactions`: forces of the supports at
+  // the line, `reactions_before`: just before its event [N]. `support_displacements`: mean prescribed displacement of
+  // its nodes, NaN where a component is not prescribed [m].
   std::vector<double> reactions, reactions_before, support_displacements;
   std::vector<CrackExtension> extensions;
 };

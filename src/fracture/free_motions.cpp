@@ -12,20 +12,21 @@ namespace {
 
 using coupling::EquilibriumSystem;
 
-// Largest number of rounds of holding; bodies with a hundred initial cracks have needed ten.
+// Largest number of springs that are added one after another; bodies with a hundred initial cracks have needed ten.
 constexpr int most_holds = 64;
 
-// Resistance, relative to the stiffest direction, below which a motion is free up to rounding.
+// Resistance relative to the stiffest direction below which a motion is free up to rounding.
 constexpr double free_motion_resistance = 1e-13;
 
-// Elongation of a term, or bending of a body, over a motion's largest displacement, from which on the motion is merely
-// soft: a slender strip of length L and width h has h / L^2 and 1.
+// Limits for a free motion: elongation of a term, and bending of a body, over the motion's largest displacement. With
+// larger values the motion is only soft. For comparison, bending a slender strip of length L and width h (in spacings)
+// has about h / L^2 and 1.
 constexpr double free_elongation = 1e-9, free_bending = 1e-6;
 
-// Share of a free motion's largest displacement below which a node counts as staying where it is.
+// Displacement of a node over the largest one of a free motion below which the node counts as not moving.
 constexpr double moved_share = 1e-6;
 
-// Nodes of a dense body whose motion the sparse system shows.
+// Nodes of a dense body that the sparse system has not eliminated, which show how the body moves.
 std::vector<int> visible_nodes(const EquilibriumSystem& system, const std::vector<int>& body) {
   const auto is_visible = [&](int dof) { return system.is_unknown(dof) || system.is_prescribed(dof); };
   std::vector<int> nodes;
@@ -47,12 +48,12 @@ bool is_free(const EquilibriumSystem& system, const std::vector<Point>& position
   });
 }
 
-// Nodes with unbalanced loads that a motion would move.
+// Loaded nodes that a motion moves.
 std::vector<int> pushed_nodes(const EquilibriumSystem& system, const Eigen::VectorXd& motion) {
   std::vector<char> moves(system.node_count(), 0);
   const auto is_moved = [&](int node) { return motion.segment<2>(2 * node).norm() > moved_share; };
   for (int node = 0; node < system.node_count(); ++node) moves[node] = is_moved(node) ? 1 : 0;
-  // Bodies that cannot break move as a whole.
+  // Bodies that cannot break (boundary element regions) move as a whole.
   for (const std::vector<int>& body : system.dense_bodies()) {
     if (std::none_of(body.begin(), body.end(), is_moved)) continue;
     for (int node : body) moves[node] = 1;

@@ -7,16 +7,16 @@
 
 namespace bempd::fracture {
 
-// Parts that had to be held to make equilibrium unique.
+// Parts that had to be held to make the equilibrium unique.
 struct HeldMotions {
   std::vector<int> nodes;      // where a spring was put
   bool loads_lost = false;     // they pushed on something that moves freely
   std::int64_t fragments = 0;  // parts that lost them
 };
 
-// Solves the body's system and holds what the solution shows to be free, by springs that keep it where it is `before`.
-// `looks_free` is asked after each solution; `broken` are the terms that broke last. Throws Error (unsolvable) where
-// holding does not help.
+// Solves the body's system, and holds free motions in the solution by springs at the displacement `before`.
+// `looks_free` is asked after each solution whether some motion looks free; `broken` are the terms that broke last.
+// Throws Error (unsolvable) if holding does not help.
 HeldMotions solve_and_hold(LoadedBody& body, std::span<const int> broken, const Eigen::VectorXd& before,
                            const std::function<bool()>& looks_free);
 

@@ -14,13 +14,14 @@ using coupling::HeldDirection;
 using coupling::HoldingSpring;
 using coupling::RigidMotion;
 
-// Share of their stiffness up to which terms that pull on one line do not resist a motion across it.
+// Smallest over largest resistance of a point below which its terms act along one line and do not resist a motion
+// across it.
 constexpr double collinearity_tolerance = 1e-10;
 
 // Work of forces on a free motion, over their size, below which they are in equilibrium without support.
 constexpr double balance_tolerance = 1e-9;
 
-// Difference below which components of a motion are equal, so that rounding does not choose what is held.
+// Difference below which components of a motion are equal, so that rounding does not decide which one is held.
 constexpr double motion_rounding = 1e-6;
 
 }  // namespace
@@ -142,7 +143,7 @@ void FreedPartFinder::hold_piece(const std::vector<int>& nodes, const Eigen::Vec
       if (system_.is_unknown(2 * node + component)) holdable.push_back(direction);
     }
   }
-  // Loads count whether they were there before the springs or not, because springs must not carry any.
+  // All loads count, also those that acted before the springs were added, because springs must not carry any.
   const RigidMotion unsupported(positions_, nodes, held);
   if (unsupported.free_count() == 0) return;
   const bool pushed = is_pushed(unsupported, positions_, nodes, system_.force());

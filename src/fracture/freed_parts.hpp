@@ -11,46 +11,46 @@
 
 namespace bempd::fracture {
 
-// What has to be held so that equilibrium stays unique after terms have broken.
+// Parts that terms have freed by breaking, and what is done so that the equilibrium stays unique.
 struct FreedParts {
   std::vector<coupling::HoldingSpring> springs;
   std::vector<int> nodes_with_lost_loads;  // their loads push a free part for which there is no equilibrium
   std::int64_t fragments = 0;              // pieces that have come free of all supports
 };
 
-// Whether forces on all nodes have no equilibrium on a piece that can move.
+// Whether forces on all nodes have no equilibrium on a piece that can move: they do work on a free motion of it.
 bool is_pushed(const coupling::RigidMotion& motion, const std::vector<Point>& positions, const std::vector<int>& nodes,
                const coupling::Affine& forces);
 
-// Finds parts that can move freely: pieces cut off from supports, and points whose remaining terms pull on one line.
-// They are held where they are by springs that carry no force.
+// Finds parts that can move freely: pieces cut off from supports, and points whose remaining terms act along one line.
+// They are held at their place by springs that carry no force.
 class FreedPartFinder {
  public:
   FreedPartFinder(const coupling::EquilibriumSystem& system, const std::vector<Point>& positions);
 
-  // All parts of the scene as it is under its present loads, also those that springs hold already; `displacement`
-  // anchors new springs.
+  // All free parts of the body under its present loads, including those that springs hold already; `displacement` is
+  // where new springs hold them.
   FreedParts all_pieces(const Eigen::VectorXd& displacement) const;
 
-  // Parts that these terms free, which are broken in the system.
+  // Parts that the terms `removed`, broken in the system, have freed.
   FreedParts after_break(const std::vector<int>& removed, const Eigen::VectorXd& displacement) const;
 
-  // True if after_break() would find nothing; mostly without a look at the whole body.
+  // Whether after_break() would find nothing; in most cases without a search of the whole body.
   bool frees_nothing(const std::vector<int>& removed, const Eigen::VectorXd& displacement) const;
 
-  // Nodes of pieces that springs hold and no support does, and held points whose terms pull on one line; and springs
-  // that hold a part of another piece.
+  // Parts held by springs: nodes of pieces that springs but no support hold, and of held points whose terms act along
+  // one line. `others` are springs that hold only part of a piece.
   struct Held {
     std::vector<char> nodes;
     std::vector<coupling::HoldingSpring> others;
   };
   Held held_parts() const;
 
-  // A spring against the largest component of a motion that met no resistance.
+  // Spring against the largest component of a motion that met no resistance; `displacement` is where it holds.
   coupling::HoldingSpring against(const Eigen::VectorXd& motion, const Eigen::VectorXd& displacement) const;
 
  private:
-  // What terms and supports of a point resist with; its weakest direction has next to nothing in a loose point.
+  // Resistance of a point by its terms and supports; in a loose point the weakest direction has almost none.
   struct Resistance {
     linalg::SymmetricModes modes;
     bool has_terms;

@@ -7,7 +7,7 @@ namespace bempd::fracture {
 
 namespace {
 
-// Bonds as long as the shortest one of a node, up to rounding.
+// Length of a bond over that of the shortest one at a node, up to which it counts as one of the shortest.
 constexpr double shortest = 1.01;
 
 }  // namespace

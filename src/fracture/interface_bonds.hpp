@@ -7,14 +7,14 @@
 
 namespace bempd::fracture {
 
-// The shortest bonds of nodes that a body which cannot break shares: once one of them breaks a crack has reached that
-// body, and can only run along it.
+// Shortest bonds at nodes of bodies that cannot break. Once one of them breaks, a crack has reached the body and can
+// only run along it.
 class InterfaceBonds {
  public:
-  // Finds the bonds that are there now.
+  // Collects the bonds that are intact now.
   InterfaceBonds(const coupling::EquilibriumSystem& system, const std::vector<Point>& positions);
 
-  // Node of the body at which one of them has broken since.
+  // Node of such a body at which one of the collected bonds has broken since; empty if there is none.
   std::optional<int> reached() const;
 
  private:

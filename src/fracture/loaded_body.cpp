@@ -11,9 +11,9 @@ namespace bempd::fracture {
 
 namespace {
 
-// A motion may have lost its resistance from this residual on.
+// Residual from which on a motion may have lost its resistance.
 constexpr double suspicious_residual = 1e-8;
-// What solving leaves of forces that nearly cancel, relative to them.
+// Rounding of a solution whose forces nearly cancel, relative to these forces.
 constexpr double rounding_of_parts = 1e-12;
 
 std::vector<int> nodes_with_force(const coupling::Affine& force) {
@@ -62,7 +62,7 @@ void LoadedBody::set_load(const Affine& force, const Affine& prescribed, const C
   Affine own_force = force, own_prescribed = prescribed, held = prescribed, carried = this->carried(force, pressures);
   CrackPressures own_pressures = pressures;
   std::vector<int> loaded = nodes_with_force(has_fluid() ? carried : force);
-  // No memory is needed from here on: either all of it happens or nothing.
+  // No memory is allocated from here on, so either all changes happen or none.
   force_ = std::move(own_force);
   prescribed_ = std::move(own_prescribed);
   pressures_.swap(own_pressures);
@@ -160,7 +160,8 @@ LoadedBody::FirstEquilibrium LoadedBody::find_equilibrium() {
   keep_held_parts_dry();
   update_ratios();
   result.work = absorb(state_.load_factor);
-  // Faces that close or open on the way from the loads before make the trapezoid rule void; what is done is stored.
+  // The trapezoidal rule for the work is invalid if faces close or open on the way from the previous loads; the work is
+  // then the change of the stored energy.
   if (had_contact || result.switches > 0) result.work = stored_energy() - stored_before;
   if (state_.first_unit_energy < 0) state_.first_unit_energy = unit_energy();
   state_.in_equilibrium = true;
@@ -174,7 +175,7 @@ bool LoadedBody::is_balanced() const {
       std::max({state_.largest_force, force.lpNorm<Eigen::Infinity>(), least_force_scale(system_, f)});
   const double residual = fracture::residual(system_, force, f, largest);
   if (residual <= suspicious_residual) return true;
-  // Parts of loads that nearly cancel, as those of a short way at a late time, leave the rounding of both.
+  // Parts of the loads that nearly cancel (as in a short path at a late time) leave rounding errors of both.
   const double parts = system_.internal_force(state_.displacement.col(0)).lpNorm<Eigen::Infinity>() +
                        std::abs(f) * system_.internal_force(state_.displacement.col(1)).lpNorm<Eigen::Infinity>();
   return residual * largest <= rounding_of_parts * parts;
@@ -200,7 +201,8 @@ double LoadedBody::absorb(double load_factor) {
   const Eigen::VectorXd displacement = evaluate(state_.displacement, load_factor);
   const Eigen::VectorXd force = system_.internal_force(displacement, load_factor);
   if (!displacement.allFinite() || !force.allFinite()) fail_out_of_range();
-  // The trapezoid rule is exact on the straight way between two states. In equilibrium internal forces equal the loads.
+  // The trapezoidal rule is exact on the straight path between two states; in equilibrium the internal forces equal the
+  // loads.
   double work = 0.5 * (state_.total_force + force).dot(displacement - state_.total_displacement);
   if (system_.has_offsets() && load_factor != state_.load_factor) {
     const double before = system_.energy_slope(state_.total_displacement, state_.load_factor);

@@ -15,7 +15,7 @@
 
 namespace bempd::fracture {
 
-// Loads as a host gave them, and whether the body is in equilibrium under them.
+// Loads as the host has given them, and whether the body is in equilibrium under them.
 struct ActingLoads {
   coupling::Affine force, prescribed;
   CrackPressures pressures;
@@ -24,12 +24,12 @@ struct ActingLoads {
   double first_unit_energy = -1;
 };
 
-// The whole body under its loads: the displacements for all load factors, and the forces and energies at the present
-// one. Between two breaks the response is linear in the load factor.
+// Whole body under its loads: displacements as functions of the load factor, forces and energies at the present one.
+// Between two breaks the response is linear in the load factor.
 class LoadedBody {
  public:
-  // `reaction_dofs[s]` are the degrees of freedom of support s. Bonds in `cut` are broken from the start. The state
-  // belongs to the caller, who saves it and gives it back.
+  // `reaction_dofs[s]` are the degrees of freedom of support s. The bonds `cut` are broken from the start. `state`
+  // belongs to the caller, who saves and restores it.
   LoadedBody(coupling::EquilibriumSystem& system, const std::vector<Point>& positions,
              std::vector<double> critical_stretch, const std::vector<int>& cut,
              std::vector<std::vector<int>> reaction_dofs, ContactPlan contact, BodyState& state);
@@ -46,16 +46,17 @@ class LoadedBody {
   BodyState& state() { return state_; }
   double& seconds_search() { return seconds_search_; }
 
-  // Adds the fluid in cracks, before the first loads.
+  // Adds the fluid in cracks; called before the first loads.
   void add_crack_fluid(CrackFluid fluid) { fluid_ = std::move(fluid); }
   bool has_fluid() const { return !fluid_.empty(); }
-  // Constant and proportional part of what the host has said of a crack.
+  // Pressure that the host has given for a crack, constant and proportional part [Pa]; 0 if none.
   Eigen::RowVector2d pressure_in(int crack) const;
-  // Lets it follow what has broken: force [N] that it adds by that at the present load factor.
+  // Lets the fluid enter the terms that have broken; returns the nodal forces [N] that this adds at the present load
+  // factor.
   Eigen::VectorXd let_flow();
 
   void set_load(const coupling::Affine& force, const coupling::Affine& prescribed, const CrackPressures& pressures);
-  // Loads that are the present ones at this load factor: the body stays in equilibrium if they are constant.
+  // Replaces the loads by others that are equal at the present load factor; the body stays in equilibrium.
   void take_over(const coupling::Affine& force, const coupling::Affine& prescribed, const CrackPressures& pressures);
   ActingLoads acting_loads() const;
   void restore_loads(ActingLoads loads) noexcept;  // restore() has to follow
@@ -70,25 +71,25 @@ class LoadedBody {
     std::int64_t switches;   // places of faces that have closed or opened
     LostBalance lost_balance;
   };
-  // Makes an equilibrium under loads that are new, at the present load factor.
+  // Finds the equilibrium under new loads at the present load factor.
   FirstEquilibrium find_equilibrium();
 
   void solve();          // the displacements of the present system
   void update_ratios();  // to these displacements
-  // Opens and closes constraints, with a solution after each round, until all are as the present load factor asks for;
-  // where a gap is zero, as a way on in this direction does. What nothing but closed faces held is held by springs when
-  // they open.
+  // Opens and closes constraints, with a solution after each round, until all agree with their gaps at the present load
+  // factor. Where a gap is zero, its sign just ahead in `direction` decides. Parts that only closed faces held are held
+  // by springs when these open.
   struct Settled {
     std::int64_t switched = 0, fragments = 0;  // constraints; parts that loads push
     std::vector<int> held;                     // nodes of parts that could move freely
   };
   Settled settle_constraints(double direction);
-  // The load factor from which constraints may be wrong again on a way in a direction: the present one or, if they
-  // could only be settled for one a little farther on, that one.
+  // Load factor up to which constraints are settled in a direction: the present one, or one a little farther if they
+  // could only be settled for that.
   double settled_until(double direction) const;
-  // Brings places up to date where terms have broken since; the displacements are those of the state.
+  // Adds the contact places of terms that have broken since, at the displacements of the state.
   void update_faces() { faces_.update(state_.total_displacement, state_.faces); }
-  // Brings places up to date, and tells which of them may press.
+  // Adds the contact places of terms that have broken since, and determines which of them may press.
   void refresh_faces() {
     update_faces();
     bar_constraints_of_held_parts();
@@ -97,20 +98,21 @@ class LoadedBody {
   std::size_t changes_that_bar() const { return changes_that_bar_; }
   void bar_constraints(std::vector<char> barred, std::size_t changes);
 
-  // What terms and operators hold where nothing has moved yet; work that was done before.
+  // Energy stored at zero displacements by rest lengths, which counts as work done before.
   double energy_at_rest() const;
 
   double move_to(double load_factor);  // returns the work of the loads, and of what swells with them
   double absorb(double load_factor);   // the same, also where only the displacements have changed
-  // Displacements and forces of this solution, at the present load factor, of which all sums are known.
+  // Sets displacements and forces to those of a solution at the present load factor whose energies are already
+  // recorded.
   void show(coupling::Affine displacement);
 
-  // The way from the present load factor to a target.
+  // Load path from the present load factor to a target.
   LoadWay way_to(double target, Control control) const {
     return {state_.load_factor, target >= state_.load_factor, control};
   }
   BondList bonds() const { return {ratios_, system_.intact()}; }
-  // The load factor at which the first bond becomes critical on a way; null if none does.
+  // Load factor at which the first bond becomes critical on a path; empty if none does.
   std::optional<double> next_critical(const LoadWay& way);
   LoadInterval admissible() const { return ratios_.admissible(system_.intact()); }
 
@@ -123,15 +125,16 @@ class LoadedBody {
   Eigen::Vector2d reaction(std::size_t support) const;
   double reaction_moment(std::size_t support, const Point& about) const;  // [N m]
   std::vector<double> reactions() const;
-  // How far supports move the body at the present load factor, x and y of each: the mean over its nodes, NaN where it
-  // does not say.
+  // Prescribed displacement at the present load factor, x and y of each support: the mean over its nodes, NaN for a
+  // component that is not prescribed.
   std::vector<double> support_displacements() const;
   Point load_on(int node, double load_factor) const;  // [N]
-  // Half of the sum of the magnitudes of these reactions and of the nodal loads at a load factor.
+  // Force that the body carries at a load factor: half the sum of the magnitudes of these reactions and of the nodal
+  // loads.
   double resistance(const std::vector<double>& reactions, double load_factor) const;
   double resistance(const std::vector<double>& reactions) const { return resistance(reactions, state_.load_factor); }
-  // What loads at the present load factor leave over among themselves, for supports to bear: their sum, or their moment
-  // over the radius of gyration of where they act, over half of the sum of their magnitudes. 0: they balance.
+  // Imbalance of the loads at the present load factor, which supports have to bear: the sum of the loads, or their
+  // moment over the radius of gyration of their places, over half the sum of their magnitudes. 0 if they balance.
   double unbalanced_share() const;
   double reaction_at(int dof) const;  // of one that is held [N]
 
@@ -142,7 +145,7 @@ class LoadedBody {
   HeldParts held_parts() const;
   std::vector<char> nodes_of_held_parts() const;
   coupling::Affine without_lost_loads(coupling::Affine force) const;
-  // Loads that are left after some have been lost, and the forces of the fluid.
+  // Loads less those that nodes have lost, plus the forces of the fluid.
   coupling::Affine carried(coupling::Affine force, const CrackPressures& pressures) const;
 
   coupling::EquilibriumSystem& system_;

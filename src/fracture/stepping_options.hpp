@@ -8,13 +8,13 @@
 
 namespace bempd::fracture {
 
-// How bonds break on the way of the load factor.
+// Order in which bonds break as the load factor changes.
 enum class SteppingMode {
-  // The most stretched bonds first, at the load factor at which they reach their critical stretch, until none exceeds
-  // it.
+  // Event by event: the most stretched bonds break first, at the load factor at which they reach their critical
+  // stretch, until none exceeds it.
   events,
   // Fixed increments with one solution each: every bond that exceeds its critical stretch at the end of an increment
-  // breaks, and what that overloads has to wait for the next one (Yang and Liu 2021, fig. 6).
+  // breaks; bonds that this overloads break in the next one (Yang and Liu 2021, fig. 6).
   increments
 };
 

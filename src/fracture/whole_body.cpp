@@ -12,10 +12,11 @@ namespace bempd::fracture {
 
 namespace {
 
-// A term that lengthens by this factor when it goes was the last resistance to some motion.
+// Elongation of a term after its break over that before it, from which on the term was the last resistance to some
+// motion.
 constexpr double runaway_elongation = 1e8;
 
-// What elongations may have of the displacements that they are differences of.
+// Rounding error of an elongation over the displacements that it is the difference of.
 constexpr double elongation_rounding = 1e-16;
 
 }  // namespace
@@ -32,12 +33,12 @@ Elongation WholeBody::elongation(int term, double load_factor) const {
 bool WholeBody::runs_away(std::span<const ChangingTerm> terms) const {
   const double f = body_.state().load_factor;
   const Eigen::VectorXd after = evaluate(body_.state().displacement, f);
-  // A term that follows, or that a step of a line cuts besides, may have had no elongation of its own; where nothing is
-  // carried none of them has.
+  // The scale is the largest elongation of all changing terms, because a follower, or a term that a line's step also
+  // cuts, may have had none of its own. It is at least the rounding error, for events without load.
   const double displacement = body_.state().total_displacement.lpNorm<Eigen::Infinity>();
   double largest = elongation_rounding * displacement;
   for (const ChangingTerm& one : terms) largest = std::max(largest, std::abs(one.before.elastic));
-  // A body that loses its loads goes back from a part that is held where it was, and no further.
+  // A body that loses its loads moves back by at most its displacement, also against a part that is held in place.
   const double most = std::max(runaway_elongation * largest, 2 * displacement);
   const auto is_within = [&](const ChangingTerm& one) {
     const auto term = static_cast<std::size_t>(one.term);
@@ -46,8 +47,8 @@ bool WholeBody::runs_away(std::span<const ChangingTerm> terms) const {
   return !std::all_of(terms.begin(), terms.end(), is_within);
 }
 
-// Energies that constraints release which have opened or closed at the event: those with a penalty, and exact ones. The
-// latter is the limit of the former, gaps being those without multipliers.
+// Energies released by constraints that have opened or closed at the event: those with a penalty, then exact ones. The
+// latter energy is the limit of the former; its gaps are those without multipliers.
 std::vector<double> WholeBody::released_by_constraints(const Eigen::VectorXd& before) const {
   const coupling::Constraints& constraints = system_.constraints();
   const Eigen::VectorXd& after = body_.state().total_displacement;
@@ -104,8 +105,8 @@ std::optional<BodyChange> WholeBody::change(const Event& event, std::span<const 
   if (change.takes_loads_along) outcome.lost_balance = {unbalanced_before, body_.unbalanced_share()};
   body_.update_ratios();
   change.work = body_.absorb(event.load_factor);
-  // All of the fluid's force is there while the points give way, of which nodal forces before and after show the half;
-  // and it fills what the bonds had stretched before they broke.
+  // The fluid's whole force acts while the points move, of which nodal forces before and after show only half. The
+  // fluid also fills the opening that the bonds had before they broke.
   const double by_fluid = 0.5 * flow.dot(state.total_displacement + before);
   change.work += by_fluid;
   change.released_then = released_by_constraints(before);

@@ -7,8 +7,8 @@
 
 namespace bempd::fracture {
 
-// The whole body as events change it: by a low-rank change and a solution of the whole system. What comes free is held,
-// so that every event can be performed. Its load factor is that of the event.
+// Whole body as events change it: by a low-rank change and a solution of the whole system. Parts that come free are
+// held, so that every event can be performed. The load factor is that of the event.
 class WholeBody final : public EventBody {
  public:
   explicit WholeBody(LoadedBody& body) : body_(body), system_(body.system()) {}

@@ -10,7 +10,7 @@ namespace bempd::fracture {
 
 namespace {
 
-// An increment that has begun by less than this share of its size has not begun.
+// Share of an increment's size below which an increment that has begun counts as not begun.
 constexpr double increment_rounding = 1e-9;
 
 }  // namespace
@@ -31,7 +31,7 @@ std::optional<double> WholeBodyEvents::next_load_factor(double target, const Ste
   if (!next || way.control == Control::path || options.mode == SteppingMode::events) return next;
   const Stopwatch watch(body_.seconds_search());
   if (const std::optional<double> increment = next_increment(target, options.increment)) return increment;
-  // The next break lies beyond the target if there is none up to it.
+  // No break up to the target: the next one lies beyond it.
   return way.end();
 }
 
