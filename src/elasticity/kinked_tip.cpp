@@ -16,8 +16,8 @@ constexpr double no_growth = std::numeric_limits<double>::infinity();
 
 constexpr double pi = std::numbers::pi;
 
-// Widest kink that is tried, enough for every mixture of modes that opens: in pure shear the largest rate is at 75.6
-// degrees.
+// Largest kink angle that is tried [rad], enough for every mixture of modes that opens: in pure shear the energy
+// release rate is largest at 75.6 degrees.
 constexpr double widest_kink = 1.9;
 
 double polynomial(const std::array<double, 11>& coefficients, double x) {
@@ -26,7 +26,7 @@ double polynomial(const std::array<double, 11>& coefficients, double x) {
   return sum;
 }
 
-// Energy release rate of a kink times E'; negative for a kink that would close.
+// Energy release rate times E' of an infinitesimal kink; with the opposite sign for a kink that would close.
 double opening_rate(const Point& factors, double angle) {
   const Point kinked = kinked_factors(factors, angle);
   return kinked.x() > 0 ? kinked.squaredNorm() : -kinked.squaredNorm();
@@ -35,7 +35,7 @@ double opening_rate(const Point& factors, double angle) {
 Kink largest_hoop_stress(const Point& factors) {
   const double one = factors.x(), two = factors.y();
   double angle = 0;
-  // A closed tip with next to no shear has its largest hoop stress straight behind it.
+  // A closed tip with next to no shear has its largest hoop stress in the direction straight back.
   if (one < 0 && std::abs(two) < -1e-290 * one) {
     if (two != 0) angle = two > 0 ? -pi : pi;
   } else if (two != 0)
@@ -45,7 +45,7 @@ Kink largest_hoop_stress(const Point& factors) {
 
 Kink largest_energy_release_rate(const Point& factors) {
   if (factors.y() == 0) return {0, factors.x()};
-  // The kink turns to the side on which the shear opens it; the angle is found on a grid, then by golden section
+  // The kink turns to the side on which the shear opens it. The angle is found on a grid, then by golden section
   // search.
   const double side = factors.y() > 0 ? -1 : 1;
   constexpr int grid = 48;
@@ -61,7 +61,7 @@ Kink largest_energy_release_rate(const Point& factors) {
         opening_rate(factors, side * a) < opening_rate(factors, side * b) ? a : b;
   }
   double angle = side * 0.5 * (low + high), rate = opening_rate(factors, angle);
-  // The best kink of a closed tip is the first one that opens, and rounding may put it to either side of that.
+  // The best kink of a closed tip is the smallest one that opens, and rounding may put the angle to either side of it.
   for (const double opens : {side * high, side * widest_kink * best / grid})
     if (rate <= 0) angle = opens, rate = opening_rate(factors, angle);
   return {angle, rate > 0 ? std::sqrt(rate) : -std::sqrt(-rate)};
@@ -121,7 +121,7 @@ double growth_load_factor(const Point& constant, const Point& proportional, doub
   if (excess(0) >= 0) return 0;
   const double slope = kink_of(proportional, criterion).equivalent_factor;
   if (!(slope > 0)) return no_growth;
-  // The bracket ends where growth is certain: both measures are convex and lie above the factor times `slope` less the
+  // The search ends where growth is certain: both measures are convex, and at least the factor times `slope` less the
   // most that the constant part can subtract.
   double low = 0, high = 2 * (toughness + 2 * constant.norm()) / slope;
   for (int i = 0; i < 100; ++i) (excess(0.5 * (low + high)) < 0 ? low : high) = 0.5 * (low + high);

@@ -5,7 +5,7 @@
 
 namespace bempd {
 
-// Force per volume that is linear in the place x: uniform [N/m^3] plus growth [N/m^4] times x.
+// Body force, per volume, that is linear in the place x: uniform [N/m^3] plus growth [N/m^4] times x.
 struct BodyForce {
   Point uniform = Point::Zero();
   double growth = 0;
@@ -17,8 +17,8 @@ struct BodyForce {
   Point at(const Point& x) const { return growth == 0 ? uniform : Point(uniform + growth * x); }
 };
 
-// State of an infinite plane body under a linear body force, which is b + k r at a distance r from a centre near the
-// body (near it for accuracy). The constant part b has the stresses
+// Particular solution: an infinite plane body under a linear body force, which is b + k r at the vector r from a centre
+// near the body (for accuracy). The constant part b has the stresses
 //   sigma_xx = -b_x x,  sigma_yy = -b_y y,  sigma_xy = 0,
 // which satisfy div sigma + b = 0 and, being linear, are compatible, with quadratic displacements. The part k r has the
 // radial displacement -k r^3 / (8 c11) (Timoshenko and Goodier, Theory of Elasticity, 3rd ed., section 30).
@@ -37,7 +37,7 @@ class LinearBodyForce {
   Point displacement(const Point& place) const {
     return growth_ == 0 ? quadratic(place) : Point(quadratic(place) + cubic(place));
   }
-  // Part of the displacement that is quadratic in the distance from the centre; cubic() is the other part.
+  // Quadratic part of the displacement, in the distance from the centre; cubic() is the rest.
   Point quadratic(const Point& place) const {
     const Point r = place - centre_;
     return {-0.5 * along_ * b_.x() * r.x() * r.x() - across_ * (b_.y() * r.x() * r.y() - 0.5 * b_.x() * r.y() * r.y()),
@@ -51,12 +51,13 @@ class LinearBodyForce {
   const Point& centre() const { return centre_; }
   const Point& at_centre() const { return b_; }  // the force [N/m^3]
 
-  // Stress xx, yy, xy [Pa] at a place.
+  // Stress (xx, yy, xy) [Pa] at a place.
   Eigen::Vector3d stress(const Point& place) const {
     const Point r = place - centre_;
     const Eigen::Vector3d constant(-b_.x() * r.x(), -b_.y() * r.y(), 0);
     if (growth_ == 0) return constant;
-    // -k r^2 / 8 (3 + q) along the radius and (1 + 3 q) across it.
+    // The cubic part has the stresses -k r^2 / 8 (3 + q) along the radius and -k r^2 / 8 (1 + 3 q) across it, q = c12 /
+    // c11.
     const double all_sides = -growth_ / 8 * (1 + 3 * ratio_) * r.squaredNorm(), along = -growth_ / 4 * (1 - ratio_);
     return constant +
            Eigen::Vector3d(all_sides + along * r.x() * r.x(), all_sides + along * r.y() * r.y(), along * r.x() * r.y());

@@ -13,15 +13,16 @@ namespace {
 using Complex = std::complex<double>;
 constexpr Complex i_unit{0, 1};
 
-// Displacements and resultant forces on a ray, x and y, for the four constants of a sector.
+// Displacements and resultant forces on a ray (rows x, y) per unit of the four constants of a sector's solution.
 struct RayFunctions {
   Eigen::Matrix<Complex, 2, 4> displacement, force;
 };
 
-// Functions of complex potentials phi = a z^lambda, psi = b z^lambda; their conjugates have constants c and d of their
-// own, so that everything is analytic in lambda (M. L. Williams, J. Appl. Mech. 19, 1952; England, Complex Variable
-// Methods in Elasticity, 1971, section 3.7): 2 mu (u + i v) = kappa phi - z conj(phi') - conj(psi), and the resultant
-// force on the arc from a fixed point is -i (phi + z conj(phi') + conj(psi)) times the thickness.
+// Displacement and force functions of the potentials phi = a z^lambda, psi = b z^lambda. Their conjugates have
+// constants c and d of their own, so that everything is analytic in lambda (M. L. Williams, J. Appl. Mech. 19, 1952;
+// England, Complex Variable Methods in Elasticity, 1971, section 3.7). The displacement is 2 mu (u + i v) = kappa phi -
+// z conj(phi') - conj(psi). The resultant force on the arc from a fixed point is -i (phi + z conj(phi') + conj(psi))
+// times the thickness.
 RayFunctions functions_on(double angle, const Complex& lambda, const PlaneElasticity& e, double modulus) {
   const Complex up = std::exp(i_unit * lambda * angle), down = 1.0 / up;
   const Complex turn = std::exp(2.0 * i_unit * angle), ahead = turn * down, behind = up / turn;
@@ -40,7 +41,8 @@ RayFunctions functions_on(double angle, const Complex& lambda, const PlaneElasti
   return result;
 }
 
-// Determinant of all conditions on the rays: 0 where a displacement r^lambda satisfies them.
+// Determinant of the conditions on all rays as a function of lambda: it is 0 if some displacement ~ r^lambda satisfies
+// them.
 class WedgeEquations {
  public:
   explicit WedgeEquations(const Wedge& wedge) : wedge_(wedge) {
@@ -99,7 +101,8 @@ class WedgeEquations {
   std::vector<double> from_;
 };
 
-// Whether stress is bounded for certain: one sector up to a straight angle that is free on both sides, or held on both.
+// Whether stress is bounded without doubt: one sector with an angle up to 180 degrees, free on both faces or held on
+// both.
 bool is_surely_bounded(const Wedge& wedge) {
   if (wedge.sectors.size() != 1 || wedge.closed) return false;
   const int held = wedge.held[0];
@@ -111,7 +114,7 @@ bool is_surely_bounded(const Wedge& wedge) {
 
 std::optional<std::complex<double>> singular_exponent(const Wedge& wedge) {
   if (is_surely_bounded(wedge)) return std::nullopt;
-  // Exponents next to 0 and 1 are left out: translations are solutions with the exponent 0, rotations and constant
+  // Exponents near 0 and 1 are left out: translations are solutions with the exponent 0, rotations and constant
   // stresses with 1.
   constexpr double least = 0.01, most_imaginary = 1;
   return linalg::leftmost_root(WedgeEquations(wedge), {least, largest_singular_exponent}, most_imaginary);

@@ -8,15 +8,15 @@
 
 namespace bempd {
 
-// Material between two rays from a point.
+// Sector of a wedge: the material between two rays from its point.
 struct WedgeSector {
   double opening;  // [rad], > 0
   PlaneElasticity elasticity;
 };
 
-// Sectors around a point, counter-clockwise from an angle, each bonded to the next; if `closed`, the last one to the
-// first. `held` has the held displacement components on the rays, from the first to the last: 1 x, 2 y, 3 both, 0 on a
-// free face or inside. There is one ray more than sectors unless the wedge is closed.
+// Wedge: sectors around a point, counter-clockwise from the ray at `angle`, each bonded to the next and, if `closed`,
+// the last one to the first. `held` tells for each ray which displacement components are held: 1 x, 2 y, 3 both, 0 none
+// (a free face or an interface). Unless the wedge is closed there is one more ray than sectors.
 struct Wedge {
   double angle = 0;
   std::vector<WedgeSector> sectors;
@@ -24,12 +24,12 @@ struct Wedge {
   bool closed = false;
 };
 
-// Largest exponent that counts as singular: stress grows as r^-0.01 at least.
+// Largest exponent that counts as singular: then stress grows at least as r^-0.01.
 constexpr double largest_singular_exponent = 0.99;
 
-// Exponent of the displacement next to the point where stress grows fastest: displacement is r to this power. It is the
-// solution of the wedge's equations with the least real part between 0 and largest_singular_exponent; of a conjugate
-// pair, the one with the positive imaginary part. Empty if stress is bounded.
+// Exponent of the strongest singularity at the point: the displacement is ~ r to this power. It is the solution of the
+// wedge's equations with the least real part between 0 and largest_singular_exponent; of a conjugate pair, the one with
+// the positive imaginary part. Empty if the stress is bounded.
 std::optional<std::complex<double>> singular_exponent(const Wedge& wedge);
 
 }  // namespace bempd

@@ -10,8 +10,8 @@ namespace bempd {
 
 namespace {
 
-// Fraction of a point on the arc's circle, possibly beyond the ends of the arc; of all, the one nearest to the arc's
-// middle.
+// Fraction of the arc's length at which its circle is closest to `p`; below 0 or above 1 beyond the ends of the arc.
+// The fractions of the circle reach half a turn to either side of the arc's middle.
 double fraction_on_circle(const Arc& arc, const Point& p) {
   const Point centre = arc.centre(), middle = arc.at(0.5) - centre, r = p - centre;
   return 0.5 + std::atan2(cross(middle, r), middle.dot(r)) / arc.sweep;
@@ -27,7 +27,7 @@ double fraction_beyond_ends(const Arc& arc, const Point& p) {
 }
 
 // Points that the circle of `arc` has in common with the line or circle of `other`: the foot on the line of symmetry
-// plus and minus half the common chord. A miss by rounding counts as touching.
+// plus and minus half the common chord. Circles that miss each other by rounding only count as touching.
 std::vector<Point> common_points(const Arc& arc, const Arc& other) {
   const Point centre = arc.centre();
   const double radius = (arc.start - centre).norm();
@@ -51,7 +51,7 @@ std::vector<Point> common_points(const Arc& arc, const Arc& other) {
   return {foot - half * along, foot + half * along};
 }
 
-// Piece of an arc with its chord; two pieces are at least as far apart as their chords less what the arcs bulge out.
+// Piece of an arc. Two pieces are at least as far apart as their chords are, less the heights (reach) of both arcs.
 struct Piece {
   Arc arc;
   double reach() const { return std::abs(arc.sagitta()); }
@@ -83,7 +83,7 @@ double Arc::length() const {
 
 Point Arc::at(double fraction) const {
   if (straight()) return chord().at(fraction);
-  // The point is computed from the nearer end, so that both ends are met exactly.
+  // The point is computed from the nearer end, so that both ends are reproduced exactly.
   const auto from = [](const Point& origin, const Point& towards, double turning, double part) -> Point {
     const double ratio = std::sin(0.5 * part * turning) / std::sin(0.5 * turning);
     return origin + ratio * turned(towards - origin, -0.5 * (1 - part) * turning);
@@ -105,7 +105,7 @@ Point Arc::centre() const {
 std::optional<Arc> arc_through(const Point& start, const Point& between, const Point& end) {
   const Point a = between - start, b = end - between;
   const double turning = cross(a, b), along = a.dot(b);
-  // Half the arc's sweep is the angle by which the polyline turns at the place between.
+  // Half the arc's sweep is the angle by which the polyline through the three places turns at the middle one.
   const double half = std::atan2(turning, along);
   constexpr double straight_enough = 1e-12;
   if (!(a.squaredNorm() > 0 && b.squaredNorm() > 0)) return std::nullopt;
@@ -120,12 +120,12 @@ double closest_fraction(const Arc& arc, const Point& p) {
   double fraction =
       std::abs(arc.sweep) < nearly_straight ? fraction_on_line({arc.start, arc.end}, p) : fraction_on_circle(arc, p);
   if (fraction <= 0 || fraction >= 1) {
-    // The arc does not reach to the nearest place of the circle: one of its ends is the closest.
+    // One end of the arc is the closest place if the nearest place of the circle lies beyond the arc.
     const double to_start = (p - arc.start).squaredNorm(), to_end = (p - arc.end).squaredNorm();
     if (std::abs(arc.sweep) >= nearly_straight) return to_start <= to_end ? 0.0 : 1.0;
     fraction = std::clamp(fraction, 0.0, 1.0);
   }
-  // Newton's method improves the result: the centre of a flat arc is far away and known to few digits.
+  // Newton's method improves the fraction: the centre of a flat arc is far away and known to few digits.
   for (int iteration = 0; iteration < 4; ++iteration) {
     const Point r = p - arc.at(fraction), t = arc.tangent(fraction);
     const double stretch = 1 - curvature * cross(t, r);
@@ -140,7 +140,7 @@ bool in_circular_segment(const Arc& arc, const Point& p) {
   const Point d = arc.end - arc.start;
   const double left = cross(d, p - arc.start);
   if ((arc.sweep > 0) == (left > 0)) return false;
-  // The theorem of inscribed angles tells whether the point is within the circle, without its centre.
+  // The inscribed angle tells whether the point lies within the circle; the circle's centre is not needed.
   return (p - arc.start).dot(p - arc.end) < left / std::tan(0.5 * arc.sweep);
 }
 
@@ -163,7 +163,8 @@ std::optional<Point> find_contact(const Arc& a, const Arc& b, double tolerance) 
 }
 
 std::array<Arc, 2> biarc(const Point& start, const Point& start_tangent, const Point& end, const Point& end_tangent) {
-  // The joint is start + d t0 + d times the unit vector towards end - d t1, so that |end - start - d (t0 + t1)| = 2 d.
+  // The joint is start + d t0 + d times the unit vector from there to end - d t1, so that |end - start - d (t0 + t1)| =
+  // 2 d.
   const Point v = end - start, t = start_tangent + end_tangent;
   const double a = 2 * (1 - start_tangent.dot(end_tangent)), b = 2 * v.dot(t), c = -v.squaredNorm();
   const double d = -2 * c / (b + std::sqrt(b * b - 4 * a * c));

@@ -14,8 +14,8 @@ namespace {
 
 using Fractions = std::vector<double>;
 
-// The fraction, exactly 0 or 1 when the place is an end of the edge. Twice the tolerance is allowed, since two places
-// that were each matched to a third one may be that far apart.
+// Fraction, made exactly 0 or 1 where the place is an end of the edge. Twice the tolerance is allowed, because two
+// places that were each matched to a third one may be that far apart.
 double snap_to_ends(const Edge& edge, double fraction, double tolerance) {
   const double reach = 2 * tolerance / edge.length();
   if (fraction <= reach) return 0;
@@ -28,7 +28,7 @@ double snap_to(const Fractions& candidates, double fraction) {
                            [fraction](double a, double b) { return std::abs(a - fraction) < std::abs(b - fraction); });
 }
 
-// Fractions in order, without the ends; places closer than twice the tolerance are merged.
+// Fractions in ascending order, without 0 and 1; places closer to each other than twice the tolerance are merged.
 Fractions distinct_inner(const Edge& edge, Fractions fractions, double tolerance) {
   std::sort(fractions.begin(), fractions.end());
   const double reach = 2 * tolerance / edge.length();
@@ -69,7 +69,7 @@ class Arranger {
   }
 
   void compare(int a, int b) {
-    // The search is limited to these edges: no others can be in or on the other body.
+    // Edges far from the other body's box are left out: they cannot lie in the other body or on it.
     const std::vector<int> near_a = bodies_[a].tree.meeting(widened(boxes_[b]));
     const std::vector<int> near_b = bodies_[b].tree.meeting(widened(boxes_[a]));
     std::map<int, Fractions> splits_a, splits_b;
@@ -96,11 +96,11 @@ class Arranger {
     touch(a, b.end, on_a);
     touch(b, a.start, on_b);
     touch(b, a.end, on_b);
-    // Straight edges that touch need no crossing: it would be the same place as the touching vertex, or rounding on a
-    // shared piece.
+    // Crossings are not computed for straight edges that touch: the crossing would be the touching vertex, or rounding
+    // on a shared piece.
     if (touching && a.straight() && b.straight()) return;
     for (const Crossing& c : meeting_points(a, b)) {
-      // Arcs with the same tangent are left out: circles that are the same up to rounding seem to cross anywhere.
+      // Crossings with the same tangent are left out: circles that are the same up to rounding seem to cross anywhere.
       constexpr double same_direction = 1e-6;
       if (touching && std::abs(cross(a.tangent(c.fraction_a), b.tangent(c.fraction_b))) < same_direction) continue;
       on_a.push_back(snap_to_ends(a, c.fraction_a, tolerance_));
@@ -108,8 +108,9 @@ class Arranger {
     }
   }
 
-  // Classifies the pieces of edges of `a` between two splits by their middles: a piece has one relation to `b`. Shared
-  // pieces are found from one side only and entered for both, so that the two sides cannot disagree.
+  // Classifies the pieces between splits of the edges of body `a` by their middles: all of a piece has one relation to
+  // `b`. Shared pieces are found from one side only (`enter_contacts`) and entered for both, so that the two cannot
+  // disagree.
   void classify(int a, int b, const std::map<int, Fractions>& splits, bool enter_contacts) {
     for (const auto& [k, fractions] : splits) {
       const Edge& edge = bodies_[a].edges[k];
@@ -141,7 +142,7 @@ class Arranger {
     if (other_from > other_to) result_.contacts.push_back({a, edge, from, to, b, partner, other_from, other_to});
   }
 
-  // Edge of the body that the piece lies on, or -1; next to a corner, the more parallel of the two edges.
+  // Number of the edge of `body` on which the piece lies, or -1; next to a corner, the edge more parallel to the piece.
   int coincident_edge(const Segment& piece, const Point& middle, const Point& direction, const EdgeTree& body) const {
     int best = -1;
     double best_alignment = 0;

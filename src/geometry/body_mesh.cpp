@@ -20,7 +20,8 @@ double turning_of(const Edge& edge) {
   return sum;
 }
 
-// Fractions at which sides end: those of the given places, and as many between them as the size requires.
+// Fractions of an edge at which sides of triangles end: at `places` on the edge, and as many between as the size
+// requires.
 std::vector<double> side_ends(const Edge& edge, const std::vector<Point>& places, double size, double tolerance) {
   std::vector<double> fixed{0, 1};
   for (const Point& place : places)
@@ -44,8 +45,8 @@ Point centre_of_circle(const Point& a, const Point& b, const Point& c) {
   return a + across / (2 * cross(ab, ac));
 }
 
-// Ruppert's refinement (J. Algorithms 18, 1995): circles over sides are kept empty, so that sides are sides of
-// triangles, and the circumcentres of triangles that are too large or too thin become points.
+// Mesh by Ruppert's refinement (J. Algorithms 18, 1995). Circles over sides are kept free of points, so that the sides
+// are sides of triangles. The circumcentres of triangles that are too large or too thin are added as points.
 class BodyMesher {
  public:
   BodyMesher(const std::vector<Edge>& boundary, double size)
@@ -126,7 +127,7 @@ bool BodyMesher::has_points_in_circle(const Side& side) const {
   return std::any_of(points_.begin(), points_.end(), [&](const Point& p) { return in_circle_over(side, p); });
 }
 
-// Splits a side at its middle, on the true outline; false if the side is already as short as allowed.
+// Splits a side at its middle, which is moved to the true outline; false if the side is already as short as allowed.
 bool BodyMesher::split(std::size_t number) {
   const Side side = sides_[number];
   if (length(side) < 2 * smallest_) return false;
@@ -148,7 +149,8 @@ void BodyMesher::split_crowded() {
 }
 
 bool BodyMesher::split_crowded_by(const Point& place) {
-  // A copy: it may be one of those that splitting moves. NOLINTNEXTLINE(performance-unnecessary-copy-initialization)
+  // The place is copied, because it may be one of those that splitting moves.
+  // NOLINTNEXTLINE(performance-unnecessary-copy-initialization)
   const Point p = place;
   bool any = false;
   for (std::size_t k = 0, count = sides_.size(); k < count; ++k)
@@ -156,7 +158,7 @@ bool BodyMesher::split_crowded_by(const Point& place) {
   return any;
 }
 
-// Point that a triangle of the body needs because it is too large or too thin; empty if it needs none.
+// Point to be added because a triangle of the body is too large or too thin: its circumcentre; empty if it is good.
 std::optional<Point> BodyMesher::missing_in(const Delaunay::Triangle& triangle) const {
   if (!triangle.there || *std::min_element(triangle.points.begin(), triangle.points.end()) < 0) return std::nullopt;
   const Point &a = point(triangle.points[0]), &b = point(triangle.points[1]), &c = point(triangle.points[2]);
@@ -198,7 +200,7 @@ BodyMesh BodyMesher::result() const {
     if (!triangle.there || *std::min_element(triangle.points.begin(), triangle.points.end()) < 0) continue;
     const Point &a = point(triangle.points[0]), &b = point(triangle.points[1]), &c = point(triangle.points[2]);
     const double longest = std::max({(b - a).squaredNorm(), (c - b).squaredNorm(), (a - c).squaredNorm()});
-    // Flat triangles are left out: they lie between an edge and points on it that are rounded.
+    // Flat triangles are left out: they lie between an edge and points on it that have been rounded.
     if (cross(b - a, c - a) > 1e-6 * longest && inside((a + b + c) / 3)) mesh.triangles.push_back(triangle.points);
   }
   for (const Side& side : sides_)

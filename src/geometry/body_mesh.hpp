@@ -8,15 +8,15 @@
 
 namespace bempd {
 
-// Triangulation of the inside of a body for pictures. Triangles have about one size, and are smaller where the outline
-// or cracks require it; cracks are sides of triangles.
+// Triangulation of the inside of a body, for pictures. Triangles have about one size, smaller where the outline or
+// cracks require it. Cracks run along sides of triangles.
 struct BodyMesh {
   std::vector<Point> points;
   std::vector<std::array<int, 3>> triangles;  // counter-clockwise
   std::vector<std::array<int, 2>> crack_sides;
 };
 
-// `boundary` holds the edges of all loops in order; `size` is the length of a side.
+// Triangulates the inside of `boundary`, all edges of all loops in order; `size` is the length of a triangle's side.
 BodyMesh mesh_body(const std::vector<Edge>& boundary, const CrackLines& cracks, double size);
 
 }  // namespace bempd

@@ -7,7 +7,7 @@
 
 namespace bempd {
 
-// Element with three nodes (start, mid, end) in the direction that has the body on its left.
+// Boundary element with three nodes (start, mid, end), directed so that the body lies on its left.
 struct BoundaryElement {
   std::array<int, 3> nodes;           // displacement nodes
   std::array<int, 3> traction_nodes;  // traction nodes; neighbours share one inside a panel
@@ -15,8 +15,9 @@ struct BoundaryElement {
   double sweep = 0;                   // angle by which the tangent turns along it; 0 if it is straight
 };
 
-// Straight piece or circular arc of a boundary between two places where the traction may jump: corners, ends of loads,
-// supports and interfaces. `stations` are the element ends as fractions of the length, 0 = first < ... < last = 1.
+// Panel: a straight piece or circular arc of a boundary between two places where the traction may jump, such as corners
+// and ends of loads, supports and interfaces. `stations` are the ends of its elements, as fractions of the length, 0 =
+// first < ... < last = 1.
 struct Panel {
   Point start, end;
   std::vector<double> stations;
@@ -25,26 +26,27 @@ struct Panel {
   Arc arc() const { return {start, end, sweep}; }
 };
 
-// Closed boundary of one body: the outer loop counter-clockwise, holes clockwise, every panel continuing the last one.
-// Displacement nodes are shared along each loop. The traction space is continuous inside a panel and has two nodes at
-// its ends, so that tractions may jump there.
+// Mesh of the closed boundary of one body: the outer loop counter-clockwise, holes clockwise, each panel beginning
+// where the one before ends. Neighbouring elements of a loop share displacement nodes. Tractions are continuous inside
+// a panel and have nodes of their own at its ends, so that they may jump there.
 struct BoundaryMesh {
   std::vector<Point> nodes;
   std::vector<BoundaryElement> elements;
   int traction_node_count = 0;
 };
 
-// `loops[l]` lists the panels of loop l in order; panels are numbered through all loops.
+// Makes the boundary mesh; `loops[l]` has the panels of loop l in order. Panels are numbered through all loops.
 BoundaryMesh mesh_boundary(const std::vector<std::vector<Panel>>& loops);
 
-// Whether two meshes have the same elements on places that differ by a translation, up to the rounding of the places.
+// Whether two meshes have the same elements, with positions that differ by one translation up to rounding.
 bool differ_by_translation(const BoundaryMesh& a, const BoundaryMesh& b);
 
-// Largest angle by which an element may turn: eight elements for a full circle.
+// Largest angle by which the tangent may turn along an element: a full circle has at least eight elements.
 inline constexpr double largest_element_sweep = 0.7853981633974483;  // pi / 4
 
-// Element ends for a piece of the given length and sweep: `count = ceil(length / target)` equal elements when `grading`
-// is 1; otherwise the lengths of neighbours differ by the factor `grading` >= 1, growing from both ends.
+// Ends of elements, as fractions, for a piece of the given length and sweep, with elements no longer than about
+// `target`. They are equal if `grading` is 1; otherwise the lengths of neighbours differ by the factor `grading` >= 1
+// and grow from both ends.
 std::vector<double> element_stations(double length, double target, double grading = 1.0, double sweep = 0.0);
 
 }  // namespace bempd

@@ -6,14 +6,14 @@
 
 namespace bempd {
 
-// Tree of bounding boxes, halved along their longer side, that finds the few of many things that are near something.
+// Tree of bounding boxes, halved along their longer side, to find those of many items that lie near something.
 class BoxTree {
  public:
   BoxTree() = default;
   explicit BoxTree(const std::vector<Box>& boxes);
 
-  // Visits the things whose boxes, and all boxes around them, pass `is_near(box)`, in no particular order, until
-  // `visit(number)` returns true. Returns whether one did.
+  // Calls visit(number) for the items whose boxes, and all boxes around these, satisfy is_near(box), in any order,
+  // until it returns true. Returns whether it did.
   template <class IsNear, class Visit>
   bool any(const IsNear& is_near, const Visit& visit) const {
     for (std::size_t n = 0; n < nodes_.size();) {
@@ -29,7 +29,7 @@ class BoxTree {
     return false;
   }
 
-  // Numbers of the things whose boxes meet the box, ascending.
+  // Numbers of the items whose boxes meet the given box, ascending.
   std::vector<int> meeting(const Box& box) const;
 
  private:

@@ -11,7 +11,7 @@ namespace bempd {
 
 namespace {
 
-// Place of a path where a line has to end.
+// Place on a path where a crack line has to end; `way` is its distance along the path.
 struct Mark {
   double way;
   Point place;
@@ -39,7 +39,7 @@ struct Path {
   }
 };
 
-// Places where two segments cross or touch: none, one or, along a common piece, two.
+// Places where two segments cross or touch: none, one, or the two ends of a common piece.
 std::vector<Point> common_places(const Segment& a, const Segment& b, double tolerance) {
   if (const auto crossing = proper_crossing(a, b)) return {a.at(crossing->fraction_a)};
   std::vector<Point> places;
@@ -80,7 +80,7 @@ void mark_mouths(Path& path, const std::vector<Edge>& boundary, double tolerance
   }
 }
 
-// Merges marks at one place; a place on the boundary and at another crack becomes a mouth.
+// Merges marks that lie at one place; a place on the boundary that is also one of another crack becomes a mouth.
 void merge_marks(Path& path, double tolerance) {
   std::sort(path.marks.begin(), path.marks.end(), [](const Mark& a, const Mark& b) { return a.way < b.way; });
   std::vector<Mark> merged;

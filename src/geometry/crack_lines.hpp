@@ -7,8 +7,8 @@
 
 namespace bempd {
 
-// Polyline of a crack; `id` is for messages. grown_at_start and grown_at_end count the segments that growth has added
-// at its ends.
+// Polyline of a crack; `id` is used in messages. grown_at_start and grown_at_end are the numbers of segments that
+// growth has added at its ends.
 struct CrackPath {
   int id;
   std::vector<Point> points;
@@ -19,7 +19,7 @@ struct CrackPath {
   bool grown(int segment) const { return segment < grown_at_start || segment >= segments() - grown_at_end; }
 };
 
-// Piece of a crack between the places where it ends, meets another crack or reaches the boundary.
+// Crack line: the piece of a crack between two places at which it ends, meets another crack or reaches the boundary.
 struct CrackLine {
   int crack;  // position of the path
   std::vector<Point> points;
@@ -31,7 +31,7 @@ struct CrackLine {
   double length() const;
 };
 
-// Place where lines meet each other or, at a mouth, the boundary.
+// Joint: a place where crack lines meet each other or, at a mouth, the boundary.
 struct CrackJoint {
   Point place;
   bool mouth;
@@ -42,8 +42,9 @@ struct CrackLines {
   std::vector<CrackJoint> joints;
 };
 
-// Parts the cracks inside a body where they meet; `boundary` holds all its edges. Throws Error (argument) for cracks
-// that leave the body, run along its boundary or along each other, or fold back onto themselves.
+// Divides the cracks inside a body into lines at the places where they meet; `boundary` has all edges of the body.
+// Throws Error (argument) for cracks that leave the body, run along its boundary or along each other, or fold back on
+// themselves.
 CrackLines crack_lines(const std::vector<CrackPath>& paths, const std::vector<Edge>& boundary, double tolerance);
 
 }  // namespace bempd

@@ -10,7 +10,7 @@ namespace {
 
 constexpr std::int64_t grid_reach = std::int64_t{1} << 23;
 
-// Integer for products of four differences of coordinates, which have up to 119 bits.
+// Integer type for products of four differences of coordinates, which have up to 119 bits.
 __extension__ using Wide = __int128;
 
 }  // namespace
@@ -38,7 +38,8 @@ bool Delaunay::circle_holds(const Triangle& triangle, const Place& p) const {
   return sum > 0;
 }
 
-// Triangle at the place, found by a walk towards it; in a Delaunay triangulation the walk ends.
+// Number of the triangle that contains the place, found by walking from triangle to triangle towards it. In a Delaunay
+// triangulation the walk ends.
 int Delaunay::triangle_at(const Place& p) const {
   int at = static_cast<int>(triangles_.size()) - 1;  // the newest one is there
   for (bool moved = true; moved;) {
@@ -53,7 +54,8 @@ int Delaunay::triangle_at(const Place& p) const {
   return at;
 }
 
-// Removes the triangles whose circles hold the place, which lie together around it.
+// Removes the triangles whose circumcircles contain the place; they form a connected cavity around it, of which the rim
+// is returned. `first` is the triangle that contains the place.
 std::vector<Delaunay::Rim> Delaunay::open_cavity(int first, const Place& p) {
   std::vector<Rim> rim;
   std::vector<int> waiting{first};
@@ -84,7 +86,7 @@ int Delaunay::insert(const Point& p) {
   fresh_.clear();
   const int first = triangle_at(at);
   for (const int point : triangles_[static_cast<std::size_t>(first)].points) {
-    // Two ways to compute a place may round it to neighbouring grid points, which count as one.
+    // Neighbouring grid points count as one, because a place computed in two ways may be rounded to either.
     if (std::abs(place(point).x - at.x) <= 1 && std::abs(place(point).y - at.y) <= 1) return point;
   }
   const std::vector<Rim> rim = open_cavity(first, at);

@@ -9,12 +9,12 @@
 namespace bempd {
 
 // Delaunay triangulation of points that are inserted one after the other (Bowyer and Watson 1981). Coordinates are
-// rounded to whole numbers, 2^23 to either side of the box's centre, so that every decision is exact.
+// rounded to integers, 2^23 to either side of the box's centre, so that every decision is exact.
 class Delaunay {
  public:
   explicit Delaunay(const Box& box);
 
-  // Number of the point; if an earlier point has the same rounded place, the number of that point.
+  // Inserts a point and returns its number; if an earlier point has the same rounded place, the number of that one.
   int insert(const Point& p);
 
   struct Triangle {
@@ -22,9 +22,9 @@ class Delaunay {
     std::array<int, 3> neighbours;  // across from the points; -1 outside the frame
     bool there = true;
   };
-  // All triangles ever made; those with `there` unset have been removed.
+  // All triangles ever made. Those whose member `there` is false have been removed.
   const std::vector<Triangle>& triangles() const { return triangles_; }
-  // Triangles that the last insertion made.
+  // Numbers of the triangles that the last insertion made.
   const std::vector<int>& fresh() const { return fresh_; }
   int point_count() const { return static_cast<int>(places_.size()) - frame_points; }
 
@@ -32,7 +32,7 @@ class Delaunay {
   struct Place {
     std::int64_t x, y;
   };
-  // Side of the cavity that can be seen from the new point, with the triangle beyond it.
+  // Side on the rim of the cavity around a new point, with the triangle beyond it (-1: none).
   struct Rim {
     std::array<int, 2> points;
     int beyond;
@@ -40,7 +40,7 @@ class Delaunay {
   static constexpr int frame_points = 3;
 
   const Place& place(int point) const { return places_[static_cast<std::size_t>(std::int64_t{point} + frame_points)]; }
-  // Twice the area of the triangle.
+  // Twice the area of the triangle a, b, c; positive if it is counter-clockwise.
   static std::int64_t turn(const Place& a, const Place& b, const Place& c);
   bool circle_holds(const Triangle& triangle, const Place& p) const;
   int triangle_at(const Place& p) const;

@@ -11,8 +11,8 @@ namespace bempd {
 
 using Box = Eigen::AlignedBox2d;
 
-// Edge of an outline: a straight piece, a circular arc, or two arcs with a common tangent at their joint. Fractions are
-// parts of the length.
+// Edge of an outline: a straight piece, a circular arc, or two arcs with a common tangent at their joint. Places on it
+// are given by fractions of its length.
 class Edge {
  public:
   Edge(const Point& from, const Point& to) : Edge(Arc{from, to, 0}) {}
@@ -22,20 +22,20 @@ class Edge {
   bool straight() const { return piece_count() == 1 && pieces_[0].straight(); }
   int piece_count() const { return joint_ < 1 ? 2 : 1; }
   const Arc& piece(int k) const { return pieces_[k]; }
-  // Fraction where the two arcs join; 1 if there is only one.
+  // Fraction at which the two arcs join; 1 if the edge has one piece only.
   double joint() const { return joint_; }
 
   Point direction() const { return end - start; }
   double length() const;
   Point at(double fraction) const;
   Point tangent(double fraction) const;
-  // Part of the edge that lies within one of its arcs.
+  // Part of the edge between two fractions, which must belong to the same piece.
   Arc part(double from, double to) const;
 
   Point start, end;
 
  private:
-  // Arc at a fraction; the fraction becomes that of the arc.
+  // Piece that contains a place; `fraction` is changed from that of the edge to that of the piece.
   const Arc& piece_at(double& fraction) const;
 
   std::array<Arc, 2> pieces_;
@@ -48,7 +48,8 @@ double distance(const Edge& edge, const Point& p);
 std::vector<Crossing> meeting_points(const Edge& a, const Edge& b);
 std::optional<Point> find_contact(const Edge& a, const Edge& b, double tolerance);
 
-// Whether the ray to the right of `p` crosses the edge an odd number of times; an edge owns its lower end only.
+// Whether the ray from `p` to the right crosses the edge an odd number of times. Of its two ends the edge owns the
+// lower one only, so that a vertex is not counted twice.
 bool ray_crosses(const Edge& edge, const Point& p);
 
 }  // namespace bempd

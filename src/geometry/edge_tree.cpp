@@ -14,7 +14,7 @@ EdgeTree::EdgeTree(std::vector<Edge> all) : edges(std::move(all)) {
 }
 
 bool EdgeTree::passes(const Point& p, double tolerance) const {
-  // A margin is needed because boxes of arcs are rounded.
+  // A margin is needed because the boxes of arcs are rounded.
   const Point margin = Point::Constant(2 * tolerance);
   const Box around(p - margin, p + margin);
   return tree.any([&](const Box& other) { return other.intersects(around); },

@@ -7,13 +7,13 @@
 
 namespace bempd {
 
-// Edges of a body with a tree that finds them by place.
+// Edges of a body, in a tree to find those near a place.
 struct EdgeTree {
   explicit EdgeTree(std::vector<Edge> all);
 
-  // Whether an edge comes as close to the point as the tolerance.
+  // Whether an edge comes as close to the point as `tolerance`.
   bool passes(const Point& p, double tolerance) const;
-  // Location of a point as locate() of all edges finds it, faster.
+  // Location of a point: the result of locate() for all edges, but faster.
   Location locate(const Point& p, double tolerance) const;
 
   std::vector<Edge> edges;

@@ -6,15 +6,15 @@
 
 namespace bempd {
 
-// Place where two regions (region_a < region_b) come close without touching, with nothing between them.
+// Gap: a place where two regions (region_a < region_b) come close without touching, with no other region between them.
 struct Gap {
   int region_a, region_b;
   double width;
   Point where;  // half way between the two
 };
 
-// Narrowest gap of every two regions, if it is below the reach of both and above the geometric tolerance of all of them
-// together, within which edges coincide. Ascending by the numbers of the regions.
+// Narrowest gap between each two regions, if it is narrower than `reach` of both (one entry per region) and wider than
+// the geometric tolerance of all regions together, within which edges coincide. Sorted by the numbers of the regions.
 std::vector<Gap> close_gaps(const std::vector<Outline>& regions, const std::vector<double>& reach);
 
 }  // namespace bempd

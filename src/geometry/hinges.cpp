@@ -22,7 +22,8 @@ class HingeFinder {
     }
   }
 
-  // Finds the hinges among vertices: two bodies that touch in a single point do so in a vertex of at least one of them.
+  // Finds the hinges among the vertices: two bodies that touch in a single point do so at a vertex of at least one of
+  // them.
   std::vector<PointTouch> run() {
     for (const EdgeTree& boundary : boundaries_)
       for (const Edge& edge : boundary.edges) examine(edge.start);
@@ -69,7 +70,7 @@ class HingeFinder {
   std::vector<std::vector<int>> connected_groups(const std::vector<int>& present, const Point& p) const {
     std::map<int, int> label;
     for (int r : present) label[r] = r;
-    // The reach is wider than that for presence: the ends of a piece are known only to the tolerance.
+    // The reach is larger than that of regions_at(), because the ends of a contact are known only to the tolerance.
     const double reach = 3 * tolerance_;
     const Point margin = Point::Constant(reach);
     for (const int region : present)

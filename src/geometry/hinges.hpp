@@ -7,8 +7,8 @@
 
 namespace bempd {
 
-// Points where the regions present are not all connected through contacts that pass or end there. `boundaries[r]` holds
-// the edges of region r in their numbering, to which the contacts refer.
+// Finds the hinges: points where regions meet that are not all connected through contacts that pass or end there.
+// `boundaries[r]` has the edges of region r in the order to which the numbers in `contacts` refer.
 std::vector<PointTouch> find_hinges(const std::vector<EdgeTree>& boundaries, const std::vector<Contact>& contacts,
                                     double tolerance);
 

@@ -41,7 +41,7 @@ double geometric_tolerance(const Box& box) {
 }
 
 double signed_area(const std::vector<Edge>& loop) {
-  // Coordinates are relative to the first vertex: so there is no cancellation far from the origin.
+  // Coordinates are relative to the first vertex, so that there is no cancellation far from the origin.
   double twice = 0;
   const Point origin = loop.front().start;
   for (const Edge& edge : loop)
@@ -61,7 +61,7 @@ Location locate(const std::vector<Edge>& boundary, const Point& p, double tolera
   bool inside = false;
   for (const Edge& edge : boundary) {
     if (distance(edge, p) <= tolerance) return Location::on_boundary;
-    // Even-odd rule: ray_crosses() counts a vertex once.
+    // The even-odd rule decides; ray_crosses() counts a vertex once.
     if (ray_crosses(edge, p)) inside = !inside;
   }
   return inside ? Location::inside : Location::outside;
@@ -84,7 +84,8 @@ Point some_interior_point(const Outline& outline) {
   double width = std::numeric_limits<double>::infinity();
   for (const Segment& edge : edges) {
     if (&edge == &*longest) continue;
-    // Coordinates along the edge, with depth below it; the ray from the middle runs at coordinate zero.
+    // Coordinates are taken along the longest edge from its middle, and inwards; the ray from the middle runs at
+    // coordinate 0.
     const double s = direction.dot(edge.start - middle), e = direction.dot(edge.end - middle);
     if ((s > 0 && e > 0) || (s < 0 && e < 0) || s == e) continue;
     const double fraction = s / (s - e);

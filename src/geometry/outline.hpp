@@ -18,16 +18,16 @@ struct Outline {
   Edge edge(int number) const;
 };
 
-// Edges in their numbering through all loops.
+// Edges of the outline in order, numbered through all loops.
 std::vector<Edge> edges_of(const Outline& outline);
 
 Box bounding_box(const Outline& outline);
 
-// Distance below which two places count as one: 1e-9 of the box's diagonal, but never less than the rounding of the
-// coordinates themselves (this matters for small bodies far from the origin).
+// Geometric tolerance, below which two places count as one: 1e-9 of the box's diagonal, but never less than the
+// rounding of the coordinates themselves (which matters for small bodies far from the origin).
 double geometric_tolerance(const Box& box);
 
-// Area inside a loop, positive for a counter-clockwise one.
+// Area inside a loop of edges, positive if the loop is counter-clockwise.
 double signed_area(const std::vector<Edge>& loop);
 
 // Area of the body without its holes.
@@ -35,11 +35,13 @@ double area(const Outline& outline);
 
 enum class Location { inside, on_boundary, outside };
 
-// `boundary` holds all edges of one body in any order.
+// Location of the point `p` with respect to a body; points closer to an edge than `tolerance` are on the boundary.
+// `boundary` has all edges of the body in any order.
 Location locate(const std::vector<Edge>& boundary, const Point& p, double tolerance);
 Location locate(const Outline& outline, const Point& p, double tolerance);
 
-// Point well inside a sound outline of straight edges, at half the width that the body has across its longest edge.
+// Point well inside a sound outline of straight edges: on the ray inwards from the middle of its longest edge, half way
+// to the next edge.
 Point some_interior_point(const Outline& outline);
 
 }  // namespace bempd

@@ -8,7 +8,7 @@ namespace bempd {
 
 namespace {
 
-// Largest coordinate: its square and fourth power must stay within the range of a double.
+// Largest coordinate accepted: its square and fourth power must stay within the range of a double.
 constexpr double largest_coordinate = 1e75;
 
 struct Loop {
@@ -48,7 +48,7 @@ OutlineCheck check_lengths(const Loop& loop, double tolerance) {
   return {};
 }
 
-// Finds consecutive edges that turn back: they meet in one vertex and may not meet again.
+// Checks edge `k` and the next one, which meet in one vertex: they must not turn back nor meet again.
 OutlineCheck check_spike(const Loop& loop, int k, double tolerance) {
   const int next = (k + 1) % loop.size();
   const Edge &a = loop.edge(k), &b = loop.edge(next);
@@ -94,7 +94,7 @@ OutlineCheck check_contact(const Loop& a, const Loop& b, OutlineDefect defect, d
   return {};
 }
 
-// Whether a loop lies within another one that it does not meet, so that one vertex decides for all.
+// Whether loop `inner` lies within loop `outer`. The two must not meet, so that one vertex decides for all.
 bool lies_within(const Loop& inner, const Loop& outer) {
   return outer.boundary.locate(inner.vertices[0], 0) == Location::inside;
 }

@@ -17,8 +17,8 @@ enum class OutlineDefect {
   holes_overlap       // two holes cross or touch (edge_a, edge_b) or one lies in the other (-1)
 };
 
-// First defect found. `loop` is the loop at fault (of a pair of loops, the later one); edges are numbered through all
-// loops, -1 where none applies; edge k starts at vertex k.
+// Result of check_outline(): the first defect found. `loop` is the loop at fault (of two loops, the later one). Edges
+// are numbered through all loops, edge k starting at vertex k; -1 where none applies.
 struct OutlineCheck {
   OutlineDefect defect = OutlineDefect::none;
   int loop = -1;

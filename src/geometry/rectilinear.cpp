@@ -7,7 +7,7 @@ namespace bempd {
 
 namespace {
 
-// Largest number of cells along one side: more cannot be intended and come too close to the tolerance.
+// Largest number of cells along one side of the box: more are not intended and come too close to the tolerance.
 constexpr double most_cells_along_a_side = 1e6;
 
 struct Frame {
@@ -24,7 +24,7 @@ bool usable_spacing(double spacing, const Box& box, double tolerance) {
   return spacing > 4 * tolerance && box.sizes().maxCoeff() / spacing <= most_cells_along_a_side;
 }
 
-// Lengths that the lattice must divide: those of edges, and the positions of holes.
+// Lengths that must be whole numbers of spacings: those of edges, and the distances of holes from the first vertex.
 std::vector<double> lengths_of(const Outline& outline) {
   std::vector<double> lengths;
   for (const Edge& edge : edges_of(outline)) lengths.push_back(edge.direction().cwiseAbs().maxCoeff());
@@ -91,8 +91,8 @@ LatticeOutline to_lattice(const Outline& outline, const Frame& frame) {
   return result;
 }
 
-// Common measure by Euclid's algorithm, with remainders below the tolerance taken as zero; 0 if only a measure close to
-// the tolerance remains.
+// Largest common measure of lengths by Euclid's algorithm, where remainders below the tolerance count as zero; 0 if the
+// measure is close to the tolerance.
 double common_measure(const std::vector<double>& lengths, double tolerance) {
   double measure = 0;
   for (double length : lengths) {
@@ -118,7 +118,8 @@ double rounded_to_digits(double value, int digits) {
   return exponent >= 0 ? std::round(value * scale) / scale : std::round(value / scale) * scale;
 }
 
-// Spacing measure / parts, written with as few digits as still divide all lengths; 0 if it is no short number.
+// Decimal number equal to the spacing `exact` up to 1e-6, with as few digits as still divide all lengths; 0 if four
+// digits are not enough.
 double short_spacing(double exact, const std::vector<double>& lengths, double tolerance) {
   for (int digits = 1; digits <= 4; ++digits) {
     const double rounded = rounded_to_digits(exact, digits);
@@ -127,8 +128,8 @@ double short_spacing(double exact, const std::vector<double>& lengths, double to
   return 0;
 }
 
-// Spacing nearest to `wanted` among measure / parts for parts = first, first + step, ...; a short number if there is
-// one within reach.
+// First spacing measure / parts, for parts = first, first + step, ..., that is a short decimal number within a factor
+// three of `wanted`; else measure / first if that divides all lengths; else 0.
 double nearest_spacing(double wanted, double measure, double first, double step, const std::vector<double>& lengths,
                        double tolerance) {
   const auto within_reach = [&](double parts) {

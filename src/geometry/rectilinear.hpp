@@ -9,8 +9,8 @@ namespace bempd {
 
 using LatticePoint = Eigen::Vector2i;
 
-// Outline whose edges follow a square lattice. Lattice point (i, j) is at origin + spacing * (i, j). The origin is the
-// lower left corner of the bounding box, so that all numbers are >= 0.
+// Outline whose edges follow the lines of a square lattice. Lattice point (i, j) is at origin + spacing * (i, j). The
+// origin is the lower left corner of the bounding box, so that all numbers are >= 0.
 struct LatticeOutline {
   Point origin = Point::Zero();
   double spacing = 0;
@@ -32,21 +32,21 @@ struct LatticeFit {
   int edge = -1;
   int loop = -1;
   double length = 0;
-  // Suggested spacings where lengths do not divide: close to the wanted one, smallest first, fitting the whole outline.
-  // Short decimal numbers are preferred. Empty if the lengths have no useful common measure.
+  // Suggested spacings if a length is no whole number of spacings: close to the requested one, smallest first, and
+  // fitting the whole outline. Short decimal numbers are preferred. Empty if the lengths have no useful common measure.
   std::vector<double> suggestions;
   LatticeOutline outline;  // only without misfit
 
   bool fits() const { return misfit == LatticeMisfit::none; }
 };
 
-// `outline` must be sound (check_outline). A length fits if it is a whole number of spacings up to the geometric
-// tolerance of the outline, 1e-9 of its size: coordinates typed with ten digits pass, a spacing that is really wrong
-// is off by far more.
+// Fits an outline, which must be sound (check_outline), to a lattice with this spacing. A length fits if it is a whole
+// number of spacings up to the outline's geometric tolerance, 1e-9 of its size: coordinates typed with ten digits pass,
+// and wrong spacings are off by far more.
 LatticeFit fit_lattice(const Outline& outline, double spacing);
 
-// Spacings within a factor three of `wanted` that divide all `lengths` up to `tolerance`, at most one on either side
-// (or the wanted one itself); empty if there is none.
+// Spacings within a factor three of `wanted` that divide all `lengths` up to `tolerance`: `wanted` itself if it does,
+// else at most one smaller and one larger one; empty if there is none.
 std::vector<double> spacings_near(double wanted, const std::vector<double>& lengths, double tolerance);
 
 }  // namespace bempd

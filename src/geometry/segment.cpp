@@ -5,7 +5,7 @@
 namespace bempd {
 
 Point Segment::at(double fraction) const {
-  // The point is computed from the nearer end, so that both ends are met exactly.
+  // The point is computed from the nearer end, so that both ends are reproduced exactly.
   return fraction < 0.5 ? Point(start + fraction * direction()) : Point(end - (1 - fraction) * direction());
 }
 

@@ -7,7 +7,7 @@
 
 namespace bempd {
 
-// Directed straight piece.
+// Directed straight piece between two points.
 struct Segment {
   Point start, end;
 
@@ -16,7 +16,7 @@ struct Segment {
   Point at(double fraction) const;  // exactly `start` at 0 and `end` at 1
 };
 
-// Fraction in [0, 1] of the place on the segment that is closest to `p`.
+// Fraction of the length, in [0, 1], at which the segment is closest to `p`.
 double closest_fraction(const Segment& segment, const Point& p);
 
 double distance(const Segment& segment, const Point& p);
@@ -27,7 +27,8 @@ struct Crossing {
   double fraction_a, fraction_b;
 };
 
-// Crossing of two segments whose ends lie strictly on opposite sides of each other; decided without tolerance.
+// Crossing of two segments, where the ends of each lie strictly on opposite sides of the other; decided without
+// tolerance. Empty if they do not cross.
 std::optional<Crossing> proper_crossing(const Segment& a, const Segment& b);
 
 struct Approach {

@@ -6,9 +6,10 @@
 
 namespace bempd {
 
-// Curve with a continuous tangent through at least three points: one biarc, or one arc, from each point to the next.
-// Tangents are those of the circle through a point and its neighbours; at the ends of an open curve, of the circle
-// through the last three points. Points on a circle give that circle; smooth curves are met to third order.
+// Curve with a continuous tangent through at least three points: an arc or a biarc from each point to the next. The
+// tangent at a point is that of the circle through it and its neighbours; at an end of an open curve, that of the
+// circle through the last three points. Points on a circle give that circle; smooth curves are approximated to third
+// order.
 std::vector<Edge> smooth_curve(const std::vector<Point>& points, bool closed);
 
 }  // namespace bempd

@@ -6,7 +6,7 @@
 
 namespace bempd {
 
-// Direction turned counter-clockwise by an angle in radians.
+// Vector `direction` turned counter-clockwise by an angle [rad].
 inline Point turned(const Point& direction, double angle) {
   const double c = std::cos(angle), s = std::sin(angle);
   return {c * direction.x() - s * direction.y(), s * direction.x() + c * direction.y()};

@@ -10,7 +10,7 @@ namespace bempd::output {
 
 using CsvValue = std::variant<double, std::int64_t, std::string>;
 
-// Table with one header line, comma separated (RFC 4180, lines end with \n). Doubles read back exactly.
+// Table as comma-separated text with one header line (RFC 4180, but lines end with \n). Doubles read back exactly.
 class CsvTable {
  public:
   explicit CsvTable(const std::vector<std::string>& columns);
@@ -20,7 +20,7 @@ class CsvTable {
 
   const std::string& text() const { return text_; }
 
-  // Writes the table. Throws std::system_error.
+  // Writes the table to a file. Throws std::system_error if this fails.
   void save(const std::filesystem::path& path) const;
 
  private:

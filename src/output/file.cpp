@@ -55,8 +55,8 @@ class Descriptor {
   int number_;
 };
 
-// Scope without SIGPIPE: a reader that goes away while a FIFO is written raises it, which would end the host. The
-// signal is held back in this thread, and taken out again if it was not pending before.
+// Scope without SIGPIPE. If the reader of a FIFO goes away while it is written, this signal would end the host. The
+// signal is blocked in this thread, and removed at the end of the scope if it was not pending before.
 class WithoutBrokenPipe {
  public:
   WithoutBrokenPipe() {
@@ -89,7 +89,7 @@ struct Place {
   bool open_already;  // one of the links the system keeps for open files, such as /proc/self/fd/1
 };
 
-// Whether the links in a folder are those of open files. Other systems than Linux have none.
+// Whether a folder is one in which the system keeps links for open files. Only Linux has such folders.
 bool has_open_files([[maybe_unused]] const fs::path& folder) {
 #ifdef __linux__
   struct statfs system {};
@@ -119,8 +119,8 @@ void write_through(const fs::path& path, const fs::path& target, int flags, std:
   if (!file.is_open() || !file.write(content) || !file.close()) fail(path, errno);
 }
 
-// Name of the unfinished file: next to the target, so that it can take its place, and short, as the target's own name
-// may be as long as the system allows.
+// Name of the unfinished file. It is in the folder of the target, so that it can take the target's place, and short,
+// because the target's own name may be as long as the system allows.
 fs::path unfinished_name(const fs::path& target) {
   static std::atomic<unsigned> count{0};
   return target.parent_path() / (".bempd_" + std::to_string(::getpid()) + "_" + std::to_string(count++) + ".part");
@@ -133,7 +133,7 @@ void replace(const fs::path& path, const fs::path& target, const struct stat* ol
   Descriptor file(unfinished, O_WRONLY | O_CREAT | O_EXCL);
   if (!file.is_open()) fail(path, errno);
   if (old != nullptr) {
-    // Owner and group are kept as well as the file system and the rights of the process allow.
+    // Owner and mode are kept as far as the file system and the rights of the process allow.
     [[maybe_unused]] const bool same_owner = ::fchown(file.number(), old->st_uid, old->st_gid) == 0;
     [[maybe_unused]] const bool same_mode = ::fchmod(file.number(), old->st_mode & 0777) == 0;
   }
@@ -155,7 +155,7 @@ void write_file(const fs::path& path, std::string_view content, bool to_disk) {
     if (errno != ENOENT) fail(path, errno);
     return replace(path, place.target, nullptr, content, to_disk);
   }
-  // A file that the process has open is continued, as its other output is.
+  // A file that the process has open already is appended to, like its other output.
   if (S_ISDIR(found.st_mode)) fail(path, EISDIR, ", which is a folder; give the name of a file");
   if (S_ISSOCK(found.st_mode)) fail(path, ENOTSUP, ", which is a socket; give the name of a file");
   if (S_ISBLK(found.st_mode)) fail(path, ENOTSUP, ", which is a disk; give the name of a file");

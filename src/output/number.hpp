@@ -5,8 +5,8 @@
 
 namespace bempd::output {
 
-// Shortest decimal text that reads back as the same double (at most 17 significant digits); nan, inf and -inf as such.
-// It always has a point, whatever the locale.
+// Shortest decimal text that reads back as the same double (at most 17 significant digits), or nan, inf or -inf. The
+// decimal point is a point in every locale.
 std::string to_text(double value);
 std::string to_text(std::int64_t value);
 

@@ -7,7 +7,7 @@
 
 namespace bempd::output {
 
-// File of a time series; several parts may belong to one time.
+// Entry of a time series: a file with its time; several parts may have the same time.
 struct PvdEntry {
   double time = 0;
   int part = 0;
@@ -15,10 +15,10 @@ struct PvdEntry {
   std::string name{};  // of the part
 };
 
-// Writes a ParaView collection. Throws std::system_error, also for names that XML cannot hold.
+// Writes a ParaView collection (.pvd). Throws std::system_error, also for names that XML cannot contain.
 void write_pvd(const std::filesystem::path& path, const std::vector<PvdEntry>& entries);
 
-// Entries of a file that write_pvd() has written; empty if it cannot be read as one.
+// Reads the entries of a file that write_pvd() has written; empty if it is not such a file.
 std::optional<std::vector<PvdEntry>> read_pvd(const std::filesystem::path& path);
 
 }  // namespace bempd::output

@@ -13,11 +13,11 @@ struct Character {
   bool valid = false;  // false: the first byte begins no character of UTF-8
 };
 
-// Reads the first character; refuses what RFC 3629 refuses: longer forms than needed, halves of surrogate pairs, codes
-// beyond 0x10ffff.
+// Reads the first character of a text that is not empty. As RFC 3629 demands, forms longer than needed, halves of
+// surrogate pairs and codes beyond 0x10ffff are invalid.
 Character first_character(std::string_view text);
 
-// Text with U+FFFD for control characters and for bytes that are not UTF-8, so that every host can show it.
+// Text in which U+FFFD replaces control characters and bytes that are not UTF-8, so that every host can show it.
 std::string printable(std::string_view text);
 
 }  // namespace bempd::output

@@ -22,8 +22,8 @@ constexpr std::string_view vtk_type() {
   if constexpr (std::is_same_v<Number, std::uint8_t>) return "UInt8";
 }
 
-// Text of a file: the elements that describe the arrays come first, their numbers follow in one block. Each array is
-// its size in bytes (UInt64) and its bytes, found by its offset in the block.
+// Text of a VTU file: XML elements that describe the arrays, followed by one block with their numbers. In the block,
+// each array is its size in bytes (UInt64) and its bytes; the element gives the array's offset in the block.
 class VtuFile {
  public:
   void open(std::string_view element) { text_.append("<").append(element).append(">\n"); }
@@ -33,9 +33,10 @@ class VtuFile {
   void add_array(std::string_view name, int components, const std::vector<Number>& values, bool counted = false) {
     text_.append("<DataArray type=\"").append(vtk_type<Number>());
     text_.append("\" Name=\"").append(xml_escaped(name));
-    // One component is the default, and some readers make a matrix of a scalar field when it is given.
+    // The number of components is left out if it is 1, the default: some readers make a matrix of a scalar field
+    // otherwise.
     if (components != 1) text_.append("\" NumberOfComponents=\"").append(to_text(std::int64_t{components}));
-    // The count is given for the grid as a whole only: readers know how many entries points and cells have.
+    // The number of entries is given for data of the whole grid only: readers know the numbers of points and cells.
     if (counted) text_.append("\" NumberOfTuples=\"").append(count_text(values.size() / components));
     text_.append("\" format=\"appended\" offset=\"").append(count_text(block_.size())).append("\"/>\n");
     const std::uint64_t size = values.size() * sizeof(Number);

@@ -19,8 +19,8 @@ enum class VtuCell : std::uint8_t {
   quadratic_edge = 21  // both ends, then the middle
 };
 
-// Values of a point or cell field, component by component within each entry. Vectors of the plane (2 components) get a
-// third component 0 in the file, since viewers take only three as a vector.
+// Values of a point or cell field, entry by entry with all components of each. Plane vectors (2 components) get a third
+// component 0 in the file, because viewers take only three components as a vector.
 struct VtuArray {
   std::string name;
   int components = 1;
@@ -39,8 +39,7 @@ struct VtuGrid {
   void add_cell(VtuCell type, const std::vector<std::int64_t>& cell_points);
 };
 
-// Writes a VTK XML file (UnstructuredGrid) with its numbers in binary form as they are, NaN included. Throws
-// std::system_error.
+// Writes a VTK XML file (UnstructuredGrid) with its numbers in binary form, NaN included. Throws std::system_error.
 void write_vtu(const std::filesystem::path& path, const VtuGrid& grid);
 
 }  // namespace bempd::output

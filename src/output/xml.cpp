@@ -9,8 +9,8 @@ namespace bempd::output {
 
 namespace {
 
-// Reference that stands for a character, empty if it needs none. Readers turn bare tabs and line ends in attributes
-// into spaces (XML 1.0, section 3.3.3).
+// Character reference for a character, empty if it needs none. Tabs and line ends need one, because readers turn bare
+// ones in attributes into spaces (XML 1.0, section 3.3.3).
 std::string_view reference(char c) {
   switch (c) {
     case '&':

@@ -5,14 +5,14 @@
 
 namespace bempd::output {
 
-// Whether XML can hold the text: valid UTF-8 whose control characters are tabs and line ends only (XML 1.0, production
-// 2, Char).
+// Whether XML can contain the text: valid UTF-8 without control characters other than tabs and line ends (XML 1.0,
+// production 2, Char).
 bool fits_xml(std::string_view text);
 
-// Text that fits, escaped for a quoted attribute so that readers get the same characters back.
+// Text escaped for a quoted attribute, so that readers get the same characters back; fits_xml() must hold for it.
 std::string xml_escaped(std::string_view text);
 
-// Text from which xml_escaped() made this one.
+// Text from which xml_escaped() made `escaped`.
 std::string xml_unescaped(std::string_view escaped);
 
 // Value of the byte_order attribute of VTK files written by this machine.
