@@ -12,8 +12,9 @@ double LineSteps::kink_at(const GrowingTip& tip, const coupling::Affine& displac
   return kink_of({turning.one.dot(at), turning.two.dot(at)}).angle;
 }
 
-// The critical load factors do not depend on what is held on the way, nor on where it begins; of the path none lies
-// behind the present one because of that.
+// Tips of the crack lines with the range of load factors in which they do not grow. The critical load factors do not
+// depend on the control of the load path or on its start. Control::path is used because with it no critical load factor
+// is replaced by the present one.
 std::vector<crack::Tip> LineEvents::tips() {
   const BodyState& state = body_.state();
   std::vector<crack::Tip> found(state.tips.size());

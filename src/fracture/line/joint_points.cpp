@@ -4,8 +4,9 @@ namespace bempd::fracture {
 
 namespace {
 
-// Distance from the border, in spacings. Loads of tips two horizons before it were up to 2.2 % off while points closer
-// to it were asked, and are within 0.9 % without them (docs/mixed_cracks.md).
+// Distance from a border with boundary elements, in spacings, within which stress points are left out. With them, loads
+// of tips two horizons before the border were up to 2.2 % off; without them they are within 0.9 %
+// (docs/mixed_cracks.md).
 constexpr double beside_border = 2.2;
 
 }  // namespace

@@ -7,12 +7,12 @@
 
 namespace bempd::fracture {
 
-// Material points at borders behind which boundary elements of the same material go on.
+// Material points near borders behind which boundary elements of the same material continue the body.
 class JointPoints {
  public:
   JointPoints(const std::vector<Point>& positions, const NearPoints& near, const pd::TipLaws& laws);
 
-  // Whether a point is so close to such a border that the bonds it has tell no stress.
+  // Whether a point is so close to such a border that its bonds do not give the stress there.
   bool are_beside(int node) const { return beside_[static_cast<std::size_t>(node)] != 0; }
 
  private:

@@ -10,7 +10,7 @@ namespace bempd::fracture {
 
 namespace {
 
-// No crack begins within this many horizons of a tip that does not grow.
+// Distance in horizons from a tip that does not grow (frozen or stopped) within which no crack begins.
 constexpr double reach_of_resting_tip = 1;
 
 }  // namespace
@@ -18,7 +18,8 @@ constexpr double reach_of_resting_tip = 1;
 LineEvents::LineEvents(LoadedBody& body, WholeBodyEvents& whole_body, pd::TipLaws laws)
     : body_(body), whole_body_(whole_body), steps_(body, std::move(laws)), trials_(body.system()) {}
 
-// The crack that begins at a bond; none begins where two parts of other materials meet, or beside a tip that rests.
+// Crack that begins at a bond at this load factor. Empty at wide terms, between different materials, and close to a tip
+// that does not grow.
 std::optional<LineEvents::Birth> LineEvents::birth_at(int bond, double load_factor) const {
   const coupling::Terms& terms = body_.system().terms();
   const auto b = static_cast<std::size_t>(bond);
@@ -35,7 +36,8 @@ std::optional<LineEvents::Birth> LineEvents::birth_at(int bond, double load_fact
   return Birth{middle, direction, number};
 }
 
-// The crack begins at the bond with the least number, if several places are alike but for rounding.
+// Prepares the event at which a crack begins. `most` are the most stretched bonds; if several places are equal up to
+// rounding, it begins at the bond with the smallest number. Null if the crack would not cut that bond.
 const Event* LineEvents::tell_birth(const std::vector<int>& most, const Birth& birth, double load_factor) {
   const int bond = most.front();
   const pd::TipLaw& law = laws().laws[static_cast<std::size_t>(birth.law)];
@@ -62,7 +64,8 @@ const Event* LineEvents::tell_bonds(const std::vector<char>& intact, double load
   return &event_;
 }
 
-// Terms that break by themselves, beside the steps that tips could take.
+// Flags of the terms that can break by themselves: all intact ones, except those near tips that are driven or do not
+// grow.
 std::vector<char> LineEvents::left_to_themselves(const LineSteps::Choice& choice, const LoadWay& way) const {
   const BodyState& state = body_.state();
   std::vector<char> intact = body_.system().intact();
@@ -78,8 +81,8 @@ std::vector<char> LineEvents::left_to_themselves(const LineSteps::Choice& choice
   return intact;
 }
 
-// Bonds close to a tip are stretched beyond their critical stretch long before the tip grows. Where the load factor
-// goes back they relax: they do not break, as little as on the way there.
+// Exempts overloaded bonds close to a tip that unloads. They exceeded their critical stretch long before without
+// breaking, because the tip did not grow, so they do not break while the load decreases either.
 void LineEvents::spare_relaxing(const LoadWay& way, std::vector<char>& intact) const {
   const BodyState& state = body_.state();
   for (const LineStep& step : steps_.all(state.tips, state.displacement, way.back()))
@@ -130,7 +133,7 @@ Outcome LineEvents::perform() {
   return outcome;
 }
 
-// The new crack's id follows those of all cracks that there are.
+// The id of the new crack follows those of all existing cracks.
 void LineEvents::begin_crack(Outcome& outcome) {
   std::vector<GrowingTip>& tips = body_.state().tips;
   int id = static_cast<int>(laws().of_crack.size());

@@ -8,11 +8,11 @@
 
 namespace bempd::fracture {
 
-// Cracks that grow as lines: the tip that reaches its toughness first goes on by a spacing towards the largest hoop
-// stress, and all bonds across this step break at one event, whatever the lattice. The load factor is corrected by what
-// the last steps released, so that a length of crack takes the fracture energy. Away from tips a crack begins where a
-// bond reaches its critical stretch: a line of a spacing through its middle, across the largest principal stress, with
-// a tip at either end.
+// Carrier of cracks that grow as lines in lattices. The tip that first reaches its toughness grows by a spacing in the
+// direction of maximum hoop stress, and all bonds across this step break at one event, whatever the lattice. The load
+// factor is corrected by the energy that the last steps released, so that the growth absorbs the fracture energy.
+// Away from tips, a crack begins where a bond reaches its critical stretch: a line of one spacing through its middle,
+// across the largest principal stress, with a tip at both ends.
 class LineEvents final : public EventSource, public crack::Carrier {
  public:
   LineEvents(LoadedBody& body, WholeBodyEvents& whole_body, pd::TipLaws laws);
@@ -21,8 +21,8 @@ class LineEvents final : public EventSource, public crack::Carrier {
   Outcome perform() override;
 
   const LineSteps& steps() const { return steps_; }
-  // Someone asks for tips and candidates, whether events come from a window now, which has changed terms, or not: no
-  // factor is left behind.
+  // Called before tips or candidates are asked for. If an open window (`in_window`) has changed the terms, or the
+  // system has no current factor, trial steps use a factor of their own.
   void look(bool in_window) { trials_.stand_apart(in_window || !body_.system().has_current_factor()); }
   void freeze(const std::set<crack::TipId>& tips) { steps_.freeze(tips); }
   std::vector<crack::Tip> tips() override;

@@ -11,7 +11,7 @@ namespace {
 
 constexpr int rounds_for_kink = 8;
 
-// Largest load factor and intensity that can still be multiplied and squared.
+// Largest ratio of an intensity and a load factor that can still be multiplied and squared.
 constexpr double largest_ratio_of_loads = 1e150;
 
 Kink kink_at(const AffineIntensity& of, double load_factor) {
@@ -23,7 +23,8 @@ bool are_proportional(const AffineIntensity& intensity, const AffineIntensity& t
   return turning.one[0] == 0 && turning.two[0] == 0 && intensity.one[0] == 0 && intensity.two[0] == 0;
 }
 
-// Load factor beyond the one at which a tip reaches its toughness; 0 if larger loads do not drive it more.
+// Load factor above the one at which a tip reaches its toughness, as the start of an iteration; 0 if larger loads do
+// not increase the tip's intensity.
 double beyond_toughness(const AffineIntensity& intensity, double toughness) {
   const double slope = kink_of({intensity.one[1], intensity.two[1]}).equivalent_factor;
   const double size = toughness + std::hypot(intensity.one[0], intensity.two[0]);

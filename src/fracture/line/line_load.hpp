@@ -8,7 +8,7 @@
 
 namespace bempd::fracture {
 
-// Criterion by which a tip grows. Load factors are counted in the direction of the load path, so that they rise.
+// Criterion by which a tip grows. Load factors are multiplied by the sign of the load path, so that they always rise.
 struct LineCriterion {
   double toughness;   // [Pa m^(1/2)]
   double correction;  // by which the intensity is multiplied before the two are compared

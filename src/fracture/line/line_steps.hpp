@@ -18,7 +18,7 @@
 
 namespace bempd::fracture {
 
-// What a tip does next.
+// Next step of a tip.
 struct LineStep {
   std::size_t tip = 0;
   crack::TipId id{};  // of the tip
@@ -30,21 +30,21 @@ struct LineStep {
   double angle = 0;                  // by which it turns, counter-clockwise
   crack::AffineFactors factors{};    // of the tip
 
-  // Whether the stress ahead is the tip's own, so that its fit says when the tip grows; how far off the load may be, as
-  // a share of it; and what the fit leaves of the stress.
+  // Whether the fit gives the load, because the field ahead is that of the tip alone. Then the relative error of the
+  // load, and the residual of the fit as a share of the stress.
   bool fit_holds = true, is_shut = false;  // shut: its faces press on each other at the tip
   double error = 0, residual = 0;
-  // The load is that of the energy of a trial step; then: the ratio of energy rates after the step to that before it,
-  // and what its bonds take [J].
+  // Whether the load comes from the energy of a trial step. If so: the ratio (see ratio_at) after the step over that
+  // before it, and the energy that the step's bonds take [J].
   bool by_energy = false;
   double after_step = 1, taken_energy = 0;
 
   double ratio_at(double at) const { return constant + at * growing; }
 };
 
-// Steps of lines by displacements, which have to be known around tips only: the tip that reaches its toughness first
-// goes on by a spacing towards the largest hoop stress. The load factor is corrected by what the last steps released,
-// so that a length of crack takes the fracture energy.
+// Steps of crack lines for given displacements, which need to be known around tips only. The tip that first reaches its
+// toughness grows by a spacing in the direction of maximum hoop stress. The load factor is corrected by the energy that
+// the last steps released, so that the growth absorbs the fracture energy.
 class LineSteps {
  public:
   LineSteps(LoadedBody& body, pd::TipLaws laws);
@@ -56,24 +56,24 @@ class LineSteps {
     return {of_region.toughness, of_region.modulus, laws_.criterion};
   }
 
-  // Tips that the host keeps where they are.
+  // Sets the tips that the host has frozen.
   void freeze(std::set<crack::TipId> tips) { frozen_ = std::move(tips); }
   const std::set<crack::TipId>& frozen() const { return frozen_; }
-  // Whether a tip stays where it is, whatever it carries: it is frozen, or has stopped at an interface.
+  // Whether a tip does not grow at any load: it is frozen, or has stopped at an interface.
   bool rests(const GrowingTip& tip) const {
     return tip.state == crack::TipState::at_interface || (!has_ended(tip) && frozen_.count(tip.id) > 0);
   }
 
-  // One step for each tip whose way meets bonds and that something drives; on request also for frozen ones, as if they
-  // were free. Where the fit does not hold a trial step of the body tells the load. Without a body, as in a window, the
-  // step is told by the fit that does not hold.
+  // One step for each tip that is loaded and whose path meets bonds; frozen tips are included on request, as if they
+  // were free. If a fit does not hold, a trial step of `body` gives the load; without a body, as in a window, the fit
+  // is used all the same.
   std::vector<LineStep> all(const std::vector<GrowingTip>& tips, const coupling::Affine& displacement,
                             const LoadWay& way, TrialBody* body = nullptr, bool with_frozen = false) const;
-  // Whether one of these steps, which were told without a body, may matter and needs one.
+  // Whether one of these steps, computed without a body, may grow first and needs a body for its load.
   static bool need_body(const std::vector<LineStep>& steps, const LoadWay& way);
-  // Load factors at which steps are taken.
+  // Candidates for the order of growth: the load factors of the steps.
   static std::vector<crack::Candidate> candidates(const std::vector<LineStep>& steps, const LoadWay& way);
-  // The tip that grows first on a way (crack/order.hpp), and where: in the whole body and in windows.
+  // Tip that grows first on a path (crack/order.hpp), used for the whole body and in windows alike.
   struct Choice {
     std::vector<LineStep> steps;    // of all tips that could grow
     std::optional<LineStep> first;  // null if no tip grows
@@ -83,37 +83,38 @@ class LineSteps {
   };
   Choice choose(const std::vector<GrowingTip>& tips, const coupling::Affine& displacement, const LoadWay& way,
                 TrialBody* body = nullptr) const;
-  // The event at which a step is taken, but for what follows the bonds that it breaks.
+  // Event at which a step is taken, without the followers of the bonds that it breaks.
   Event event_of(const LineStep& step, double load_factor) const;
-  // Whether what drives the tip is more than rounding, where something happens at this load factor.
+  // Whether a tip is loaded by more than rounding, compared with the load factor at which something else happens.
   static bool is_driven(const LineStep& step, const LoadWay& way, double load_factor);
-  // The tips of the steps that are driven, and those that rest: beside these no bond breaks by itself.
+  // Tips that guard the bonds near them, none of which breaks by itself: those whose steps are driven, and those that
+  // do not grow.
   std::vector<GrowingTip> guarded(const std::vector<LineStep>& steps, const std::vector<GrowingTip>& tips,
                                   const LoadWay& way, double load_factor) const;
 
-  // Stress intensity factors of a tip.
+  // Stress intensity factors of a tip as affine functions of the load factor.
   AffineIntensity intensity_at(const GrowingTip& tip, const coupling::Affine& displacement) const;
-  // The angle by which a tip that grows at a load factor turns, counter-clockwise [rad].
+  // Angle by which a tip that grows at a load factor turns, counter-clockwise [rad].
   double kink_at(const GrowingTip& tip, const coupling::Affine& displacement, double load_factor) const;
 
-  // Moves the tip of a step after its event, which has released an energy; the tip remembers what was released, or
-  // ends. `displacement_at` tells the displacements after the event where moved tips ask for them.
+  // Moves the tip of a step after its event, which has released `released_energy`. The tip remembers the ratio of
+  // energies, or ends. `displacement_at` returns displacements after the event, known around the given tips.
   using DisplacementAt = std::function<const coupling::Affine&(const std::vector<GrowingTip>&)>;
   crack::Extension take(const LineStep& step, const Event& event, double released_energy,
                         const DisplacementAt& displacement_at, std::vector<GrowingTip>& tips) const;
 
-  // Nodes whose displacements are asked for where these tips are, each once.
+  // Nodes whose displacements are needed for these tips, each once.
   std::vector<int> nodes_asked(const std::vector<GrowingTip>& tips) const;
   static bool has_ended(const GrowingTip& tip) { return crack::has_ended(tip.state); }
 
-  // Whether a term is too near to a tip that grows to break by itself.
+  // Whether a term is too close to a tip to break by itself.
   bool is_spared(int term, const GrowingTip& tip) const;
 
   std::vector<int> across(const Point& from, const Point& to, double horizon) const {
     return way_.across(from, to, horizon);
   }
-  // Marks as broken the terms near a tip, all or those that are overloaded at a load factor: they do not break by
-  // themselves.
+  // Marks terms near a tip as not intact in `intact`, because they do not break by themselves: all of them, or only
+  // those overloaded at a load factor.
   void spare(const GrowingTip& tip, std::vector<char>& intact, std::optional<double> overloaded_at = {}) const;
 
   const TipStress& stress() const { return stress_; }
@@ -125,19 +126,21 @@ class LineSteps {
                             std::vector<GrowingTip>& tips) const;
   std::optional<LineStep> next(const std::vector<GrowingTip>& tips, std::size_t tip,
                                const coupling::Affine& displacement, const LoadWay& way) const;
-  // Factors as read from the fit; with loads by energy K_I of a tip whose faces press on each other is 0.
+  // Stress intensity factors from a fit, corrected as in TipStress::as_read(). If loads come from energies, K_I is 0
+  // for a tip whose faces press on each other.
   AffineIntensity intensity_of(const GrowingTip& tip, const WilliamsFit& fit) const;
   bool faces_press_at(const GrowingTip& tip) const;
   bool is_shut(const GrowingTip& tip, const WilliamsFit& fit) const;
   void judge_fit(const std::vector<GrowingTip>& tips, const WilliamsFit& fit, LineStep& step) const;
   KinkShape shape_of(const GrowingTip& tip, const coupling::Affine& displacement, const LineStep& step) const;
-  // The energy of a trial step replaces the fit; the fit stays where that step would close, or the body cannot tell.
+  // Replaces the load of the fit by that of a trial step's energy; keeps it if the step would close, or if the body has
+  // no answer.
   void try_step(const GrowingTip& tip, const coupling::Affine& displacement, const LoadWay& way, TrialBody& body,
                 LineStep& step) const;
   AffineIntensity turning_of(const GrowingTip& tip, const AffineIntensity& by_fit, const coupling::Affine& displacement,
                              double present) const;
   int law_ahead_of(const GrowingTip& tip) const;
-  // Largest hoop intensity of a tip over the toughness of a law.
+  // Ratio of a tip's equivalent factor to the toughness of `law`.
   double ratio_after(const GrowingTip& tip, const pd::TipLaw& law, const coupling::Affine& displacement,
                      double load_factor) const;
   bool has_begun(const GrowingTip& tip) const;

@@ -11,17 +11,18 @@ namespace bempd::fracture {
 
 namespace {
 
-// A tip whose way meets no bond within this many spacings has arrived at an edge or a crack.
+// Length in spacings without bonds ahead after which a tip has arrived at an edge or a crack.
 constexpr int most_empty_steps = 2;
 
-// A tip that has this many horizons, and a spacing, or less to an edge that is free tears what is left at one step: no
-// point ahead tells the intensities of a shorter ligament, by which it would bear twice what it bears
-// (docs/directions.md).
+// Length of a ligament to a free edge, in horizons (plus one spacing), up to which it breaks in one step. No stress
+// point ahead gives the load on a shorter ligament, which would carry twice the correct load (docs/directions.md).
 constexpr double shortest_ligament = 1;
-// Whether an edge is free is asked of points this many spacings around.
+// Distance in spacings around a place on an edge in which boundary elements and supports make the edge count as not
+// free.
 constexpr double around_edge = 1.5;
 
-// Stations a spacing on the way are asked at, bonds within this many spacings beside it, as steep to it at most.
+// Search for a crack face ahead: number of stations on one spacing, and largest distance of a bond beside the path in
+// spacings. Then the least cosine of its angle to the path, and the number of bonds needed.
 constexpr int stations = 10;
 constexpr double beside = 1, least_cosine = 0.8;
 constexpr int enough_bonds = 2;
@@ -38,7 +39,8 @@ LineWay::LineWay(const coupling::EquilibriumSystem& system, const std::vector<Po
         for (std::size_t t = 0; t < first.size(); ++t) add(first[t], static_cast<int>(t));
       })) {}
 
-// How far from a tip its way meets the face of a crack: there all bonds along the way are gone.
+// Distance from a tip to the face of a crack on its path, where all bonds along the path are broken; empty if there is
+// none within a spacing.
 std::optional<double> LineWay::face_ahead(const Point& tip, const Point& way, const pd::TipLaw& law) const {
   const coupling::Terms& terms = system_.terms();
   std::array<int, stations> present{}, left{};
@@ -64,7 +66,7 @@ std::optional<double> LineWay::face_ahead(const Point& tip, const Point& way, co
   return std::nullopt;
 }
 
-// Whether no boundary element and no support is near.
+// Whether the edge at a place is free: no boundary element and no support is within `reach`.
 bool LineWay::is_free(const Point& edge, double reach) const {
   for (const int node : stress_.near().about(edge, reach)) {
     if ((positions_[static_cast<std::size_t>(node)] - edge).norm() > reach) continue;
@@ -74,7 +76,7 @@ bool LineWay::is_free(const Point& edge, double reach) const {
   return true;
 }
 
-// How far from a tip its way leaves the body through a free edge, if that is near.
+// Distance from a tip to where its path leaves the body through a free edge; empty if that is not near.
 std::optional<double> LineWay::edge_ahead(const Point& tip, const Point& way, const pd::TipLaw& law) const {
   const int farthest = static_cast<int>(std::lround(shortest_ligament * law.horizon / law.spacing)) + 1;
   const double around = around_edge * law.spacing, reach = farthest * law.spacing + around;
@@ -87,7 +89,7 @@ std::optional<double> LineWay::edge_ahead(const Point& tip, const Point& way, co
   return std::nullopt;
 }
 
-// A point that lies on the way belongs to one of its sides, so that none is left hanging between.
+// A point on the path counts as lying on its right side, so that it does not stay bonded to both faces.
 std::vector<int> LineWay::across(const Point& from, const Point& to, double horizon) const {
   const std::vector<Point>& positions = positions_;
   const coupling::Terms& terms = system_.terms();

@@ -11,7 +11,7 @@
 
 namespace bempd::fracture {
 
-// What the way of a tip meets: bonds across it, the face of a crack, a free edge.
+// Path of a tip: bonds across it, and whether it meets the face of a crack or a free edge.
 class LineWay {
  public:
   LineWay(const coupling::EquilibriumSystem& system, const std::vector<Point>& positions, const TipStress& stress);
@@ -25,10 +25,10 @@ class LineWay {
   };
   Step next(const Point& place, const Point& direction, const pd::TipLaw& law) const;
 
-  // Bonds that are left across a way.
+  // Intact bonds across the straight path between two places.
   std::vector<int> across(const Point& from, const Point& to, double horizon) const;
 
-  // How many spacings lie ahead before the face of a crack or an edge, at most so many.
+  // Number of spacings ahead of a tip before the face of a crack or an edge, at most `most`.
   int clear_spacings(const Point& place, const Point& direction, const pd::TipLaw& law, int most) const;
 
   const linalg::Adjacency& terms_from() const { return terms_from_; }

@@ -9,7 +9,7 @@ namespace {
 
 constexpr double points_in_a_bucket = 16;
 
-// Rounding of distances, in sides of buckets.
+// Rounding of distances, in side lengths of buckets.
 constexpr double rounding_of_distances = 1e-6;
 
 }  // namespace

@@ -12,11 +12,12 @@ class NearPoints {
  public:
   explicit NearPoints(const std::vector<Point>& points);
 
-  // Numbers of points, ascending: all that are at most this far away, and others nearby.
+  // Numbers of points, ascending: all within `reach` of a place, and some others nearby.
   std::vector<int> about(const Point& place, double reach) const;
 
  private:
-  // Row or column of buckets in which a coordinate lies, counted from the lowest one of all points.
+  // Row or column of buckets at a distance from the lowest coordinate of all points; `count` is the number of rows or
+  // columns.
   int number_of(double distance, int count) const;
 
   Point lowest_{0, 0};

@@ -6,8 +6,8 @@
 
 namespace bempd::fracture {
 
-// Relative distance from a limit below which a value lies on it, so that rounding does not matter: tips of symmetric
-// bodies pass through points, and the same path is rounded differently in a window and in the whole body.
+// Relative distance from a limit below which a value counts as on the limit, so that rounding does not decide: tips of
+// symmetric bodies pass through points, and a window rounds the same path differently from the whole body.
 constexpr double rounding_of_places = 1e-8;
 
 // Whether c lies to the left of the line from a to b; a point on the line does not.

@@ -7,8 +7,8 @@
 
 namespace bempd::fracture {
 
-// Material points on the outline of lattices, and which part of a full point's area each stands for: half of it on a
-// straight edge, a quarter at a corner.
+// Material points on the outline of lattices, with the share of a full point's area that each has: half on a straight
+// edge, a quarter at a corner.
 class OutlinePoints {
  public:
   OutlinePoints(const coupling::Terms& terms, const pd::TipLaws& laws, std::size_t nodes);

@@ -10,12 +10,12 @@ namespace bempd::fracture {
 
 namespace {
 
-// Half length of the pieces of a face, each across the middle of a bond between neighbours and a little longer than the
-// distance to the next one.
+// Half length of the pieces that make up a face, in spacings. Each piece runs across the middle of a broken bond
+// between neighbours and overlaps the next one slightly.
 constexpr double half_piece = 0.55;  // in spacings
 
-// Limits of the bonds broken by the tip's own crack: the middles of such bonds between neighbours lie within half a
-// spacing of the crack, which turns back from the tip by 110 degrees at least.
+// Limits in spacings for bonds that the tip's own crack has broken. The middles of broken bonds between neighbours lie
+// within half a spacing of the crack, and the crack turns back from the tip's direction by at least 110 degrees.
 constexpr double ahead_of_own = 0.75, beside_own = 1.5, ahead_of_kink = 0.25;  // in spacings
 
 bool lie_apart(const Point& from, const Point& to, const Point& a, const Point& b) {

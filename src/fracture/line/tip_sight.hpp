@@ -6,13 +6,13 @@
 
 namespace bempd::fracture {
 
-// What a tip sees: everything except what the face of another crack hides. Holes and inward corners hide nothing here,
-// because points are taken the nearer the tip the nearer it is to an outline.
+// Visibility from a tip: faces of other cracks hide points behind them. Holes and inward corners need not hide points,
+// because stress points are taken closer to the tip the closer it is to an outline.
 class TipSight {
  public:
   TipSight(const Point& place, const Point& direction, double spacing);
 
-  // Adds a broken bond between neighbours; those that the tip's own crack has broken are left out.
+  // Adds a broken bond between neighbours as part of a face, unless the tip's own crack has broken it.
   void add_gone(const Point& middle, const Point& along);
 
   double nearest_face() const { return nearest_face_; }  // infinite without one

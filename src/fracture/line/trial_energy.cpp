@@ -10,10 +10,11 @@ namespace bempd::fracture {
 
 namespace {
 
-// A pivot of 1 - k^1/2 F k^1/2 below which rounding decides whether the body still resists.
+// Pivot of 1 - k^1/2 F k^1/2 below which rounding decides whether the body still has a resistance.
 constexpr double smallest_trial_pivot = 1e-10;
 
-// Ways and directions that are tried between two changes of the matrix.
+// Largest number of flexibilities kept for reuse: about as many paths and directions are tried between two changes of
+// the matrix.
 constexpr std::size_t most_answers_kept = 32;
 
 }  // namespace
@@ -35,7 +36,7 @@ std::optional<Eigen::MatrixXd> WholeBodyTrials::flexibility(std::span<const int>
   }
 }
 
-// The triangle by rows, so that it ends before the first pivot that is too small.
+// Factorizes 1 - k^1/2 F k^1/2 row by row, so that the factor ends before the first pivot that is too small.
 TrialEnergy::TrialEnergy(const Eigen::VectorXd& stiffness, const Eigen::MatrixXd& flexibility,
                          const coupling::Affine& elongation)
     : root_stiffness_(stiffness.cwiseSqrt()), y_(root_stiffness_.asDiagonal() * elongation) {
@@ -60,7 +61,7 @@ double TrialEnergy::released(Eigen::Index terms, double load_factor) const {
   return 0.5 * (y_.topRows(terms) * Eigen::Vector2d(1, load_factor)).squaredNorm();
 }
 
-// Elongations are k^-1/2 z with z = (1 - k^1/2 F k^1/2)^-1 k^1/2 e.
+// Elongations after the terms are removed: k^-1/2 z with z = (1 - k^1/2 F k^1/2)^-1 k^1/2 e.
 Eigen::VectorXd TrialEnergy::elongations_without(Eigen::Index terms, double load_factor) const {
   Eigen::VectorXd z = y_.topRows(terms) * Eigen::Vector2d(1, load_factor);
   lower_.topLeftCorner(terms, terms).triangularView<Eigen::Lower>().transpose().solveInPlace(z);

@@ -10,7 +10,7 @@
 
 namespace bempd::fracture {
 
-// What trial steps ask of a body: how soft it is along some of its terms.
+// Body for trial steps: it gives the flexibility along some of its terms.
 class TrialBody {
  public:
   TrialBody() = default;
@@ -18,19 +18,20 @@ class TrialBody {
   TrialBody& operator=(const TrialBody&) = delete;
   virtual ~TrialBody() = default;
 
-  // F = B^T K^-1 B of terms that are there (coupling/term_flexibility.hpp); null where a part could move freely.
+  // Flexibility F = B^T K^-1 B along some intact terms (coupling/term_flexibility.hpp); empty if a part of the body
+  // could move freely.
   virtual std::optional<Eigen::MatrixXd> flexibility(std::span<const int> terms) = 0;
 };
 
-// The whole body. What was asked last is kept as long as the body's matrix does not change.
+// Whole body for trial steps. Recent answers are kept as long as the body's matrix does not change.
 class WholeBodyTrials final : public TrialBody {
  public:
   explicit WholeBodyTrials(coupling::EquilibriumSystem& system) : system_(system) {}
 
   std::optional<Eigen::MatrixXd> flexibility(std::span<const int> terms) override;
 
-  // Makes answers come from a factor of their own from now on: an open window has changed terms, and the system's
-  // factor belongs to the matrix before.
+  // Computes answers with a separate factor from now on if `apart`: an open window has changed terms, and the system's
+  // factor belongs to the previous matrix.
   void stand_apart(bool apart) { is_apart_ = apart; }
 
  private:
@@ -45,21 +46,21 @@ class WholeBodyTrials final : public TrialBody {
   std::vector<Answer> answers_;
 };
 
-// Energy that is released where terms are taken away, for every number of the first ones at once. With f = k e the
-// pulls of the terms and F the body's flexibility along them, all of them release 1/2 f^T (k - k F k)^-1 f: half the
-// sum of squares of y, where L y = e and L L^T = k^-1 - F, and the first n of them half the sum of the first n squares.
-// The formula holds for dead loads and for supports alike.
+// Energy that is released when terms are removed, for every number of first terms at once. With the forces f = k e of
+// the terms and the body's flexibility F along them, all of them release 1/2 f^T (k - k F k)^-1 f. This is half the sum
+// of the squares of y, where L y = e and L L^T = k^-1 - F; the first n terms release half the sum of the first n
+// squares. The formula holds for dead loads and for supports alike.
 class TrialEnergy {
  public:
-  // The elongations are elastic ones, their constant and proportional part.
+  // `elongation` holds the elastic elongations, constant and proportional part.
   TrialEnergy(const Eigen::VectorXd& stiffness, const Eigen::MatrixXd& flexibility, const coupling::Affine& elongation);
 
-  // How many of the first terms can be taken away before some motion meets no resistance.
+  // Number of first terms that can be removed before some motion meets no resistance.
   Eigen::Index count() const { return count_; }
 
   double released(Eigen::Index terms, double load_factor) const;
 
-  // Elongations of the first terms once these are gone.
+  // Elongations of the first `terms` terms after these are removed.
   Eigen::VectorXd elongations_without(Eigen::Index terms, double load_factor) const;
 
  private:

@@ -11,13 +11,14 @@ namespace bempd::fracture {
 
 namespace {
 
-// The rate of a kink over its first spacings, as a share of that at its beginning; and how far the loads of both
-// criteria lie apart at most.
+// Limits on the energy release rate of a kink over its first spacings, relative to that at its beginning; and largest
+// ratio between the loads of the two growth criteria.
 constexpr double least_shape = 0.25, largest_shape = 4, largest_of_criteria = 1.1;
 
 constexpr int most_amplitudes = 2 * WilliamsFit::most_terms;
 
-// Stress of both modes of every term for amplitudes of one.
+// Stresses (xx, yy, xy) at the polar coordinates r, t for unit amplitudes of the terms: two columns for each term,
+// modes I and II.
 Eigen::Matrix<double, 3, most_amplitudes> williams_stress(double r, double t) {
   Eigen::Matrix<double, 3, most_amplitudes> stress;
   for (int n = 1; n <= WilliamsFit::most_terms; ++n) {
@@ -43,7 +44,8 @@ void WilliamsFit::add(double distance, double angle, const Stress& stress) {
   squares_ += distance * stress.transpose() * stress;
 }
 
-// The second term has no shear of its own: the decomposition leaves it out, as it does terms that were not fitted.
+// Amplitudes of the first terms by least squares. The second term has no mode II; the decomposition leaves it out, as
+// well as terms that are not fitted.
 WilliamsFit::Parts WilliamsFit::solution(int terms) const {
   if (terms >= terms_) return linalg::LeastSquares(normal_).solve(right_);
   Eigen::Matrix<double, amplitudes, amplitudes> normal = normal_;

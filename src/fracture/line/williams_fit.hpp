@@ -6,13 +6,14 @@
 
 namespace bempd::fracture {
 
-// Stress intensity factors, each with a constant part and one that is proportional to the load factor [Pa m^(1/2)].
+// Stress intensity factors K_I (`one`) and K_II (`two`), each with a constant part and a part proportional to the load
+// factor [Pa m^(1/2)].
 struct AffineIntensity {
   Eigen::RowVector2d one{0, 0}, two{0, 0};
 };
 
-// Least-squares fit of Williams' series (J. Appl. Mech. 24, 1957) to stresses around a tip: the terms r^(-1/2), 1,
-// r^(1/2) and so on of both modes. Stresses have a constant and a proportional part.
+// Least-squares fit of Williams' series (J. Appl. Mech. 24, 1957) to stresses around a tip: terms r^(-1/2), 1, r^(1/2)
+// and so on of both modes. Stresses have a constant and a proportional part.
 class WilliamsFit {
  public:
   static constexpr int most_terms = 5;
@@ -20,17 +21,17 @@ class WilliamsFit {
 
   explicit WilliamsFit(int terms) : terms_(terms) {}
 
-  // Adds the stress of a point at a distance, in horizons, and an angle from the tip's direction.
+  // Adds the stress of a point at a distance (in horizons) from the tip and an angle from the tip's direction.
   void add(double distance, double angle, const Stress& stress);
 
-  // Factors from the first so many terms, at most those that were fitted.
+  // Stress intensity factors from the first `terms` terms of the series, at most those that were fitted.
   AffineIntensity factors(double horizon, int terms = most_terms) const;
 
-  // Stress along the tip's direction that does not fall with the distance, its constant and proportional part.
+  // T-stress: the stress along the tip's direction that is independent of the distance, constant and proportional part.
   Eigen::RowVector2d t_stress() const { return 4 * solution(terms_).row(2); }
 
-  // What the fitted terms leave of the stress, as a share of it, at a load factor: little where the field is that of
-  // the tip alone.
+  // Residual: the part of the stress that the fitted terms do not describe, as a share of it, at a load factor. It is
+  // small if the field is that of the tip alone.
   double residual(double load_factor) const;
 
  private:
@@ -44,20 +45,21 @@ class WilliamsFit {
   Eigen::Matrix2d squares_ = Eigen::Matrix2d::Zero();  // of the stress
 };
 
-// How the energy release rate of a kink changes over its first spacings: like the square of factors that grow with the
-// root of its length. Without a kink, or where nothing is known of the tip, it does not.
+// Change of the energy release rate over the first spacings of a kink: it varies as the square of stress intensity
+// factors that grow with the square root of the kink's length. Constant without a kink, or if nothing is known of the
+// tip.
 class KinkShape {
  public:
   KinkShape() = default;
-  // `factors` and `t_stress` of the tip before it turns by `angle`; `is_hoop`: whether the hoop stress says when it
-  // does.
+  // `factors` and `t_stress` are those of the tip before it turns by `angle`. `is_hoop`: the growth criterion is
+  // maximum hoop stress.
   KinkShape(const AffineIntensity& factors, const Eigen::RowVector2d& t_stress, double angle, bool is_hoop)
       : factors_(factors), t_stress_(t_stress), angle_(angle), is_hoop_(is_hoop) {}
 
-  // Rates over that of a kink of no length: their mean over a length, and at its end.
+  // Energy release rate over that of a kink of zero length: mean over a length, and value at its end.
   double mean(double length, double load_factor) const;
   double at(double length, double load_factor) const;
-  // Equivalent factor of the criterion over the one that belongs to the energy release rate.
+  // Equivalent factor of the growth criterion over the one that corresponds to the energy release rate.
   double of_criterion(double load_factor) const;
 
  private:

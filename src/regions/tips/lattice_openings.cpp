@@ -12,13 +12,13 @@ namespace bempd::regions {
 
 namespace {
 
-// Half axes of the ellipse about a place in which points of a side are taken, in spacings along the crack and off it;
-// if they are too few, the ellipse gets larger by a factor.
+// Half axes of the ellipse in which material points on one side of the crack are taken for a fit, in spacings: along
+// the crack and across it. If it holds too few points, it is enlarged by a factor.
 constexpr double along = 2.5, off = 3, larger = 1.5;
 constexpr int most_ellipses = 3;
 constexpr std::size_t enough_for_quadratic = 8, enough_for_linear = 4;
 
-// Distance from the path, in spacings, of a place that stands for one of its sides.
+// Distance from the crack, in spacings, of a place that stands for one side of it.
 constexpr double beside = 1e-3;
 
 class OpeningsOfCrack {
@@ -49,7 +49,7 @@ class OpeningsOfCrack {
     Point normal() const { return {-tangent.y(), tangent.x()}; }  // to the left
   };
 
-  // Whether an end is a tip; other ends are mouths.
+  // Whether an end of the crack lies inside the body: it is then a tip, else a mouth.
   bool is_inside(const Point& end) const {
     return std::any_of(
         body_.discretization.regions.begin(), body_.discretization.regions.end(), [&](const auto& region) {
@@ -68,7 +68,7 @@ class OpeningsOfCrack {
     }
   }
 
-  // Whether a crack lies between two places.
+  // Whether a crack crosses the line between two places, so that one is hidden from the other.
   bool is_hidden(const Point& from, const Point& to) const {
     const Segment sight{from, to};
     for (const std::vector<Point>& path : paths_)
@@ -77,7 +77,7 @@ class OpeningsOfCrack {
     return false;
   }
 
-  // Whether a point is ahead of a tip: then it is on no side of the crack.
+  // Whether a point lies ahead of a tip of the crack, where it belongs to neither side.
   bool is_ahead_of_end(const Point& point) const {
     const auto is_ahead = [&](const Point& end, const Point& before) { return (point - end).dot(end - before) > 0; };
     return (has_start_ && is_ahead(path_.front(), path_[1])) || (has_end_ && is_ahead(path_.back(), path_.end()[-2]));

@@ -8,7 +8,7 @@ namespace bempd::regions {
 
 namespace {
 
-// Length of the shortest bond at each node: neighbours are hardly farther, points across a cell 1.4 times as far.
+// Length of the shortest bond at each node, about one spacing; a diagonal bond of a cell is 1.4 times as long.
 std::vector<double> spacings(const BondedBody& body) {
   std::vector<double> found(body.discretization.positions.size(), std::numeric_limits<double>::infinity());
   for (std::size_t b = 0; b < body.bonds.size(); ++b) {
@@ -31,7 +31,7 @@ std::vector<CrackPicture> lattice_crack_pictures(const BondedBody& body, const E
     const double length = body.bonds.length[b];
     if (length > 1.3 * std::max(spacing[low], spacing[high])) continue;
     const Point middle = 0.5 * (body.discretization.positions[low] + body.discretization.positions[high]);
-    // The picture's piece runs across the bond, with the second point on its left.
+    // The segment of the picture crosses the bond at its middle, with the bond's second point on its left.
     const Point half = 0.5 * length * Point(body.bonds.sine[b], -body.bonds.cosine[b]);
     const Point of_low = displacement.segment<2>(2 * low), of_high = displacement.segment<2>(2 * high);
     const int crack = nearest_crack(middle);

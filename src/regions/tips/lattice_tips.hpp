@@ -6,7 +6,8 @@
 
 namespace bempd::regions {
 
-// Values of tips of cracks in lattices: stress intensity factors and what follows from them.
+// Results of crack tips in lattices by path-independent sums over rings: stress intensity factors, T-stress and error
+// estimates.
 std::vector<TipValues> lattice_tips(const BondedBody& body, const std::vector<LatticeTip>& tips,
                                     const Solution& solution, const scene::Options& options);
 

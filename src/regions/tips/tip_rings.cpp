@@ -12,13 +12,13 @@ namespace bempd::regions {
 
 namespace {
 
-// Weight that falls from 1 to 0 without a kink.
+// Weight q at a distance from the tip: 1 up to the inner radius, 0 from the outer one on, with a continuous derivative.
 double weight_at(double radius, double inner, double outer) {
   const double t = std::clamp((radius - inner) / (outer - inner), 0.0, 1.0);
   return 1 - t * t * (3 - 2 * t);
 }
 
-// Whether a place lies on the left of the piece of the path that is closest to it.
+// Whether a place lies to the left of the segment of a path that is nearest to it.
 bool is_left_of(const std::vector<Point>& path, const Point& place) {
   double least = std::numeric_limits<double>::infinity();
   bool left = true;
@@ -63,8 +63,8 @@ TipRings::TipRings(const BondedBody& body, TipAxes axes, double radius)
   collect_faces();
 }
 
-// Whether each bond belongs to the material of the dual fields, one entry a bond. A lattice of another material counts
-// as lying beyond the outline, as boundary elements do.
+// Flag of each term: whether all its nodes lie in lattices of the material at the tip. Lattices of other materials are
+// treated like boundary elements: the sum ends at their interface.
 std::vector<char> TipRings::terms_of_material() const {
   const coupling::Terms& terms = body_.bonds;
   std::vector<char> inside(body_.discretization.positions.size(), 0), usable(terms.size(), 1);
@@ -79,7 +79,8 @@ std::vector<char> TipRings::terms_of_material() const {
   return usable;
 }
 
-// Collects the parts of lattices' edges near the tip that do not lie on other lattices of the same material.
+// Collects the parts of the lattices' edges near the tip where the material at the tip ends: free edges, and interfaces
+// with boundary elements or other materials.
 void TipRings::collect_faces() {
   for (const auto& region : body_.discretization.regions) {
     if (!is_of_material(*region)) continue;
@@ -104,7 +105,8 @@ void TipRings::collect_faces() {
 TipPolar TipRings::polar(const Point& place, const Point& centre) const {
   const Point local = axes_.into(place - centre);
   TipPolar found{std::max(local.norm(), 1e-3 * axes_.spacing), std::atan2(local.y(), local.x())};
-  // The side of the crack decides about the angle of a point beside it, wherever the point lies to the tip's line.
+  // The side of the crack decides about the sign of a nearby point's angle, even if the point lies on the other side of
+  // the tip's straight line.
   if (local.x() < 0 && std::abs(local.y()) < 2.5 * axes_.spacing) {
     const bool left = is_left_of(axes_.path, place);
     if (left && found.angle < 0) found.angle += 2 * std::numbers::pi;
@@ -152,9 +154,10 @@ TipRings::View TipRings::about(double ahead) const {
   return view;
 }
 
-// Subtracts the rigid motion. It does no work on any field in principle; but where the crack has left fewer bonds at
-// its faces, the dual fields are in balance far from the tip only. The motion comes from a fit by the first terms of
-// Williams' expansion, because a fit without them would take the terms of power 1/2 for a part of it.
+// Subtracts the rigid motion from the displacements around the tip. In theory it does no work on any dual field. But
+// the crack leaves fewer bonds at its faces, so the dual fields are only balanced far from the tip.
+// The motion is found by a fit together with the first terms of Williams' expansion; without them the fit would
+// attribute part of the terms of power 1/2 to it.
 Eigen::VectorXd TipRings::around(const Eigen::VectorXd& displacement) const {
   const auto count = static_cast<Eigen::Index>(nodes_.size());
   Eigen::VectorXd own(2 * count);

@@ -6,7 +6,7 @@
 
 namespace bempd::regions {
 
-// Tip of a crack in a lattice.
+// Tip of a crack in a lattice, as found for the calculation of its results.
 struct LatticeTip {
   int crack, end;  // id; 1: at the crack's last point, 0: at its first
   int region;      // id of the lattice that the crack ends in
@@ -17,15 +17,15 @@ struct LatticeTip {
   bool branched;  // other ways lead on from the crack, too
 };
 
-// Tips of cracks in lattices, one for each end that lies inside the body.
+// Finds the tips of cracks in lattices out of broken bonds, one for each end of a described crack that lies inside the
+// body.
 //
-// A crack passes from cell to cell of the lattice through the bonds of nearest neighbours that it breaks. An end has
-// grown if such cells join on to it, side by side or at corners. The tip is then the middle of the cell that is
-// farthest along them, and its direction that of the line fitted to the last two horizons of the path. Before that it
-// is the end as described.
+// A crack passes from cell to cell of the lattice through the broken bonds between nearest neighbours. An end has grown
+// if such cells join it, side by side or at corners. The tip is then the middle of the cell that is most steps away,
+// with the direction of a line fitted to the last two horizons of the path. An end that has not grown is the tip.
 std::vector<LatticeTip> find_lattice_tips(const BondedBody& body);
 
-// End of a crack in a lattice whose path is known, and which is a tip.
+// Tip of a crack in a lattice whose path is known, because the run has grown the crack as a line.
 struct KnownTip {
   int crack, end;  // as above
   Point direction;
