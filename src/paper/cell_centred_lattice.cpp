@@ -24,7 +24,7 @@ void CellCentredLattice::place_points(const Preparation& preparation) {
   for (const auto& other : preparation.regions) {
     for (const Point& place : other->places_facing(id())) {
       const Point p = to_grid(place);
-      // Two pieces of interface share the point where they meet.
+      // A place where two pieces of interface meet gets one point only.
       const auto is_there = [&](const Point& q) { return (p - q).norm() < same_place; };
       if (std::none_of(points_.begin() + first, points_.end(), is_there)) points_.push_back(p);
     }
@@ -42,7 +42,7 @@ std::vector<LatticeRegion::EdgePoint> CellCentredLattice::edge_points(int edge) 
   const LatticePoint span = end - start;
   const int count = span.cwiseAbs().maxCoeff();
   const LatticePoint step = span / count;
-  // The cell lies to the left of every piece of the edge and is numbered by its lower left corner.
+  // The cell behind a piece of the edge lies to its left, and is numbered by its own lower left corner.
   const LatticePoint left(-step.y(), step.x());
   const LatticePoint to_corner(std::min({0, step.x() + left.x(), step.x(), left.x()}),
                                std::min({0, step.y() + left.y(), step.y(), left.y()}));
@@ -58,7 +58,7 @@ void CellCentredLattice::add_edge_forces(const Point& a, const Point& b,
   add_layer_forces(grid(), a, b, traction, forces);
 }
 
-// Share of a cell that each point stands for: whole cells; points on interfaces stand for none.
+// Share of a cell that each point stands for: 1 for points at centres of cells, 0 for points on interfaces.
 std::vector<double> CellCentredLattice::cell_shares() const {
   std::vector<double> shares(points_.size(), 0.0);
   std::fill_n(shares.begin(), grid().point_count(), 1.0);

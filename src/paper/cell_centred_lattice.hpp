@@ -4,24 +4,24 @@
 
 namespace bempd::paper {
 
-// Lattice whose material points are the centres of the cells; behind them come, on interfaces, points at the nodes of
-// the boundary elements there.
+// Lattice with material points at the centres of its cells, followed by points on interfaces, at the nodes of the
+// boundary elements there.
 class CellCentredLattice final : public UncorrectedLattice {
  public:
   CellCentredLattice(int id, const regions::LatticeDescription& described, const scene::Material& material);
 
-  // Rank 0, because the points of the lattice do not lie on interfaces.
+  // Rank 0, that of boundary elements: the points of the cells do not lie on interfaces.
   int rank_at_interfaces() const override { return 0; }
 
  protected:
   void place_points(const regions::Preparation& preparation) override;
   std::vector<char> shared_points(const regions::Preparation& preparation) const override;
-  // Points of the layer of cells behind the edge.
+  // Points on which loads of an edge act: those of the layer of cells behind it.
   std::vector<EdgePoint> edge_points(int edge) const override;
   void add_edge_forces(const Point& a, const Point& b, const std::function<Point(const Point&)>& traction,
                        Eigen::Ref<Eigen::VectorXd> forces) const override;
   std::vector<double> cell_shares() const override;
-  // Cracks may pass through points, because one at 45 degrees cannot miss all centres.
+  // Cracks may pass through material points, because a crack at 45 degrees cannot miss all centres of cells.
   bool cracks_may_meet_points() const override { return true; }
   double reach_beyond_cells() const override { return 0.5; }
 };

@@ -17,10 +17,10 @@ using namespace bem;
 
 namespace {
 
-// Parameter of the points beside a node with two tractions (node at xi = 1).
+// Parameter of the collocation points beside a node with two tractions; the node itself is at xi = 1.
 constexpr double shifted = 2.0 / 3;
 
-// Collocation point, as a point of every element that it lies on: two elements when it is a common end.
+// Collocation point with its parameter on every element that it lies on: two elements if it is their common end.
 struct CollocationPoint {
   struct Home {
     int element;
@@ -29,8 +29,8 @@ struct CollocationPoint {
   std::vector<Home> homes;
 };
 
-// Collocation points, one for every traction node. A point at a node with two tractions would give one equation twice,
-// so such a node has a point in each of its elements.
+// Collocation points, one for every traction node. A node with two tractions has a point inside each of its elements,
+// because a point at the node itself would give the same equation twice.
 std::vector<CollocationPoint> collocation_points(const BoundaryMesh& mesh) {
   std::vector<int> traction_of_node(mesh.nodes.size(), -1);
   std::vector<bool> has_two(mesh.nodes.size(), false);
@@ -50,8 +50,8 @@ std::vector<CollocationPoint> collocation_points(const BoundaryMesh& mesh) {
   return points;
 }
 
-// Computes G^T and H^T in lengths over the body's diagonal and for unit shear modulus. Each point has a pair of columns
-// of its own, so that points are independent of each other.
+// Computes G^T and H^T, with lengths over the body's diagonal and the shear modulus 1. Every point has a pair of
+// columns of its own, so that threads can compute points independently.
 class Assembler {
  public:
   Assembler(const BoundaryMesh& mesh, double nu, double tolerance)
@@ -94,7 +94,8 @@ class Assembler {
         if (!home) constant += block;
       }
     }
-    // T acts on u - u(x) everywhere, because a constant displacement has no traction: so the free term is never needed.
+    // T acts on u - u(x) on all elements, because a constant displacement has no traction. So the free term is not
+    // needed.
     const auto value = boundary_.elements[home_element].shape(home_xi);
     for (int b = 0; b < 3; ++b)
       double_layer_transpose.block<2, 2>(2 * mesh_.elements[home_element].nodes[b], 2 * point) -= value[b] * constant;
@@ -106,7 +107,7 @@ class Assembler {
   Eigen::MatrixXd single_layer_transpose, double_layer_transpose;
 
  private:
-  // Integral of U N_b; the trace part 1/2 of e e^T is half the integral of N_b.
+  // Integral of U N_b over an element; the trace part 1/2 of e e^T gives half the integral of N_b (`length`).
   Eigen::Matrix2d single_layer(const PointMoments& m, double length, int b) const {
     const double isotropic = 0.5 * length - (3 - 4 * nu_) * m.mass[0][b];
     Eigen::Matrix2d block;
@@ -114,7 +115,7 @@ class Assembler {
     return block / (8 * std::numbers::pi * (1 - nu_));
   }
 
-  // Integral of T N_b, or of T (N_b - N_b(x)).
+  // Integral of T N_b over an element or, if the point lies on the element, of T (N_b - N_b(x)).
   Eigen::Matrix2d double_layer(const PointMoments& m, int b) const {
     const double isotropic = (2 - 2 * nu_) * m.double_layer[0][b], rotation = (1 - 2 * nu_) * m.double_layer[1][b];
     const double cosine = 2 * m.double_layer[2][b], sine = 2 * m.double_layer[3][b];
@@ -131,7 +132,7 @@ class Assembler {
   std::vector<std::array<double, 3>> element_lengths_;  // integral of N_b
 };
 
-// Integrals of N_a N_b ds between displacement nodes and traction nodes, for both components.
+// Integrals of N_a N_b ds between displacement nodes a and traction nodes b, for both components.
 Eigen::SparseMatrix<double> trace_mass(const BoundaryMesh& mesh) {
   const ScaledBoundary boundary(mesh);
   std::vector<Eigen::Triplet<double>> entries;

@@ -9,14 +9,15 @@
 
 namespace bempd::paper {
 
-// Copies a mesh with its displacement nodes as traction nodes: a corner has one traction, which cannot jump there.
+// Copy of a mesh in which the displacement nodes are the traction nodes, too: a corner has one traction, which cannot
+// jump there.
 BoundaryMesh with_one_traction_at_corners(BoundaryMesh mesh);
 
-// Collocation boundary element operator of one elastic body with quadratic elements: Somigliana's identity H u = G t at
-// as many points as there are traction nodes, solved for the tractions t = K_B u, K_B = G^-1 H (Yang and Liu, Int. J.
-// Solids Struct. 2021, Eqs. 4 and 7), and their consistent nodal forces  h M K_B u. Points are the nodes; where a node
-// has two tractions, one point inside each of its elements. The stiffness is not symmetric, and its symmetric part is
-// no approximation: it loses the constant strains.
+// Collocation boundary element operator of one elastic body with quadratic elements. Somigliana's identity H u = G t at
+// as many points as there are traction nodes is solved for the tractions t = K_B u, K_B = G^-1 H (Yang and Liu, Int. J.
+// Solids Struct. 2021, Eqs. 4 and 7). Their consistent nodal forces  h M K_B u  give the stiffness. Collocation points
+// are the nodes; a node with two tractions has a point inside each of its elements instead. The stiffness is not
+// symmetric. Its symmetric part is no approximation of it, because constant strains are lost.
 class CollocationOperator final : public bem::BoundaryOperator {
  public:
   CollocationOperator(const BoundaryMesh& mesh, const PlaneElasticity& elasticity,

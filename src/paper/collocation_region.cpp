@@ -25,10 +25,10 @@ Eigen::MatrixXd CollocationRegion::own_stiffness(const Preparation& preparation)
                                    : balanced_stiffness(collocation);
 }
 
-// Nodal forces of the scheme `paper`: consistent with the elements, except at lattice interfaces. There every node
-// takes its traction times the length between the middles of its neighbours (half of that at the ends of the
-// interface): the traction t that balances the point's body force, t = -b dx (Yang and Liu 2021, Eq. 26), as a force.
-// Consistent forces would alternate between 2/3 and 4/3 of that from node to node.
+// Nodal forces of the scheme `paper` per displacement: consistent with the elements, except at lattice interfaces.
+// There every node has its traction times the length between the middles of its neighbours (half of that at the ends of
+// the interface). This is the traction that balances the body force of the point, t = -b dx (Yang and Liu 2021, Eq.
+// 26), as a force. Consistent forces would alternate between 2/3 and 4/3 of it from node to node.
 Eigen::MatrixXd CollocationRegion::balanced_stiffness(const CollocationOperator& collocation) const {
   Eigen::MatrixXd stiffness = collocation.stiffness();
   Eigen::Matrix3d consistent, lumped = Eigen::Vector3d(0.25, 0.5, 0.25).asDiagonal();
@@ -48,8 +48,8 @@ Eigen::MatrixXd CollocationRegion::balanced_stiffness(const CollocationOperator&
   return stiffness;
 }
 
-// Equations as printed (Eqs. 23 and 27), every row times a length: t = -b dx at the nodes of lattice interfaces, where
-// dx is the lattice spacing also at their ends, and t as given at the others (the sum where there are two).
+// Equations as published (Eqs. 23 and 27), every row times a length. At nodes of lattice interfaces t = -b dx, where dx
+// is the lattice spacing, also at the ends of the interface. At other nodes t is as given (the sum if there are two).
 Eigen::MatrixXd CollocationRegion::pointwise_stiffness(const scene::Scene& scene,
                                                        const CollocationOperator& collocation) const {
   const Eigen::MatrixXd& tractions = collocation.traction_matrix();

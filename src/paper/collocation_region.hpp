@@ -7,13 +7,14 @@
 namespace bempd::paper {
 
 struct CollocationRules {
-  // Whether interface rows are t = -b dx of every node and its point (Yang and Liu 2021, Eqs. 26, 27); otherwise they
-  // are the balance of nodal forces.
+  // Whether an interface row is t = -b dx for a node and its material point (Yang and Liu 2021, Eqs. 26, 27); else it
+  // is the balance of nodal forces.
   bool pointwise_traction = false;
   bool one_traction_at_corners = false;  // false: one traction for each edge
 };
 
-// Boundary element region of the scheme `paper`: collocation, and every node on an interface is a material point.
+// Boundary element region of the scheme `paper`: it uses collocation, and every node on an interface is a material
+// point.
 class CollocationRegion final : public regions::BoundaryRegion {
  public:
   CollocationRegion(int id, const regions::BoundaryDescription& described, const scene::Material& material,

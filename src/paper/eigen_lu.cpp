@@ -9,12 +9,12 @@ namespace bempd::paper {
 
 namespace {
 
-// Matrix with 64-bit indices: Eigen counts the entries of the factor in the index type, and 32 bits would overflow
-// without notice.
+// Sparse matrix with 64-bit indices: Eigen counts the entries of the factor in the index type, and 32 bits would
+// overflow without notice.
 using LongMatrix = Eigen::SparseMatrix<double, Eigen::ColMajor, std::int64_t>;
 
-// Minimum degree ordering of A + A^T. Eigen's own returns the old place of a new column, but its LU needs the new place
-// of an old one.
+// Minimum degree ordering of A + A^T for Eigen's LU. That needs the new place of each old column, but Eigen's ordering
+// returns the old place of each new one.
 struct MinimumDegree {
   using PermutationType = Eigen::AMDOrdering<std::int64_t>::PermutationType;
   void operator()(const LongMatrix& matrix, PermutationType& permutation) const {
@@ -27,16 +27,16 @@ struct MinimumDegree {
 class Supernodal : public Eigen::SparseLU<LongMatrix, MinimumDegree> {
  public:
   Supernodal() {
-    // Symmetric mode, because the systems have a symmetric pattern and usually a good diagonal: an ordering for the
-    // pattern of A + A^T, which keeps a diagonal pivot that is not much smaller than the best one, has far less fill
-    // than full partial pivoting.
+    // Symmetric mode is chosen because the systems have a symmetric pattern and usually a good diagonal. It orders by
+    // the pattern of A + A^T and keeps a diagonal pivot that is not much smaller than the best one, which gives far
+    // less fill than full partial pivoting.
     isSymmetric(true);
     setPivotThreshold(0.1);
   }
 
   void factorize(const LongMatrix& matrix) {
     SparseLU::factorize(matrix);
-    // Eigen reports both a singular matrix and memory that ran out as a numerical issue.
+    // Eigen reports missing memory as a numerical issue, like a singular matrix; only the message tells them apart.
     if (info() != Eigen::Success && lastErrorMessage().starts_with("UNABLE TO")) throw std::bad_alloc();
   }
 
@@ -52,7 +52,7 @@ class Supernodal : public Eigen::SparseLU<LongMatrix, MinimumDegree> {
   }
 
  private:
-  // Pivot j; U's diagonal blocks are stored with L, whose rows have no particular order.
+  // Pivot number j. The diagonal blocks of U are stored with L, whose rows have no particular order.
   double pivot(Eigen::Index j) const {
     for (SCMatrix::InnerIterator it(m_Lstore, j); it; ++it)
       if (it.row() == j) return it.value();

@@ -8,7 +8,7 @@ namespace bempd::paper {
 
 namespace {
 
-// Largest number of stored numbers of the solved columns: a quarter of a gigabyte.
+// Largest number of entries stored in solved columns, which take a quarter of a gigabyte.
 constexpr Eigen::Index most_stored_numbers = Eigen::Index{1} << 25;
 
 using linalg::Change;
@@ -40,7 +40,7 @@ class LowRankUpdated final : public SparseFactorization {
   bool update(const Eigen::SparseMatrix<double>& columns, Change change) override {
     assert(columns.rows() == columns_.rows());
     if (columns.cols() == 0) return !is_stale_;
-    // A factor that has missed a change takes no later ones: it would belong to no matrix at all.
+    // A factor that has missed one change takes no later ones, because it would then belong to no matrix at all.
     is_stale_ = is_stale_ || signs_.size() + columns.cols() > limit_;
     if (is_stale_) return false;
     const Eigen::Index before = signs_.size(), after = before + columns.cols();
@@ -53,7 +53,7 @@ class LowRankUpdated final : public SparseFactorization {
     columns_.rightCols(columns.cols()) = columns;
     signs_.conservativeResize(after);
     signs_.tail(columns.cols()).setConstant(change == Change::add ? 1.0 : -1.0);
-    // Only new rows and columns are computed; the others stay.
+    // New rows and columns of the capacitance matrix are computed; the others stay.
     Eigen::MatrixXd capacitance(after, after);
     capacitance.topLeftCorner(before, before) = capacitance_matrix_;
     capacitance.rightCols(columns.cols()) = columns_.transpose() * solved;

@@ -1,4 +1,4 @@
-// Scheme of Yang and Liu, Int. J. Solids Struct. 2021: collocation, uncorrected bonds, coupling by shared nodes.
+// Scheme of Yang and Liu, Int. J. Solids Struct. 2021: collocation, uncorrected bonds, and coupling by shared nodes.
 #include "error.hpp"
 #include "paper/cell_centred_lattice.hpp"
 #include "paper/collocation_region.hpp"

@@ -38,7 +38,7 @@ void add_apart(const ElementPoints& y, const Point& x, PointMoments& moments) {
   moments.evaluations += y.count;
 }
 
-// Integrals over the part of one element on one side of its point xi0.
+// Integrals over the part of an element on one side of the element's own point xi0.
 class OwnElement {
  public:
   OwnElement(const ElementGeometry& element, double xi0, double tolerance, PointMoments& moments)
@@ -48,7 +48,8 @@ class OwnElement {
         chord_(singularities_of_chord(element, xi0)),
         moments_(moments) {}
 
-  // `part.from` is xi0. Product rules are exact to half the degree of Gauss's rule.
+  // Adds the integrals over `part`, which begins at xi0. Product rules are exact to half the degree of the Gauss rule
+  // with as many points.
   void add_singular(const Interval& part, int depth = 0) {
     constexpr int polynomial_degree = 2;
     const int needed = std::max(gauss_points_needed(std::sqrt(chord_.ellipse(part)), tolerance_) + polynomial_degree,
@@ -85,7 +86,7 @@ class OwnElement {
     }
   }
 
-  // `log_weight` integrates ln|xi - xi0|.
+  // Adds the values at one point; `log_weight` integrates ln|xi - xi0|.
   void add_point(double xi, double weight, double log_weight) {
     const Point chord = element_.quotients(xi, xi0_).place, dx = element_.derivative(xi);
     const Point normal = scaled_normal(dx);

@@ -8,11 +8,10 @@
 
 namespace bempd::paper {
 
-// Integrals over one element, with y on it, seen from a point x, r = y - x, from which the collocation blocks of U and
-// T follow. With e = r / |r| = (cos, sin) the kernels are
-//   weakly singular:  ln r,  (e_x^2 - e_y^2) / 2,  e_x e_y   (e e^T without its trace part),
-//   double layer:     (e . n) / r, (n x e) / r, and the first one times the last two of the line above,
-// where n is the normal at y.
+// Integrals over one element with points y, seen from a point x, with r = y - x; the collocation blocks of U and T
+// follow from them. With e = r / |r| and the normal n at y the kernels are
+//   weakly singular:  ln r,  (e_x^2 - e_y^2) / 2,  e_x e_y   (the last two: e e^T without its trace part),
+//   double layer:     (e . n) / r,  (n x e) / r,  and (e . n) / r times the last two weakly singular ones.
 struct PointMoments {
   using Row = std::array<double, 3>;  // [node]
   std::array<Row, 3> mass{};          // times N_b(y)
@@ -20,16 +19,16 @@ struct PointMoments {
   std::int64_t evaluations = 0;       // points at which kernels were evaluated
 };
 
-// Integrates over elements, each with the relative error `tolerance`. Points apart use Gauss rules, on halves of the
-// element where it is too long for the distance. Points on the element use r = (xi - xi0) chord, where the chord is
-// smooth and does not vanish: ln r is the smooth ln|chord| plus ln|xi - xi0|, which a product rule integrates, and the
-// 1 / r of the double layer cancels against N(y) - N(x), so that no principal value is needed.
+// Integrates over elements, each with the relative error `tolerance`. If x is off the element, Gauss rules are used, on
+// halves of the element where it is too long for the distance. If x lies on the element, r = (xi - xi0) chord, where
+// the chord is smooth and does not vanish. Then ln r is the smooth ln|chord| plus ln|xi - xi0|, which a product rule
+// integrates. The 1 / r of the double layer cancels against N(y) - N(x), so that no principal value is needed.
 class PointIntegrator {
  public:
   PointIntegrator(const std::vector<bem::ElementGeometry>& elements, double tolerance);
 
   PointMoments apart(int element, const Point& x) const;
-  // Integrals where x is the point xi0 of the element itself, -1 <= xi0 <= 1.
+  // Integrals for a point x that lies on the element itself, at the parameter xi0, -1 <= xi0 <= 1.
   PointMoments containing(int element, double xi0) const;
 
  private:

@@ -5,13 +5,13 @@
 
 namespace bempd::paper {
 
-// Iterative refinement x <- x + M^-1 (b - A x) by a factor M of A, until the residual has the wanted inf-norm relative
-// to b or a step gains less than a factor of two. `apply(x, y)` sets y = A x; `solve(r)` overwrites r by M^-1 r. `x`
-// holds the initial guess and then the best solution found.
+// Iterative refinement x <- x + M^-1 (b - A x) by a factor M of A. It ends when the largest residual is `tolerance`
+// times the largest entry of b, or when a step gains less than a factor of two. apply(x, y) sets y = A x; solve(r)
+// overwrites r by M^-1 r. `x` holds the initial guess, then the best solution found.
 //
-// GMRES with a factor that has missed changes, as preconditioner, costs more than the fresh factor after a failure
-// here: on the published centre crack 6.4 s instead of 4.8 s, event by event 15 s instead of 7.6 s; 8.3 s with that of
-// Eigen's unsupported modules, which applies the factor once more to every right-hand side.
+// GMRES, preconditioned by a factor that has missed changes, is not used: it costs more than a fresh factor. On the
+// published centre crack it took 6.4 s instead of 4.8 s, event by event 15 s instead of 7.6 s. With Eigen's GMRES,
+// which applies the factor once more per right-hand side, it was 8.3 s.
 template <class Apply, class Solve>
 linalg::KrylovResult refine(const Apply& apply, const Solve& solve, const Eigen::VectorXd& b, Eigen::VectorXd& x,
                             double tolerance, int max_iterations) {

@@ -9,8 +9,8 @@
 
 namespace bempd::paper {
 
-// Factorization for make_sparse_lu() by one of Eigen's solvers. `Solver` is such a class that also has `pivots()` (U_jj
-// by column of the matrix) and `entries()`, and throws failures that are not the matrix's.
+// Factorization for make_sparse_lu() by one of Eigen's solvers, with rows scaled. `Solver` must also have pivots()
+// (U_jj by column of the matrix) and entries(), and throw on failures that are not the matrix's fault.
 template <class Solver>
 class RowScaledLU final : public linalg::SparseFactorization {
  public:
@@ -55,7 +55,7 @@ class RowScaledLU final : public linalg::SparseFactorization {
  private:
   using Matrix = typename Solver::MatrixType;
 
-  // Divides rows by their largest entries; false if a row has none.
+  // Divides every row by its largest entry; false if a row is zero.
   bool scale(Matrix& matrix) {
     row_scale_.setZero(size_);
     column_scale_.setZero(size_);

@@ -12,7 +12,7 @@ namespace bempd::paper {
 
 namespace {
 
-// UMFPACK counts the memory of a factor in the integers it is given, so 32 bits would limit the factor, not the matrix.
+// UMFPACK counts the memory of a factor in its integer type, so 64 bits are used: 32 bits would limit the factor.
 using LongMatrix = Eigen::SparseMatrix<double, Eigen::ColMajor, SuiteSparse_long>;
 static_assert(sizeof(SuiteSparse_long) == 8);
 
@@ -21,7 +21,7 @@ class Umfpack : public Eigen::UmfPackLU<LongMatrix> {
   Umfpack() {
     m_control[UMFPACK_IRSTEP] = 0;
     m_control[UMFPACK_SCALE] = UMFPACK_SCALE_NONE;
-    // The ordering is never METIS, which reseeds the process-wide random generator and swaps signal handlers.
+    // AMD is the only ordering: METIS reseeds the process-wide random generator and swaps signal handlers.
     m_control[UMFPACK_ORDERING] = UMFPACK_ORDERING_AMD;
   }
 
@@ -34,7 +34,7 @@ class Umfpack : public Eigen::UmfPackLU<LongMatrix> {
     check(m_fact_errorCode);
   }
 
-  // Replaces Eigen's own function, which returns uninitialized memory as the solution where UMFPACK has failed.
+  // Solves A x = rhs. Eigen's own function is not used: where UMFPACK has failed, it returns uninitialized memory.
   Eigen::MatrixXd solve(const Eigen::Ref<const Eigen::MatrixXd>& rhs) const {
     Eigen::MatrixXd x(rhs.rows(), rhs.cols());
     for (Eigen::Index c = 0; c < rhs.cols(); ++c) {
@@ -61,7 +61,7 @@ class Umfpack : public Eigen::UmfPackLU<LongMatrix> {
   }
 
  private:
-  // Throws for a negative code, which is an error; a positive one is a warning.
+  // Throws for a negative code of UMFPACK, which is an error; a positive one is a warning.
   static void check(SuiteSparse_long code) {
     if (code == UMFPACK_ERROR_out_of_memory) throw std::bad_alloc();
     if (code < 0) throw std::runtime_error("UMFPACK: error " + std::to_string(code));

@@ -4,17 +4,19 @@
 
 namespace bempd::paper {
 
-// Lattice of the scheme `paper`: bonds as published, without any correction at surfaces; points stand for volumes.
+// Lattice of the scheme `paper`: bonds as published, without any correction at surfaces. Each point stands for a
+// volume.
 class UncorrectedLattice : public regions::LatticeRegion {
  public:
   using regions::LatticeRegion::LatticeRegion;
 
-  // Lattices stay apart, as published bodies have one: two are coupled by the points they share.
+  // Never true: published bodies have one lattice, so two lattices are coupled only by the points they share.
   bool acts_as_one_with(const LatticeRegion&) const override { return false; }
-  // No lattice for the places of contact: bond forces at surfaces and interfaces are not those of the stress there.
+  // Empty, so that contact has no face places here: bond forces at surfaces and interfaces are not those of the stress
+  // there.
   std::optional<regions::LatticeGrid> lattice_grid() const override { return std::nullopt; }
   std::optional<pd::FaceLattice> face_lattice() const override { return std::nullopt; }
-  // Network of the region's own points, whatever the cells.
+  // Makes the network of the region's own points, whatever the cells are.
   pd::Network make_network(const pd::CellLattice& cells, int threads) const override;
 
  protected:
@@ -22,8 +24,8 @@ class UncorrectedLattice : public regions::LatticeRegion {
   regions::FieldValues damage(const std::vector<char>& intact) const override;
 
  private:
-  // Volumes of points on interfaces and faces are full ones: with less, the published stretching example has larger
-  // errors.
+  // Volumes of the points, all of them full ones, also on interfaces and faces: with less, the published stretching
+  // example has larger errors.
   std::vector<double> volumes() const { return std::vector<double>(points_.size(), 1.0); }
 };
 

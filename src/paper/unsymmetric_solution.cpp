@@ -13,12 +13,12 @@ using namespace coupling;
 
 namespace {
 
-// Number of stored updates after which a factor is refreshed: they then cost about as much to apply as the factor
-// itself. A factor that has missed changes hardly ever converges in this many refinements.
+// Limits: number of stored updates after which the factor is made anew, because they cost about as much to apply as the
+// factor itself; and number of refinements, which a factor that has missed changes hardly ever converges in.
 constexpr int most_updates = 120;
 constexpr int most_refinements = 4;
 
-// Reciprocal condition below which a solution carries no digit.
+// Reciprocal condition number below which a solution has no correct digit.
 constexpr double singular_condition = 1e-16;
 
 class UnsymmetricSchurComplement final : public SchurComplement {

@@ -4,7 +4,7 @@
 
 namespace bempd::paper {
 
-// Method with LU factors and iterative refinement, for matrices that need not be symmetric.
+// Solution method for matrices that need not be symmetric: LU factors and iterative refinement.
 const coupling::SolutionMethod& unsymmetric_solution();
 
 }  // namespace bempd::paper

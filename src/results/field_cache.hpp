@@ -8,12 +8,13 @@
 
 namespace bempd::results {
 
-// Fields of regions under one solution, computed when they are first asked for.
+// Cache of the fields of regions under one solution; a field is computed when it is first asked for.
 class FieldCache {
  public:
   using Key = std::pair<int, regions::Field>;  // region id
 
-  // `generation` tells solutions apart: fields of another one are forgotten.
+  // Field of a region. `generation` numbers the solutions: with a new number all stored fields are dropped. `compute`
+  // is called if the field is not stored.
   const regions::FieldValues& of(const Key& key, std::int64_t generation,
                                  const std::function<regions::FieldValues()>& compute);
 
@@ -22,7 +23,7 @@ class FieldCache {
   std::map<Key, regions::FieldValues> fields_;
 };
 
-// States of a region's bonds, one entry a bond: `intact` and `cut` are those of the scene.
+// States of a region's bonds, one entry per bond. `intact` and `cut` are those of all bonds of the scene.
 std::vector<regions::BondState> bond_states(const regions::Region& region, const std::vector<char>& intact,
                                             const std::vector<int>& cut);
 

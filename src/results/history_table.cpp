@@ -15,7 +15,7 @@ void write_history(const std::string& path, const fracture::EvolutionState* stat
     columns.push_back(text("reaction_x_", s));
     columns.push_back(text("reaction_y_", s));
   }
-  // Columns that come last, so that programs that count columns find the others in their places.
+  // Columns that were added later come last, so that programs that count columns find the others in their places.
   columns.insert(columns.end(), {"critical_load_factor", "critical_stored_energy", "bond_energy", "load_factor_before",
                                  "stored_energy_before", "work_before", "resistance_before", "resistance", "ties"});
   for (std::size_t s = 1; s <= there.size(); ++s) {

@@ -7,8 +7,8 @@
 
 namespace bempd::results {
 
-// Writes a line for every entry of the history with the reactions of all supports that are `there`; `state` is null
-// before the first step. Throws Error (io).
+// Writes the history as a CSV table, a line per entry, with the reactions of all supports that are `there` (not
+// removed). `state` is null before the first step: then there are no lines. Throws Error (io).
 void write_history(const std::string& path, const fracture::EvolutionState* state, const std::vector<char>& there);
 
 }  // namespace bempd::results

@@ -20,7 +20,7 @@ using PointPair = std::array<int, 2>;
 
 PointPair ordered(int a, int b) { return {std::min(a, b), std::max(a, b)}; }
 
-// Triangles of a body with a copy of each point on a crack for each side of it.
+// Triangles of a body, disconnected along cracks: each point on a crack has a copy for each side of the crack.
 class OpenedMesh {
  public:
   explicit OpenedMesh(BodyMesh mesh) : mesh_(std::move(mesh)) {
@@ -39,8 +39,8 @@ class OpenedMesh {
 
   const std::vector<std::array<int, 3>>& triangles() const { return mesh_.triangles; }
 
-  // Places at which values of a point are computed: the point itself; on a crack, where values jump, places just inside
-  // each of its triangles.
+  // Places at which the values of each point are computed, to be averaged: the point itself or, on a crack, where
+  // values jump, places just inside each of its triangles.
   std::vector<std::vector<Point>> places() const {
     std::vector<std::vector<Point>> all;
     for (const Point& point : mesh_.points) all.push_back({point});
@@ -59,7 +59,8 @@ class OpenedMesh {
  private:
   const Point& at(int point) const { return mesh_.points[static_cast<std::size_t>(point)]; }
 
-  // Makes copies of a point on a crack: triangles around it that share sides off the crack keep one copy.
+  // Makes copies of a point on a crack. Triangles around it get the same copy if they are connected by sides off the
+  // crack.
   void open_at(int point, const std::vector<int>& around, const std::vector<std::array<int, 3>>& whole) {
     linalg::DisjointSets joined(static_cast<int>(around.size()));
     std::map<int, int> with_side;  // by the side's other end

@@ -8,12 +8,12 @@
 
 namespace bempd::results {
 
-// Appends to the array of this name, which is created if necessary.
+// Appends values to the array `name`, which is made if there is none.
 void append(std::vector<output::VtuArray>& arrays, const std::string& name, int components,
             const std::vector<double>& values);
 
-// Appends stress for viewers, from xx, yy, xy: "stress" as a 3 x 3 tensor with the component across the plane, and the
-// largest and smallest principal stress in the plane.
+// Appends stresses, given as xx, yy, xy, in the form that viewers need: "stress", a 3 x 3 tensor with the component
+// across the plane, and the largest and smallest principal stress in the plane.
 void append_stress(std::vector<output::VtuArray>& arrays, const PlaneElasticity& elasticity,
                    const std::vector<double>& values);
 

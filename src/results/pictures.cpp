@@ -25,7 +25,7 @@ VtuGrid grid_of_regions() {
   return grid;
 }
 
-// Appends the mean of the values at some of the entries.
+// Appends the mean of the values at the entries `of`, component by component.
 void add_mean(std::vector<double>& values, int components, const std::vector<int>& of) {
   for (int c = 0; c < components; ++c) {
     double sum = 0;
@@ -58,9 +58,9 @@ void add_region(VtuGrid& grid, const SnapshotBlock& block, const regions::Region
     nodes.reserve(static_cast<std::size_t>(cells.nodes_per_cell));
     for (std::size_t k = 0; k < static_cast<std::size_t>(cells.nodes_per_cell); ++k)
       nodes.push_back(first + cells.nodes[e + k]);
-    // VTK lists the ends of a quadratic edge before its middle.
+    // VTK lists the ends of a quadratic edge before its mid node.
     if (block.cell == output::VtuCell::quadratic_edge) std::swap(nodes[1], nodes[2]);
-    // Triangles among quadrangles have a corner twice.
+    // Triangles among quadrangles have one corner twice.
     nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
     if (nodes.size() > 2 && nodes.front() == nodes.back()) nodes.pop_back();
     grid.add_cell(nodes.size() == 3 && block.cell == output::VtuCell::quad ? output::VtuCell::triangle : block.cell,
@@ -69,7 +69,7 @@ void add_region(VtuGrid& grid, const SnapshotBlock& block, const regions::Region
   }
 }
 
-// Grid of cracks, piece by piece.
+// Grid of the cracks: a quadratic edge for each element, with the opening and the displacement.
 VtuGrid grid_of(const std::vector<regions::CrackPicture>& cracks) {
   VtuGrid grid;
   std::vector<double> openings, displacements;
@@ -92,7 +92,7 @@ VtuGrid grid_of(const std::vector<regions::CrackPicture>& cracks) {
   return grid;
 }
 
-// Grid of tips, a point for each.
+// Grid of the crack tips: a point for each tip, with its values.
 VtuGrid grid_of(const std::vector<regions::TipValues>& tips) {
   VtuGrid grid;
   std::vector<double> directions;

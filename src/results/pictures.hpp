@@ -8,21 +8,22 @@
 
 namespace bempd::results {
 
-// Cracks and tips that a snapshot shows.
+// Crack faces and tips that a snapshot shows.
 struct CracksShown {
   std::vector<regions::CrackPicture> faces;
   std::vector<regions::TipValues> tips;
 };
 
-// Part of a snapshot, a file of its own. Parts are shown in the order of their numbers.
+// Part of a snapshot, which becomes a file. Parts are shown in the order of their numbers.
 struct PicturePart {
   int number;
   std::string name;
   output::VtuGrid grid;
 };
 
-// Pictures of the body under one solution: its regions by kind, the inside of those of boundary elements on triangles
-// whose sides are the root of the region's area over `inside_divisions` (0: none), and its cracks.
+// Makes the parts of a snapshot of the body under one solution: its regions by kind, the inside of boundary element
+// regions, and its cracks. The inside is shown on triangles whose sides are the square root of the region's area over
+// `inside_divisions` (0: it is not shown).
 std::vector<PicturePart> pictures(const scene::Scene& scene, const regions::Discretization& discretization,
                                   const regions::Solution& solution, const FieldsOfScene& fields,
                                   const CracksShown& cracks, double inside_divisions);

@@ -56,7 +56,7 @@ void require_name_for_series(const std::string& prefix) {
        "snapshots.existing to continue, to go on behind them, or to replace");
 }
 
-// Number of the moment in prefix_NNNN_part.vtu; -1 if there is none.
+// Number of the moment in a file name prefix_NNNN_part.vtu; -1 if the name has none.
 int number_in(const std::string& file) {
   const std::size_t end = file.rfind('_'), begin = end == std::string::npos ? end : file.rfind('_', end - 1);
   int number = -1;
@@ -70,7 +70,7 @@ std::string text_of(int number) {
   return text;
 }
 
-// New files, which are removed again unless all could be written.
+// List of new files, which are removed at its end unless keep() was called after all could be written.
 class NewFiles {
  public:
   ~NewFiles() {
@@ -89,8 +89,8 @@ class NewFiles {
 
 }  // namespace
 
-// Time of a moment: its load factor. If the load factor has not grown, the time still does, by so little that it shows
-// the same number: viewers tell moments apart by their times, and show them in this order.
+// Time of a moment in the series: its load factor. If the load factor has not grown, the time still grows, by so little
+// that the same number is shown: viewers tell moments apart by their times and show them in this order.
 double Snapshots::Series::time_of(double load_factor) const {
   if (empty() || load_factor > entries.back().time) return load_factor;
   const double last = entries.back().time, step = 1e-9 * (last == 0 ? 1 : std::abs(last));

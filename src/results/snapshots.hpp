@@ -11,17 +11,17 @@
 
 namespace bempd::results {
 
-// Moment of a run: load factor and number of events.
+// Moment of a run: its load factor and the number of events so far.
 struct Moment {
   double load_factor;
   std::int64_t events;
 };
 
-// Series of VTK files, one file for each part and moment, with a collection for each series.
+// Series of snapshots as VTK files: one file for each part and moment, and a ParaView collection for each series.
 class Snapshots {
  public:
-  // Adds a moment to the series of this prefix. Throws Error (io), also where files of another run exist and the
-  // options do not say what to do with them.
+  // Adds a moment to the series with this prefix. Throws Error (io), also if files of another run exist and the option
+  // snapshots.existing does not tell what to do with them.
   void write(const std::string& prefix, const Moment& moment, std::vector<PicturePart> parts,
              const scene::Options& options);
 

@@ -5,14 +5,14 @@
 
 namespace bempd::results {
 
-// Finds the places at which stress is unbounded, and the order of each.
+// Search for the places at which stress is unbounded, and the order of its singularity there.
 class StressOrders {
  public:
-  // `places` stay with the caller; what is closer than some `tolerance` is the same place.
+  // Prepares the search. `places` must outlive this object; a point closer to a place than `tolerance` counts as this
+  // place.
   StressOrders(const std::vector<regions::SingularPlace>& places, double tolerance);
 
-  // Order of the stress at a place or at nodes: 0 where it is bounded; else stress grows as r to the power of minus
-  // this.
+  // Order of the stress singularity at a place, or at nodes: stress grows as r^-order; 0 where stress is bounded.
   double order_at(const Point& place) const;
   regions::FieldValues at_nodes(const regions::FieldValues& positions) const;
 

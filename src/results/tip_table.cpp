@@ -8,7 +8,7 @@ namespace bempd::results {
 
 namespace {
 
-// Columns of a file of tips, each with its value, in the order of bempd_crack_tip.
+// Calls column(name, value) for each column of a file of tips, in the order of bempd_crack_tip.
 template <class Column>
 void for_each_column(const TipRecord& r, const Column& column) {
   const auto whole = [](auto value) { return output::CsvValue(static_cast<std::int64_t>(value)); };

@@ -7,7 +7,7 @@
 
 namespace bempd::results {
 
-// Writes a line for every record. Throws Error (io).
+// Writes the records of tips as a CSV table, a line per record. Throws Error (io).
 void write_tips(const std::string& path, const std::vector<TipRecord>& records);
 
 }  // namespace bempd::results

@@ -6,7 +6,7 @@
 
 namespace bempd::results {
 
-// Runs `body` and turns failures to write files into errors for the host, with the reason and the path.
+// Runs `body`, which writes files, and turns its std::system_error into Error (io) for the host, with path and reason.
 template <class Body>
 void writing(const Body& body) {
   try {

@@ -10,40 +10,40 @@
 
 namespace bempd::scene {
 
-// Values at a place of a boundary part: constant and proportional parts, x and y.
+// Value at one place of a boundary part: constant and proportional part, each with the components x and y.
 struct BoundaryValue {
   Point constant = Point::Zero();
   Point proportional = Point::Zero();
 };
-// Function of a place and of its distance along the part, as a fraction.
+// Function that gives the value at a place, from the place and its distance along the part as a fraction of the length.
 using BoundaryFunction = std::function<BoundaryValue(const Point&, double fraction_of_part)>;
 
-// Values at equally spaced samples, linear between them; one sample is a uniform value.
+// Values along a boundary part at equally spaced places, linear between them; a single one is a uniform value.
 struct SampledValues {
   std::vector<double> constant, proportional;
 
-  // Constant part at a fraction of the boundary part, 0 .. 1.
+  // Constant part of the value at a fraction (0 .. 1) of the length of the boundary part.
   double constant_at(double fraction) const;
   double proportional_at(double fraction) const;
 
-  // Throws Error (argument) for values that are not numbers.
+  // Throws Error (argument) if a value is not a finite number.
   void check() const;
 };
 
-// Values at given places along a part, linear between them, constant before the first and beyond the last one.
+// Values along a boundary part at given places, linear between them, and constant before the first and behind the last.
 struct PlacedValues {
   std::vector<double> fractions;               // of the part, ascending
   std::vector<double> constant, proportional;  // in x and y at each place
 
   BoundaryValue at(double fraction) const;
 
-  // Throws Error (argument) for values that are not numbers, and for places that are not in order.
+  // Throws Error (argument) if a value is not a finite number, or if places are not in ascending order.
   void check() const;
 };
 
 using Values = std::variant<SampledValues, BoundaryFunction, PlacedValues>;
 
-// Support or load. Components: 1 x, 2 y, 3 both.
+// Condition on the boundary: a support or a load. `components` on which it acts: 1 x, 2 y, 3 both.
 struct Condition {
   std::shared_ptr<const Place> place;  // null: it was removed
   int components = 0;
@@ -52,7 +52,7 @@ struct Condition {
 
   bool removed() const { return place == nullptr; }
   BoundaryValue value(const Point& where, double fraction_of_part) const;
-  // Value at a place, with 0 in components on which the condition does not act.
+  // Value at a place, set to 0 in those components on which the condition does not act.
   BoundaryValue acting_value(const Point& where, double fraction_of_part) const;
   bool acts_on(int component) const { return (components >> component) & 1; }
 };

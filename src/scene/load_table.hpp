@@ -9,9 +9,9 @@ namespace bempd::scene {
 
 class Scene;
 
-// Table of factors of supports and loads by time (load program). At a row's time the value of a support or load with a
-// column is its constant part plus the factor times its proportional part; between two rows it is linear in time. A
-// support or load without a column takes the time as its factor.
+// Load program: a table of factors of supports and loads by time. At the time of a row, the value of a support or load
+// with a column is its constant part plus the factor times its proportional part. Between two rows it is linear in
+// time. A support or load without a column takes the time as its factor.
 struct LoadTable {
   struct Column {
     bool is_support;
@@ -23,11 +23,11 @@ struct LoadTable {
   std::vector<Column> columns;  // none: one column, for all supports and loads
   std::vector<double> factors;  // row by row
 
-  // Throws Error (argument) for tables without sense, and for columns of supports or loads that the scene does not
-  // have.
+  // Throws Error (argument) if times do not increase, a number is not finite, or a column is of a support or load that
+  // the scene does not have.
   void check(const Scene& scene) const;
 
-  // Values of supports and loads at the time of a row, from the values that were given to them.
+  // Values of all supports and loads at the time of a row; `given` are the values that the host gave them.
   SceneValues at(std::size_t row, const SceneValues& given) const;
 
  private:

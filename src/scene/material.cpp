@@ -11,8 +11,8 @@ namespace bempd::scene {
 
 namespace {
 
-// Softest and stiffest modulus, so far from the ends of the number range that products and ratios of stiffnesses stay
-// in it.
+// Smallest and largest modulus accepted, so far from the ends of the number range that products and ratios of
+// stiffnesses stay within it.
 constexpr double softest = 1e-200, stiffest = 1e200;
 
 bool is_in_range(double stiffness) { return stiffness >= softest && stiffness <= stiffest; }

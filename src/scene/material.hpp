@@ -10,21 +10,21 @@ struct Material {
   double critical_stretch = 0;   // 0: not given
   double fracture_energy = 0;    // [J/m^2]; 0: not given
   double thermal_expansion = 0;  // [1/K]
-  // Stages that bonds of this material go through from the critical stretch on.
+  // Law of this material's bonds: the stages that a bond goes through from its critical stretch on.
   coupling::TermLaw bond_law = coupling::TermLaw::brittle();
 
   bool operator==(const Material&) const = default;
 
-  // Thermal strain in the plane per temperature, where nothing holds the body in the plane [1/K].
+  // Thermal strain in the plane per temperature of a body that nothing holds in the plane [1/K].
   double expansion_in_plane() const {
     return thermal_expansion * (elasticity.state == PlaneState::strain ? 1 + elasticity.poisson_ratio : 1);
   }
 
-  // Throws Error (argument) for values that no material has.
+  // Throws Error (argument) if a value is outside of the range that materials can have.
   void check() const;
 
-  // Critical stretch for a horizon; infinite for a material that does not break. `as_printed`: with the constant of
-  // Yang and Liu 2021, Eq. 15.
+  // Critical stretch for a horizon [m]; infinite if the material does not break. `as_printed` uses the constant of Yang
+  // and Liu 2021, Eq. 15.
   double critical_stretch_for(double horizon, bool as_printed) const;
 };
 

@@ -22,7 +22,7 @@ const OptionGroup general(OptionPlace::general, [] {
                     0, 1024, true)};
 });
 
-// Names of earlier versions, and what to do instead.
+// Option name of an earlier version, with the advice what to do instead.
 struct RemovedName {
   std::string_view name;
   const char* instead;
@@ -52,7 +52,7 @@ constexpr RemovedName removed_names[] = {
     {"results.singular_stress",
      "use bempd_stress_orders() or bempd_get_singularity(), which tell where stress is unbounded"}};
 
-// Number of single-letter edits between two names.
+// Edit distance: number of single-letter changes between two names.
 std::size_t edit_distance(std::string_view a, std::string_view b) {
   std::vector<std::size_t> row(b.size() + 1);
   std::iota(row.begin(), row.end(), std::size_t{0});
@@ -72,7 +72,7 @@ std::string near_names(std::string_view name) {
   std::vector<std::pair<std::size_t, std::string>> ranked;
   for (const OptionDescription& option : option_descriptions()) {
     const std::string_view known = option.name;
-    // A name given without its group, or only in part, counts as near.
+    // A known name that contains the given one counts as near, so that a group's name can be left out.
     const bool contained = !name.empty() && known.find(name) != std::string_view::npos;
     ranked.emplace_back(contained ? 0 : edit_distance(name, known), option.name);
   }

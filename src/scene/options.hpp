@@ -19,22 +19,22 @@ struct OptionDescription {
   const char* choices;  // of a text option, separated by " | "
   const char* default_text;
   bool shapes_operators = false;  // states fit only scenes with the same value
-  // Word that is in effect where the option leaves the choice to other options; null where it never does.
+  // Function that returns the word in effect if the option leaves the choice to other options; null if it never does.
   std::string (*in_effect)(const Options& options) = nullptr;
 };
 
 OptionDescription number_option(const char* name, const char* summary, double value, double minimum, double maximum,
                                 bool whole);
 OptionDescription text_option(const char* name, const char* summary, const char* choices, const char* default_text);
-// Marks an option as one that shapes operators.
+// Marks an option as one that shapes operators: a saved state fits only scenes with the same value.
 OptionDescription shaping(OptionDescription option);
 
-// Order in which groups of options are listed. Hooks of tests are not listed: a host sees and sets them only where the
+// Order in which groups of options are listed. Test hooks are not listed: a host can see and set them only if the
 // environment has BEMPD_TEST_HOOKS=1.
 enum class OptionPlace { general, schemes, lattices, boundaries, stepping, growth, results, test_hooks };
 
-// Options that belong together, described next to the code that reads them. Objects of static duration: all exist
-// before main() begins, and the first question for an option asks them for their descriptions.
+// Group of options that belong together, described in the file of the code that reads them. Objects must be static: all
+// groups are registered before main() begins, and are asked for their descriptions when an option is first needed.
 class OptionGroup {
  public:
   using Describe = std::vector<OptionDescription> (*)();
@@ -45,11 +45,11 @@ const std::vector<OptionDescription>& option_descriptions();  // without hooks o
 const OptionDescription& option_description(std::string_view name);
 const std::vector<OptionDescription>& test_hook_descriptions();
 
-// Options by name. The value is the one that was set, else the default. Throws Error (argument) for unknown names, for
-// names of earlier versions, with what to use instead, and for illegal values.
+// Values of options by name: the value that was set, else the default. Throws Error (argument) for unknown names, for
+// names of earlier versions (with what to use instead) and for values out of range.
 class Options {
  public:
-  // Throws where a host may not know the name.
+  // Throws Error (argument) if there is no such option, or if it is a test hook and these are not enabled.
   static void require_known(std::string_view name);
 
   void set(std::string_view name, double value);
@@ -61,7 +61,7 @@ class Options {
   bool is_set(std::string_view name) const { return numbers_.contains(name) || texts_.contains(name); }
 
  private:
-  // Values that were set; all others are defaults.
+  // Values that were set; all other options have their defaults.
   std::map<std::string, double, std::less<>> numbers_;
   std::map<std::string, std::string, std::less<>> texts_;
 };

@@ -17,45 +17,46 @@ namespace bempd::scene {
 
 class Scene;
 
-// Place where a support or a load acts. A kind of place says where elements have to end, which nodes a support holds,
-// and which forces a load puts on nodes.
+// Place at which a support or a load acts. Each kind of place tells where elements have to end, which nodes a support
+// holds, and which forces a load puts on nodes.
 class Place {
  public:
   virtual ~Place() = default;
 
-  // Throws Error (argument) unless the scene has the place.
+  // Throws Error (argument) if the scene does not contain the place.
   virtual void check(const Scene& scene) const = 0;
 
-  // Whether it is a place of this region and of no other.
+  // Whether the place depends on this region, so that the region cannot be removed alone.
   virtual bool needs(int /*region*/) const { return false; }
 
-  // The point, or the edge (id of its region, number), that this place is or is a part of; empty if it is none.
+  // The point that this place is, or the edge (id of its region, number) that it is or is a part of; else empty.
   virtual std::optional<Point> point() const { return std::nullopt; }
   virtual std::optional<std::pair<int, int>> edge() const { return std::nullopt; }
 
-  // Whether values may differ along the place, by fractions of its length.
+  // Whether values may vary along the place, by fractions of its length.
   virtual bool lies_along_a_line() const { return edge().has_value(); }
 
-  // Whether the place lies on this crack.
+  // Whether the place lies on this crack, so that it depends on it.
   virtual bool needs_crack(int /*crack*/) const { return false; }
 
-  // Whether loads here become a part of operators, so that their values cannot change once operators are built.
+  // Whether loads here become a part of operators: their values then cannot change once operators are built.
   virtual bool is_built_in() const { return false; }
 
-  // Adds the place to the fingerprint of the scene, in the words of the host.
+  // Adds the place, as the host described it, to the fingerprint of the scene.
   virtual void identify(Hash& hash) const = 0;
 
   // Fractions of an edge at which elements have to end, because the place begins, ends or acts there.
   virtual std::vector<double> breaks_on(const Scene& scene, int region, int edge, double tolerance) const = 0;
 
-  // Whether a piece of boundary around this fraction of an edge belongs to the place.
+  // Whether the boundary around this fraction of an edge belongs to the place.
   virtual bool covers(int region, int edge, double fraction) const = 0;
 
-  // Nodes that the scene's support number `support` (from 0) holds here. Throws Error (argument) if there are none.
+  // Nodes at this place that the scene's support number `support` (from 0) holds. Throws Error (argument) if there are
+  // none.
   virtual std::vector<regions::PlacedNode> held_nodes(const Scene& scene, const regions::Discretization& discretization,
                                                       int support) const = 0;
 
-  // Adds the forces that the scene's load number `load` (from 0) has here.
+  // Adds the forces that the scene's load number `load` (from 0) has at this place to `conditions`.
   virtual void add_load(const Scene& scene, const regions::Discretization& discretization, int load,
                         regions::DofConditions& conditions) const = 0;
 };

@@ -17,8 +17,8 @@ void Region::identify(Hash& hash) const {
     hash.add(loop.size());
     for (const Point& vertex : loop) hash.add(vertex.x()), hash.add(vertex.y());
   }
-  // Computed angles and fractions are rounded: arcs come from places that the host gave, and their last digits depend
-  // on the processor.
+  // Computed angles and fractions are rounded: they are computed from places that the host gave, and their last digits
+  // depend on the processor.
   const auto add_computed = [&](double value) { hash.add(std::llround(value * 1e8)); };
   hash.add(outline_.curved.size());
   for (const auto& [number, edge] : outline_.curved) {

@@ -14,23 +14,23 @@ struct Preparation;
 
 namespace bempd::scene {
 
-// Elements that an edge is to have.
+// Requested elements of an edge: their length, and the factor by which neighbours grow away from the edge's ends.
 struct EdgeMesh {
   double element_length;
   double grading;
 };
 
-// Lattice of places where a region has its nodes: origin + spacing * (i, j) with whole numbers i and j.
+// Grid of places at which a region has its nodes: origin + spacing * (i, j) with integers i and j.
 struct NodeGrid {
   Point origin;
   double spacing;
 };
 
-// Region as the host described it: a material, an outline, and what its kind adds. Edges are numbered from 1 through
+// Region as the host described it: a material, an outline, and what its kind adds. Edges are numbered from 1, through
 // the outer loop and then the holes.
 //
-// Where the region shares a piece of an edge with another one, it has either nodes at fixed places, which the other one
-// must follow (node_grid), or element ends that can be negotiated (edge_mesh).
+// Where two regions share a piece of an edge, a region has either nodes at fixed places, which the other one must
+// follow (node_grid), or element ends that can be negotiated (edge_mesh).
 class Region {
  public:
   Region(int material, Outline outline) : material_(material), outline_(std::move(outline)) {}
@@ -41,34 +41,36 @@ class Region {
   int edge_count() const;
   Edge edge(int number) const { return outline_.edge(number - 1); }
 
-  // Name of the kind in sentences: "peridynamic".
+  // Name of the kind of region for messages, such as "peridynamic".
   virtual const char* adjective() const = 0;
 
-  // Takes over a sound outline. If the kind cannot have it, throws Error (argument) and the region stays as it was.
+  // Replaces the outline by a sound one. If the kind cannot have it, throws Error (argument) and leaves the region as
+  // it was.
   virtual void set_outline(Outline outline) { take_outline(std::move(outline)); }
 
-  // Whether edges are divided into elements.
+  // Whether the region's edges are divided into elements.
   virtual bool has_elements() const { return false; }
   virtual bool may_be_curved() const { return has_elements(); }
-  // Sets the host's choice of the elements of an edge; called where has_elements().
+  // Sets the elements of an edge as the host has chosen them; only for regions that have elements.
   virtual void set_edge_mesh(int /*edge*/, const EdgeMesh& /*mesh*/) {}
-  // Whether the host has chosen this edge's elements: then they need not match the nodes of a neighbour's grid.
+  // Whether the host has chosen the elements of this edge: they then need not match the nodes of a neighbour's grid.
   virtual bool has_own_mesh(int /*edge*/) const { return false; }
 
   virtual std::optional<NodeGrid> node_grid() const { return std::nullopt; }
-  // Elements that the region wants on an edge; asked for where it has no grid of nodes.
+  // Elements that the region requests on an edge; only for regions without a grid of nodes.
   virtual EdgeMesh edge_mesh(int /*edge*/) const { return {outline_size(), 1.0}; }
 
-  // Distance between the region's nodes, where the host has not chosen another one for an edge.
+  // Distance between the region's nodes, unless the host has chosen another one for an edge.
   virtual double resolution() const { return node_grid() ? node_grid()->spacing : outline_size(); }
 
   virtual void add_size(SizeEstimate& /*size*/) const {}
 
-  // Adds the region to the fingerprint of the scene, in the words of the host. Computed values stay out: their last
-  // digits depend on the processor.
+  // Adds the region, as the host described it, to the fingerprint of the scene. Computed values stay out or are
+  // rounded, because their last digits depend on the processor.
   virtual void identify(Hash& hash) const;
 
-  // Builds the region of the layer `regions`, which makes operators on nodes of this description; it has none yet.
+  // Builds the region of the layer `regions` from this description; that region makes operators on nodes, and has none
+  // yet.
   virtual std::unique_ptr<regions::Region> build(int id, const regions::Preparation& preparation) const = 0;
 
  protected:

@@ -13,7 +13,7 @@ namespace bempd::scene {
 
 struct Crack {
   std::vector<Point> points;  // none: it was removed
-  // Number of points that growth has added at each end.
+  // Numbers of points that growth has added at the crack's start and end.
   int grown_at_start = 0, grown_at_end = 0;
 
   std::span<const Point> given() const {
@@ -22,34 +22,36 @@ struct Crack {
   }
 };
 
-// Scene as the host described it. Ids are positions in these vectors plus 1; a removed object leaves its position
-// empty, so that the ids of the others stay.
+// Scene as the host described it. An id is the position in these vectors plus 1; a removed object leaves its position
+// empty, so that the ids of the others do not change.
 class Scene {
  public:
   int add_material(const Material& material);
   int add_region(std::unique_ptr<Region> region);
-  // Adds a hole and returns the number of its first edge.
+  // Adds a hole to a region and returns the number of its first edge.
   int add_hole(int region, const std::vector<Point>& vertices, const std::vector<double>& bulges = {});
   int add_circular_hole(int region, const Point& centre, double radius);
   void set_edge_mesh(int region, int edge, const EdgeMesh& mesh);
-  // Makes the edge the arc through a place between its ends.
+  // Makes the edge a circular arc through the place `between`.
   void set_edge_arc(int region, int edge, const Point& between);
-  // Makes the edge the arc about a centre, on which both of its ends lie.
+  // Makes the edge a circular arc about `centre`; both ends of the edge must have the distance `radius` from it.
   void set_edge_arc_about(int region, int edge, const Point& centre, double radius, bool clockwise);
-  // Makes a row of edges of one loop a smooth curve through their vertices.
+  // Makes the edges first_edge .. last_edge of one loop a smooth curve through their vertices.
   void set_edges_smooth(int region, int first_edge, int last_edge);
   int add_crack(const std::vector<Point>& points);
-  // Replaces all cracks by as many others, such as those with their growth.
+  // Replaces all cracks by the same number of others, such as the same cracks with their growth.
   void set_cracks(std::vector<Crack> cracks) { cracks_ = std::move(cracks); }
   int add_support(Condition condition);
   int add_load(Condition condition);
-  // Gives a condition new values: as many samples as it was made with, or values at any places along its part.
+  // Gives a support or load (`what`, `id`) new values: as many samples as it was made with, or values at any places
+  // along its part.
   void set_values(Condition& condition, const char* what, int id, SampledValues values);
   void set_values(Condition& condition, const char* what, int id, PlacedValues values);
-  // Values of all supports and loads.
+  // Values of all supports and loads; exchange_values() swaps them with `values`.
   SceneValues values() const;
   void exchange_values(SceneValues& values) noexcept;
-  // Runs `body` while these are the values of the scene, and returns its result.
+  // Runs `body` with `values` as the values of all supports and loads, and returns its result. The scene's own values
+  // are restored behind it.
   template <class Body>
   auto under(SceneValues& values, const Body& body) {
     struct Exchange {
@@ -61,7 +63,7 @@ class Scene {
     return body();
   }
 
-  // Throws Error (argument) while supports or loads are on the region.
+  // Removes a region. Throws Error (argument) while there are supports or loads on it.
   void remove_region(int id);
   void remove_crack(int id);
   void remove_support(int id);
@@ -80,10 +82,10 @@ class Scene {
   const Condition& load(int id) const;
   Condition& support(int id);
   Condition& load(int id);
-  // Throws Error (argument) unless the region has the edge.
+  // Region number `id`. Throws Error (argument) if the region does not have the edge.
   const Region& region_with_edge(int id, int edge) const;
 
-  // Id of the initial crack nearest to a place; 0 if there are none.
+  // Id of the described crack that is nearest to a place; 0 if there are no cracks.
   int crack_nearest(const Point& place) const;
 
   // Bounding box of the whole scene.
@@ -94,8 +96,7 @@ class Scene {
   Region& mutable_region_with_edge(int id, int edge);
   Region& region_to_bend(int id, int edge);
   void check_condition(const Condition& condition, bool is_support) const;
-  // Checks for defects that no later call can repair (scene_checks.cpp); the others are found when the scene is
-  // prepared.
+  // Check for defects that no later call can repair (scene_checks.cpp); others are found when the scene is prepared.
   void require_no_overlap(const Region& added) const;
   void require_possible_crack(const std::vector<Point>& points) const;
 

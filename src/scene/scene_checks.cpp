@@ -8,7 +8,7 @@ namespace bempd::scene {
 
 namespace {
 
-// Whether the inner outline lies inside the outer one, where a hole could hold it.
+// Whether the outline `inner` lies inside the outer loop of `outer`, where a hole could make room for it.
 bool lies_inside(const Outline& inner, const Outline& outer, double tolerance) {
   const std::vector<Point>& vertices = inner.loops.front();
   return std::all_of(vertices.begin(), vertices.end(), [&](const Point& vertex) {
@@ -18,7 +18,8 @@ bool lies_inside(const Outline& inner, const Outline& outer, double tolerance) {
 
 }  // namespace
 
-// Only regions whose outline is final are checked: edges with elements may still become arcs, and holes may be cut.
+// Regions with elements are not checked: their edges may still become arcs. A region inside another one passes, because
+// a hole may still be added.
 void Scene::require_no_overlap(const Region& added) const {
   if (added.has_elements()) return;
   const Box own = bempd::bounding_box(added.outline());
@@ -37,8 +38,8 @@ void Scene::require_no_overlap(const Region& added) const {
   }
 }
 
-// Cracks are refused only where no region is: which material points exist depends on the option `scheme`, which may
-// still change.
+// Cracks are rejected only where there is no region: which material points exist depends on the option `scheme`, which
+// may still change.
 void Scene::require_possible_crack(const std::vector<Point>& points) const {
   if (region_ids().empty()) return;
   Box crack;

@@ -10,7 +10,7 @@ namespace bempd::scene {
 
 namespace {
 
-// Makes an edge the arc between its ends; a flat arc becomes a straight edge.
+// Replaces an edge by the arc between its ends; a flat arc becomes a straight edge.
 void bend(Region& region, int number, const Arc& arc, double tolerance) {
   Outline changed = region.outline();
   changed.curved.erase(number - 1);

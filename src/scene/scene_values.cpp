@@ -9,7 +9,7 @@ namespace {
 
 bool is_function(const Values& values) { return std::holds_alternative<BoundaryFunction>(values); }
 
-// Samples as values at places.
+// Samples, which are equally spaced, as values at given places; values at places are returned as they are.
 PlacedValues placed(const Values& values) {
   if (const auto* already = std::get_if<PlacedValues>(&values)) return *already;
   const auto& samples = std::get<SampledValues>(values);
@@ -28,7 +28,8 @@ BoundaryFunction function_of(const Values& values) {
   return [known = placed(values)](const Point&, double fraction) { return known.at(fraction); };
 }
 
-// Straight line through two values at two load factors: constant + load factor * proportional.
+// Interpolation of values that are linear in the load factor: constant + load factor * proportional through the values
+// `start` at one load factor and `end` at another one.
 class Line {
  public:
   Line(double from, double to) : from_(from), to_(to) {}

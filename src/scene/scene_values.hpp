@@ -6,20 +6,20 @@
 
 namespace bempd::scene {
 
-// Values of all supports and loads, in their order.
+// Values of all supports and of all loads, in the order of their ids.
 struct SceneValues {
   std::vector<Values> supports, loads;
 };
 
-// Whether values of one condition can be those of another one: as many samples as there are, or a function that is
-// known, or values at places.
+// Whether one condition can have the other one's values: equally many samples, or values at places instead of samples,
+// or a function that is known.
 bool are_alike(const Values& one, const Values& other);
 
-// Zero values of a body at rest, in the form of the given ones.
+// Zero values, as of a body at rest, with the same number of samples and places as `like`.
 SceneValues at_rest(const SceneValues& like);
 
-// Values that go linearly from `start` at one load factor to `end` at another one. Both belong to the same supports and
-// loads.
+// Values that change linearly from `start` at the load factor `from` to `end` at the load factor `to`. Both must belong
+// to the same supports and loads.
 SceneValues line_between(const SceneValues& start, double from, const SceneValues& end, double to);
 
 }  // namespace bempd::scene
