@@ -11,7 +11,7 @@ namespace bempd::fracture {
 
 namespace {
 
-// Tolerance within which directions are at right angles, and lengths equal.
+// Tolerance for right angles between bonds, and for equal lengths.
 constexpr double same = 1e-9;
 
 // Largest sum of the squares of the weights of two bonds; an estimate beyond it is too inaccurate.

@@ -45,8 +45,9 @@ class BondsAcross {
                const std::vector<double>& scale, const std::vector<char>& present, AffineRelief& relief) const;
 
  private:
-  // Estimate of b over the bond's critical stretch, for elongations of equal scales of all bonds: weights of the bond
-  // itself and of up to two others, which are the same bond where there is one.
+  // Estimate of b over the bond's critical stretch, as a weighted sum of elongations (over the scale of the bond): of
+  // the bond itself with the weight `own`, and of up to two others. If there is only one other bond, both entries name
+  // it.
   struct Estimate {
     int bonds[2];
     double own, of[2];

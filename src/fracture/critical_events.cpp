@@ -16,7 +16,8 @@ constexpr double excess_tolerance = 1e-12;
 // exceed the range of numbers.
 constexpr double least_slope = 1e-280;
 
-// Widens the tie band so that mirrored bonds, equal up to rounding, fall on the same side of its limit.
+// Rounding by which the tie band is widened, so that mirrored bonds, equal up to rounding, fall on the same side of its
+// limit.
 constexpr double tie_rounding = 1e-9;
 
 }  // namespace

@@ -27,7 +27,7 @@ std::optional<double> next_critical(const BondList& bonds, const LoadWay& way);
 // Most stretched bonds at a load factor, those within a relative band of the largest ratio; at most `limit`, 0 for all.
 std::vector<int> most_critical(const BondList& bonds, double load_factor, double band, int limit);
 
-// Event at which these bonds enter their next stage. The caller adds what follows them
+// Event at which the bonds `chosen` enter their next stage. The caller adds their followers
 // (EquilibriumSystem::with_followers).
 Event break_of(const BondList& bonds, std::span<const int> chosen, double load_factor,
                const coupling::EquilibriumSystem& system);

@@ -9,7 +9,7 @@
 
 namespace bempd::fracture {
 
-// Rounding in the ratio of a term that just reaches its critical value.
+// Rounding error of the ratio of a term that just reaches its critical value.
 constexpr double ratio_rounding = 1e-9;
 
 // Event: terms that reach their critical value together, at one load factor.
@@ -33,7 +33,7 @@ struct Event {
   int ties = 0;             // others that would grow as soon
   bool is_growth = false;   // nothing breaks: a tip with boundary elements grows
 
-  // Notes the ratio of one of the event's terms, if it is the largest so far.
+  // Notes the ratio of one of the event's terms; the largest one counts.
   void reach(double ratio_of_term, double critical_of_term) {
     if (ratio_of_term <= ratio) return;
     ratio = ratio_of_term;

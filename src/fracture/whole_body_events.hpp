@@ -20,7 +20,7 @@ class WholeBodyEvents final : public EventSource {
 
  private:
   std::optional<double> next_load_factor(double target, const SteppingOptions& options);
-  // End of the first increment, not beyond the target, at which a term exceeds its critical value.
+  // End of the first increment at which a term exceeds its critical value; empty if there is none up to the target.
   std::optional<double> next_increment(double target, double increment) const;
   void choose_terms(const SteppingOptions& options);
 

@@ -15,7 +15,7 @@ struct CrackPressure {
   Eigen::RowVector2d value;  // constant and proportional part
 };
 
-// Supports and loads as values on the degrees of freedom of the scene's nodes (2 * node + component).
+// Supports and loads of the scene as values on its degrees of freedom, numbered 2 * node + component.
 struct DofConditions {
   std::vector<char> prescribed;        // per degree of freedom
   coupling::Affine displacement;       // of prescribed degrees of freedom [m]
@@ -25,7 +25,7 @@ struct DofConditions {
   std::vector<CrackPressure> crack_pressures;   // follow as cracks grow; not part of `force`
   std::vector<std::vector<int>> reaction_dofs;  // per support; a shared degree of freedom counts for the first one
 
-  // Swelling of materials, by the ids of regions; it is not part of `force`.
+  // Swelling strains that temperature loads cause, by region id; their effect is not part of `force`.
   std::map<int, std::vector<Swelling>> swelling;
 
   std::vector<std::vector<int>> held_dofs;  // degrees of freedom of each support, also those that count for another one

@@ -31,7 +31,7 @@ struct Preparation {
   const std::vector<std::unique_ptr<Region>>* before;
 };
 
-// Lists of the scene to which regions add their contributions.
+// Lists of the scene to which regions add their nodes, terms and warnings.
 struct Contributions {
   NodeRegistry& registry;
   coupling::Terms& terms;

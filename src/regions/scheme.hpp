@@ -38,7 +38,7 @@ std::unique_ptr<Scheme> make_scheme(const scene::Options& options);
 // Options that only the scheme in force has; all of them change its operators.
 const std::vector<scene::OptionDescription>& scheme_options(const scene::Options& options);
 
-// Legal words of the option `scheme`.
+// Words that the option `scheme` may have.
 std::vector<std::string> scheme_names();
 
 // Description of a scheme in the list of all schemes: the word that chooses it, its phrase in the help of the option

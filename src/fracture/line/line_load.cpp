@@ -69,8 +69,8 @@ class ByHoopStress {
     return root.has_value();
   }
 
-  // Whether the tip is overloaded at the start of the path although it does not grow further on: the load factor has
-  // turned, or the tangents lead to the smaller root.
+  // Whether the tip is overloaded at the start of the path although no larger load factor makes it grow: the load
+  // factor has turned, or the tangents lead to the smaller root.
   bool is_due(bool grows) const {
     const double present = criterion_.present, least = proportional_ ? 1 + ratio_rounding : 1;
     return (!proportional_ || present < 0) && criterion_.control == Control::load &&
@@ -99,7 +99,8 @@ std::optional<LineLoad> load_by_energy(const AffineIntensity& intensity, const A
     found.load_factor = present, found.constant = ratio_at(present);
   } else if (std::abs(range.highest) < largest_ratio_of_loads) {
     found.load_factor = range.highest;
-    // The line goes through the present ratio if the tip is overloaded now.
+    // The linear function ratio = constant + load factor * growing passes through the present ratio if the tip is
+    // overloaded now.
     const double ratio = holds_load && present > range.highest ? ratio_at(present) : 1;
     found.growing = ratio > 1 ? (ratio - 1) / (present - range.highest) : 0;
     found.constant = 1 - range.highest * found.growing;

@@ -17,8 +17,8 @@ struct LineCriterion {
   Control control = Control::load;
 };
 
-// Load factor at which a tip grows, and the angle by which it turns, counter-clockwise. Near it the intensity over the
-// toughness is constant + load factor * growing.
+// Growth of a tip: the load factor at which it grows, and the angle by which it turns, counter-clockwise [rad]. Near
+// that load factor the ratio of its intensity to the toughness is constant + load factor * growing.
 struct LineLoad {
   double load_factor = 0, constant = 0, growing = 0, angle = 0;
 };

@@ -10,7 +10,7 @@ namespace bempd::fracture {
 // symmetric bodies pass through points, and a window rounds the same path differently from the whole body.
 constexpr double rounding_of_places = 1e-8;
 
-// Whether c lies to the left of the line from a to b; a point on the line does not.
+// Whether c lies to the left of the line from a to b; false for a point on the line.
 inline bool is_left(const Point& a, const Point& b, const Point& c) {
   const Point way = b - a, to = c - a;
   return cross(way, to) > rounding_of_places * way.norm() * std::max(way.norm(), to.norm());

@@ -53,7 +53,7 @@ std::optional<LineSteps::Choice> EventForecast::choose_step(double from, Forecas
   return choice;
 }
 
-// Moves the tip of a step after its event in the window.
+// Moves the tip of a line after its step has been performed in the window.
 void EventForecast::take_step(const LineSteps::Choice& line, ForecastEvent& foreseen) {
   foreseen.tips = last_tips();
   foreseen.outcome.ties = line.ties;

@@ -17,7 +17,7 @@ namespace bempd::fracture {
 // Equilibrium of a window: terms between kept nodes, and the flexibility F (displacements per force) of the whole body
 // there. A term with the linear form b and the elongation e may lose the stiffness k, all of it or a part. F then
 // changes by a matrix of rank one (Sherman and Morrison 1950):
-// w = F b,  gamma = 1 - k b.w,  F <- F + (k / gamma) w w^T,  and the displacements by (k e / gamma) w.
+//   w = F b,  gamma = 1 - k b.w,  F <- F + (k / gamma) w w^T,  and the displacements by (k e / gamma) w.
 //
 // Functions of the displacements are rows of F too, like displacements on which no force acts. The window can stop
 // following displacements where nothing breaks any more; they are completed afterwards.

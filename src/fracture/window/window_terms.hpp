@@ -19,7 +19,7 @@ class WindowTerms {
   WindowTerms(const coupling::EquilibriumSystem& system, const coupling::Condensation& condensation,
               const StretchRatios& ratios, int first_prescribed);
 
-  // Prescribed degrees of freedom at ends of terms, in the order of their rows.
+  // Prescribed degrees of freedom at ends of terms, in the order of their rows in the window.
   const std::vector<int>& prescribed_dofs() const { return prescribed_dofs_; }
   // Whether a term (number in the system) was in the window from the beginning.
   bool contained(int number) const { return contained_[number] != 0; }

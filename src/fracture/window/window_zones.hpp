@@ -23,7 +23,7 @@ struct Zone {
   bool is_inner(const Point& p) const;
 };
 
-// Size of a zone in lattice spacings.
+// Size of a zone in lattice spacings: ahead of its bonds, behind them, and to each side.
 struct ZoneShape {
   double ahead;
   double back = WindowSettings::back;

@@ -86,11 +86,11 @@ Eigen::VectorXd BoundaryRegion::force_besides(const LinearBodyForce& particular)
   return forces;
 }
 
-// Work of a body force that nodal forces do not include. By Betti's theorem for u_p and the rest of u, the force b does
-// on any state u of the body the work
+// Work of a body force b that nodal forces do not include. With Betti's theorem for the particular solution u_p of b
+// and the rest of u, the force does on any state u of the body the work
 //   integral of b.u dV  =  g.u + integral of b.u_p' dV - g.u_p',   g = K u_p - f(t_p) on the boundary's nodes,
-// where u_p' is the particular part of u. The first term is the work of the nodal forces; this function returns the
-// rest.
+// where u_p' is the particular solution of the other body force. The first term is the work of the nodal forces; this
+// function returns the other two.
 double BoundaryRegion::work_within(const BodyForce& body_force, const BodyForce& other) const {
   if (body_force.is_zero() || other.is_zero()) return 0;
   const LinearBodyForce own = particular(body_force), theirs = particular(other);

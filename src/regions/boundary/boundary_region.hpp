@@ -62,7 +62,7 @@ class BoundaryRegion : public Region {
   const coupling::Affine* rest_of_operator() const override { return rest_.rows() > 0 ? &rest_ : nullptr; }
   std::optional<Eigen::Matrix2d> free_displacement(const Point& place) const override;
 
-  // Results of cracks (crack_results.cpp).
+  // Functions about cracks of the region (crack_results.cpp).
   bool has_crack_elements() const override { return true; }
   void add_crack_load(const CrackLoad& load, int part, Eigen::Ref<Eigen::VectorXd> force) const override;
   std::vector<TipValues> tips(const Solution& solution, TipDetail detail) const override;

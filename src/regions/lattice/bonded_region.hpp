@@ -50,7 +50,7 @@ class BondedRegion : public Region {
   std::size_t first_bond() const override { return bonds_.first; }
   std::vector<int> terms() const override;
 
-  // Swelling (lattice_swelling.cpp).
+  // Swelling of the region (lattice_swelling.cpp).
   void swell(const Swelling& strain, LatticeSwelling& lattices) override;
   void set_rests(const LatticeSwelling& lattices, coupling::Terms& terms) const override;
   std::optional<Eigen::Matrix2d> free_displacement(const Point& place) const override;
