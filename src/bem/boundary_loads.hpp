@@ -12,7 +12,8 @@ namespace bempd::bem {
 void add_traction_forces(const BoundaryMesh& mesh, int panel, const std::function<Point(const Point&)>& traction,
                          double thickness, Eigen::Ref<Eigen::VectorXd> forces);
 
-// Adds the consistent nodal forces of one element whose traction is given at its three nodes.
+// Adds the consistent nodal forces [N] of a traction on one element; `tractions` [Pa] are its values at the three
+// nodes.
 void add_traction_forces(const BoundaryMesh& mesh, const BoundaryElement& element,
                          const Eigen::Matrix<double, 2, 3>& tractions, double thickness,
                          Eigen::Ref<Eigen::VectorXd> forces);

@@ -31,7 +31,8 @@ class Merging {
     middles_.push_back(first[2]);
   }
 
-  // Matrix of the interpolation: values of all nodes from those of the remaining nodes, two components a node.
+  // Interpolation matrix: gives the values of all nodes from those that remain on the coarse level, two components per
+  // node.
   Map map() const {
     const std::vector<int> columns = numbers();
     std::vector<Eigen::Triplet<double>> entries;
@@ -46,7 +47,7 @@ class Merging {
     return map;
   }
 
-  // Matrix that selects the rows of the remaining nodes.
+  // Matrix that selects the nodes that remain on the coarse level from all nodes, two components per node.
   Map selection() const {
     const std::vector<int> rows = numbers();
     std::vector<Eigen::Triplet<double>> entries;

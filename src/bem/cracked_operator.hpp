@@ -42,7 +42,7 @@ class CrackedOperator final : public BoundaryOperator {
   // Forces on the boundary nodes that have the same effect on displacements as forces on all openings [N]
   // (crack_forces.hpp): the part of the right-hand side that remains after the openings are eliminated.
   Eigen::MatrixXd forces_on_boundary(const Eigen::Ref<const Eigen::MatrixXd>& opening_forces) const;
-  // Free openings that forces on them cause while the displacements are held at zero.
+  // Free openings that `forces`, acting on the free openings, cause while the displacements are held at zero.
   Eigen::MatrixXd opening_response(const Eigen::Ref<const Eigen::MatrixXd>& forces) const {
     return of_openings_.solve(forces);
   }

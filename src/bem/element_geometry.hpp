@@ -98,7 +98,7 @@ struct ElementGeometry {
 
   Point at(double xi) const { return c0 + basis.odd(xi) * c1 + basis.even(xi) * c2; }
   Point derivative(double xi) const { return basis.odd_slope(xi) * c1 + basis.even_slope(xi) * c2; }
-  // Whether the element is straight, with a parameter proportional to the length.
+  // Whether the element is straight and its parameter proportional to the length.
   bool straight() const { return c2.squaredNorm() <= 1e-24 * c1.squaredNorm(); }
 
   // Shape functions of the nodes (start, mid, end).

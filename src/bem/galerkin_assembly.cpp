@@ -117,7 +117,7 @@ void each_in_lower(Eigen::Index size, const Visit& visit) {
         for (Eigen::Index i = std::max(row, j); i < std::min(row + tile, size); ++i) visit(i, j);
 }
 
-// Replaces a by the lower triangle of a + a^T.
+// Replaces the lower triangle of a by that of a + a^T.
 void complete_lower(Eigen::MatrixXd& a) {
   each_in_lower(a.rows(), [&](Eigen::Index i, Eigen::Index j) { a(i, j) += a(j, i); });
 }

@@ -149,7 +149,7 @@ Point InteriorEvaluator::remainder(int e, double xi, const Nearest& nearest, con
            (displacement_[nearest.element].c2 - field.gradient * boundary_.elements[nearest.element].c2);
   };
   if (e == nearest.element) return on_nearest(xi);
-  // Neighbours of the nearest element have the difference built up from the common end.
+  // Neighbours of the nearest element: the difference is built up from the common end, so that it does not cancel.
   for (int own = 0; own < 2; ++own)
     for (int other = 0; other < 2; ++other)
       if (end_nodes_[e][own] == end_nodes_[nearest.element][other]) {

@@ -49,7 +49,7 @@ template <int count>
   using Values = typename Lanes<count>::Values;
   using Bits = typename Lanes<count>::Bits;
   constexpr std::uint64_t one = 0x3FF0000000000000, root_of_half = 0x3FE6A09E667F3BCD, mantissa = 0x000FFFFFFFFFFFFF;
-  // The exponent becomes a number by writing it into the mantissa of 2^52, which adds it to 2^52.
+  // The integer exponent is converted to a double by writing it into the mantissa of 2^52, which adds it to 2^52.
   constexpr std::uint64_t two_to_52 = 0x4330000000000000;
   constexpr double exponent_offset = 4503599627370496.0 + 1023;
   const Bits shifted = reinterpret_cast<Bits>(x) + (one - root_of_half);

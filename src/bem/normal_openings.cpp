@@ -9,7 +9,8 @@ namespace bempd::bem {
 
 namespace {
 
-// Cosine of the turn between two elements at a node (some 26 degrees) below which the face is smooth, with one normal.
+// Smooth face: two elements at a node have one normal there if the cosine of the angle between theirs is at least this
+// (some 26 degrees).
 constexpr double smooth_turn = 0.9;
 
 // Limit on 1 - cosine below which two gap functions at joints count as the same.

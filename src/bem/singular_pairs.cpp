@@ -93,9 +93,9 @@ class FromEnd {
   FromEnd(const ElementGeometry& element, const Interval& interval)
       : element_(element), from_(interval.from), length_(interval.to - from_), half_(element.basis.half(from_)) {}
 
-  // Sets point `p`, whose distance from the end is radius * times_radius of the interval. Of elements with a common
-  // node the difference part is N less its value at the end, over the radius, because the values at the common node
-  // cancel. `sign` is the sign of the difference part.
+  // Sets point `p`, whose distance from the end is radius * times_radius of the interval. With a common node the
+  // difference part is N less its value at the end, over the radius, because the values there cancel; else it is N over
+  // the radius. `sign` is the sign of the difference part.
   void set_at(double radius, double times_radius, bool common_node, double sign, std::size_t p, Point& chord,
               SingularPoints::Side& side) const {
     const double way = length_ * times_radius;

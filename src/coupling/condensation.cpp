@@ -80,8 +80,8 @@ Affine Condensation::displacement(const Affine& kept) const {
   return all;
 }
 
-// Solves for all displacements where nodes are tied, because these follow others, and where the load has a constant
-// part: a part of two solutions would take as long as all of one.
+// Displacements of all nodes are computed if nodes are tied, because tied nodes follow others; and if the load has a
+// constant part, because one full solution for both parts is as fast as a partial solution for each.
 Affine Condensation::displacement_at(const std::vector<int>& nodes, const Affine& kept) const {
   const bool has_constant_part = !(kept.col(0).isZero(0) && eliminated_.col(0).isZero(0));
   if (has_constant_part || !system_.ties.empty()) return displacement(kept);

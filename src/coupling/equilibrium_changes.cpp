@@ -12,8 +12,8 @@ namespace bempd::coupling {
 
 namespace {
 
-// Limit on the elongation of a broken term under a pull of its own size, relative to that of the term alone. A larger
-// one tells that a motion has lost its resistance.
+// Limit on stiffness times elongation of a broken term under a pull of order 1 along it, which is 1 for the term alone:
+// beyond it, a motion has lost its resistance.
 constexpr double suspicious_response = 1e8;
 
 // Share of a motion's energy that other terms may carry if only the springs are to count as resisting it.

@@ -121,8 +121,7 @@ void EquilibriumSystem::set_places_met(PlacesMet places) {
   places_met_ = places.empty() ? nullptr : std::make_shared<const PlacesMet>(std::move(places));
 }
 
-// Makes the factor again from its record `source_`; if that fails, as on a processor that rounds differently, there is
-// none.
+// Makes the factor again from its record `source_`. If that fails, as on another kind of processor, no factor is left.
 void EquilibriumSystem::rebuild_factor() {
   if (!source_.is_awaited) return;
   condense();

@@ -12,7 +12,8 @@
 
 namespace bempd::coupling {
 
-// Contributions of a region to the equilibrium of shared nodes. Degrees of freedom are 2 * node + component.
+// Data that regions contribute to the equilibrium of all nodes, and springs. Degrees of freedom are 2 * node +
+// component.
 
 // Piece of a body that cracks have cut into several. Holding springs can act at two of its nodes, which lie far apart.
 struct BodyPiece {

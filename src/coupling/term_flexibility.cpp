@@ -17,7 +17,7 @@ struct Pulls {
   Eigen::MatrixXd weights;
 };
 
-// Unknowns are numbered in the order of their degrees of freedom.
+// Number of the unknown at every degree of freedom, ascending; -1 where there is no unknown.
 std::vector<int> unknown_of_dofs(const EquilibriumSystem& system) {
   std::vector<int> unknown_of(2 * static_cast<std::size_t>(system.node_count()), -1);
   int count = 0;

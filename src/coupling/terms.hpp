@@ -109,7 +109,7 @@ struct Terms {
   bool is_broken(std::size_t term, int stage) const { return law_of(term).is_broken(stage); }
   // Stage change that breaks a term, whatever stage it is in.
   StageChange breaking(int term) const { return {term, law_of(static_cast<std::size_t>(term)).broken_stage()}; }
-  // Terms that some changes break.
+  // Numbers of the terms that `changes` break.
   std::vector<int> broken_by(std::span<const StageChange> changes) const;
 
   // Whether some term has a rest elongation, that is a force without elongation.

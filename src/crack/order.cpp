@@ -6,7 +6,8 @@ namespace bempd::crack {
 
 namespace {
 
-// Rank of a candidate: overloaded tips come first, and then the smaller key.
+// Rank of a candidate for growth: overloaded tips, which do not wait, come first; of the others those with a smaller
+// key.
 struct Rank {
   bool waits;
   double key;

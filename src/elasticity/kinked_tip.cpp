@@ -121,8 +121,8 @@ double growth_load_factor(const Point& constant, const Point& proportional, doub
   if (excess(0) >= 0) return 0;
   const double slope = kink_of(proportional, criterion).equivalent_factor;
   if (!(slope > 0)) return no_growth;
-  // The search ends where growth is certain: both measures are convex, and at least the factor times `slope` less the
-  // most that the constant part can subtract.
+  // The upper bound is a load factor at which growth is certain: both measures are convex, and so at least the load
+  // factor times `slope` less the most that the constant part can subtract.
   double low = 0, high = 2 * (toughness + 2 * constant.norm()) / slope;
   for (int i = 0; i < 100; ++i) (excess(0.5 * (low + high)) < 0 ? low : high) = 0.5 * (low + high);
   return high;

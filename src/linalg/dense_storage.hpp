@@ -63,7 +63,7 @@ inline void DenseStorage<double, Dynamic, 3, Dynamic, ColMajor>::resize(Index si
   m_cols = cols;
 }
 
-// Storage of permutations.
+// Resizing of arrays of integers, in which permutations are stored.
 template <>
 inline void DenseStorage<int, Dynamic, Dynamic, 1, ColMajor>::resize(Index size, Index rows, Index cols) {
   if (size != m_rows) {

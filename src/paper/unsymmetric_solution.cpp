@@ -13,8 +13,8 @@ using namespace coupling;
 
 namespace {
 
-// Limits: number of stored updates after which the factor is made anew, because they cost about as much to apply as the
-// factor itself; and number of refinements, which a factor that has missed changes hardly ever converges in.
+// Limits on a factor before it is made anew. After most_updates stored updates these cost about as much to apply as the
+// factor itself. A factor that has missed changes hardly ever converges in most_refinements steps.
 constexpr int most_updates = 120;
 constexpr int most_refinements = 4;
 

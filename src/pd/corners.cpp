@@ -113,7 +113,7 @@ bool symmetric_under(const CellLattice& lattice, const CellGrid& cells, const Ma
   for (int i = 0; i < lattice.point_count(); ++i) {
     const Vector2i& p = lattice.point(i);
     if (lattice.find_point(map(p)) < 0) return false;
-    // A cell is identified by the mean of two opposite corners.
+    // The image of a cell has its lower left corner at the smaller coordinates of the images of two opposite corners.
     const Vector2i a = map(p), b = map(p + Vector2i(1, 1));
     if (cells.has(p) && !cells.has(a.cwiseMin(b))) return false;
   }

@@ -38,8 +38,8 @@ void Scene::require_no_overlap(const Region& added) const {
   }
 }
 
-// Cracks are rejected only where there is no region: which material points exist depends on the option `scheme`, which
-// may still change.
+// Rejects a crack outside of the box of all regions. Whether others miss all material points is not checked here: which
+// points exist depends on the option `scheme`, which may still change.
 void Scene::require_possible_crack(const std::vector<Point>& points) const {
   if (region_ids().empty()) return;
   Box crack;

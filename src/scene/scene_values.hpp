@@ -11,8 +11,8 @@ struct SceneValues {
   std::vector<Values> supports, loads;
 };
 
-// Whether one condition can have the other one's values: equally many samples, or values at places instead of samples,
-// or a function that is known.
+// Whether a condition with the values `other` can get the values `one`: equally many samples as there are, values at
+// places, or a function (not null), which cannot replace samples.
 bool are_alike(const Values& one, const Values& other);
 
 // Zero values, as of a body at rest, with the same number of samples and places as `like`.

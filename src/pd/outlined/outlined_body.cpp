@@ -39,7 +39,7 @@ std::vector<Attempt> attempts_for(int horizon_ratio, bool may_move, bool is_care
   return attempts;
 }
 
-// Length of the longest bond of a lattice.
+// Length, in spacings, of the longest bond in a lattice with this horizon.
 double longest_bond(int horizon_ratio) {
   int longest = 0;
   for (int x = 0; x < horizon_ratio; ++x)
