@@ -29,8 +29,8 @@ struct NodeGrid {
 // Region as the host described it: a material, an outline, and what its kind adds. Edges are numbered from 1, through
 // the outer loop and then the holes.
 //
-// Where two regions share a piece of an edge, a region has either nodes at fixed places, which the other one must
-// follow (node_grid), or element ends that can be negotiated (edge_mesh).
+// Where two regions share a piece of an edge, a region has one of two things: nodes at fixed places, which the other
+// one must follow (node_grid), or element ends that can be negotiated (edge_mesh).
 class Region {
  public:
   Region(int material, Outline outline) : material_(material), outline_(std::move(outline)) {}
