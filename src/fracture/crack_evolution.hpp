@@ -230,8 +230,8 @@ class CrackEvolution {
   void forget_lines(const Start& start) noexcept;  // of the history, and what was added to the sums
   void return_to(const Start& start) noexcept;
   double within(double load_factor) const;
-  // Least scale of the energies in `within`: where the parts of the loads cancel, these are known only up to a share of
-  // the energies of the parts.
+  // Least scale of the energies that within() returns: where the parts of the loads cancel, these are known only up to
+  // a share of the energies of the parts.
   double least_scale_within(double load_factor) const;
   double work_that_moves(const Event& event, const Outcome& outcome, const SteppingOptions& options);
   void book(const Event& event, const Outcome& outcome, const SteppingOptions& options);

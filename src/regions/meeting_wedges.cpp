@@ -113,8 +113,8 @@ void WedgeFinder::cut_by_cracks(const Point& place, std::vector<Sector>& sectors
   for (auto& [region, cracks] : rays) {
     const auto is_of_region = [id = region](const Sector& sector) { return sector.region == id; };
     if (std::none_of(sectors.begin(), sectors.end(), is_of_region)) {
-      // The place is inside the region, without edges: the first sector is a full turn that begins and ends at a
-      // crack's ray.
+      // The place lies inside the region, away from its edges, so the first sector is a full turn that begins and ends
+      // at the ray of one crack.
       sectors.push_back({region, cracks.back(), cracks.back(), whole_turn});
       cracks.pop_back();
     }

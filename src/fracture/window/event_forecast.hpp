@@ -41,8 +41,8 @@ class EventForecast {
 
   explicit EventForecast(LoadedBody& body);
 
-  // Tells, before the first factorization, where windows are to be expected: at the ends of initial cracks, given by
-  // the bonds `cut` that they cut.
+  // Announces, before the first factorization, where windows are to be expected: at the ends of the initial cracks that
+  // have broken the bonds `cut`.
   void expect_cracks(const std::vector<int>& cut) { locator_.expect_cracks(cut); }
 
   // Switches to growth of crack lines: events are steps of lines from now on.

@@ -22,7 +22,7 @@ class WindowEvents final : public EventSource {
   // Switches to growth of crack lines: events are steps of lines from now on.
   void follow(const LineSteps& lines) { forecast_.follow(lines); }
 
-  // Tells, before the first solution, where initial cracks are, by the bonds `cut` that they cut.
+  // Announces, before the first solution, where initial cracks are: they have broken the bonds `cut`.
   void expect_cracks(const std::vector<int>& cut) { forecast_.expect_cracks(cut); }
 
   // Opens a window around the bonds that are critical at the load factor of the next event. Returns false if no window

@@ -19,7 +19,7 @@ class WindowLocator {
  public:
   WindowLocator(coupling::EquilibriumSystem& system, const StretchRatios& ratios, const std::vector<Point>& positions);
 
-  // Expects windows at the ends of initial cracks, given by the bonds `cut` that they cut. Call it before the first
+  // Expects windows at the ends of the initial cracks that have broken the bonds `cut`. Called before the first
   // factorization.
   void expect_cracks(const std::vector<int>& cut);
   void return_to_expected();

@@ -25,17 +25,20 @@ struct WindowSettings {
   // Shares of the largest stretch ratio from which on a bond is hot (close to breaking). The next share is tried if
   // there are too many hot bonds, or if their window is too large.
   static constexpr std::array hot_shares{0.7, 0.8, 0.9, 0.97};
-  // Share for staying in the present window, where terms follow others (squares of cells). Then the largest numbers of
-  // hot bonds and of bonds cut by initial cracks.
+  // Share of the largest ratio from which on bonds count when it is checked whether the present window still holds
+  // them, in systems where terms follow others (squares of cells). Then the largest numbers of hot bonds, and of bonds
+  // cut by initial cracks.
   static constexpr double hot_in_present = 0.9;
   static constexpr std::size_t most_hot_bonds = 1500, most_cut_bonds = 6000;
   // Distance below which hot bonds belong to one crowd, and distance of broken bonds from a crowd that tell on which
   // side of it the crack lies.
   static constexpr double crowd_distance = 6, crack_distance = 8;
-  // Share of a crowd's largest stretch ratio from which on a bond counts for the crowd's centre.
+  // Share of the largest stretch ratio in a crowd (group of hot bonds) from which on a bond counts for the crowd's
+  // centre.
   static constexpr double centre_share = 0.85;
-  // Bonds that determine the direction in which a crack opens: share of the crowd's largest stretch ratio, and distance
-  // from the crowd. The few bonds about to break would only give the next step of a zigzag path.
+  // Bonds that determine the direction in which a crack opens near a crowd (group of hot bonds): share of the crowd's
+  // largest stretch ratio, and distance from the crowd. The few bonds about to break would only give the next step of a
+  // zigzag path.
   static constexpr double opening_share = 0.5, opening_reach = 16;
   // Ratio of the least to the largest opening above which bonds open in all directions alike; the crack behind them
   // then gives the direction.
@@ -61,7 +64,8 @@ struct WindowSettings {
   // After a window that has saved so many steps, another one is tried at once, which costs a factorization.
   static constexpr double least_way = 8, beside_way = 0.5;
   static constexpr int worthwhile_steps = 16;
-  // Share of an event's load factor by which a tip must be driven to count as driven in the whole body too.
+  // Factor on the load factor that LineSteps::is_driven() compares with. With it the limit in windows is stricter, so
+  // that a tip that counts as driven there does so in the whole body too.
   static constexpr double surely_driven = 0.1;
 
   // Limits beyond which a term was the last, or nearly the last, resistance to a motion: a pivot below the first, or

@@ -39,7 +39,7 @@ std::vector<Zone> zones_of(const std::vector<int>& hot, const StretchRatios& rat
 // Zone in front of a crack tip.
 Zone zone_ahead(const Point& tip, const Point& direction, double spacing, const ZoneShape& shape);
 
-// Zones in front of both ends of the initial cracks that cut the bonds `cut`.
+// Zones in front of both ends of the initial cracks that have broken the bonds `cut`.
 std::vector<Zone> zones_at_ends(const std::vector<int>& cut, const coupling::Terms& bonds,
                                 const std::vector<Point>& positions, const std::vector<double>& spacing,
                                 const ZoneShape& shape);

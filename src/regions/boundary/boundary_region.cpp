@@ -177,7 +177,8 @@ void BoundaryRegion::build(const Preparation& preparation, Contributions& contri
     operator_ = make_operator(preparation, {preparation.options.number("bem.quadrature_tolerance"),
                                             preparation.options.whole_number("threads")});
   }
-  // The stiffness may depend on the interfaces of a region, so regions that share an operator may have different ones.
+  // The stiffness may depend on the interfaces of a region, so regions that share an operator may have different
+  // stiffnesses.
   stiffness_ = own_stiffness(preparation);
   if (cracks_ && preparation.options.text_value("contact") == "faces")
     closing_ = std::make_unique<const bem::NormalOpenings>(cracked());

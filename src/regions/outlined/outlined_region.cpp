@@ -63,7 +63,8 @@ std::vector<double> OutlinedRegion::stations_on(const Preparation& preparation, 
       wanted.insert(wanted.end(), breaks.begin(), breaks.end());
     }
   }
-  // A crack's mouth is to lie in the middle of a chord.
+  // A crack's mouth has to lie in the middle of a chord of the outline, so two places half a spacing beside it are
+  // required.
   for (const scene::Crack& crack : preparation.scene.cracks()) {
     for (const Point& p : crack.given()) {
       if (distance(edge, p) > 8 * preparation.tolerance) continue;
