@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import dataclasses
-from typing import Any, Callable, Optional, Sequence, Union
+from typing import Any, Callable, Mapping, Optional, Sequence, Union
 
 import numpy.typing as npt
 
@@ -148,6 +148,35 @@ class Scene:
         number = arguments.whole("name_edge: edge", self._sketch.edge("name_edge", region, edge))
         self._edge_exists("name_edge", region, number)
         self._sketch.regions[region].names[number] = name
+
+    def name_region(self, region: int, name: str) -> None:
+        """Name a region; messages, the log, the table and picture of a notebook, and VTK files of edges show the name.
+
+        >>> import bempd
+        >>> model = bempd.Model()
+        >>> glass = model.add_material(young_modulus=3e9, poisson_ratio=1 / 3)
+        >>> plate = model.add_bem_region(glass, bempd.rectangle(0, 0, 2, 1), element_length=0.25)
+        >>> model.name_region(plate, "pane")
+        >>> model.prepare()  # doctest: +ELLIPSIS
+        Traceback (most recent call last):
+        bempd.errors.UnsolvableError: prepare: region 1 ("pane") can translate ...
+        """
+        self._name("region", region, name, self._sketch.regions)
+
+    def name_support(self, support: int, name: str) -> None:
+        """Name a support, as name_region() does a region."""
+        self._name("support", support, name, self._sketch.supports)
+
+    def name_load(self, load: int, name: str) -> None:
+        """Name a load, as name_region() does a region."""
+        self._name("load", load, name, self._sketch.loads)
+
+    def _name(self, what: str, number: int, name: str, known: Mapping[int, object]) -> None:
+        if not isinstance(name, str) or not name:
+            raise ArgumentError(f"name_{what}: name is {name!r}; it must be a word")
+        if arguments.whole(f"name_{what}: {what}", number) not in known:
+            raise ArgumentError(f"name_{what}: there is no {what} {number}")
+        self._sketch.names[what, number] = name
 
     def edge_named(self, region: int, name: str) -> int:
         """The number of the edge with a name; an error if there is none, or several."""

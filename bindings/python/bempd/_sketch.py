@@ -146,6 +146,7 @@ class Sketch:
         self.cracks: dict[int, list[Place]] = {}
         self.supports: dict[int, Mark] = {}
         self.loads: dict[int, Mark] = {}
+        self.names: dict[tuple[str, int], str] = {}  # of regions, supports and loads, by what it is and its number
 
     def edge(self, caller: str, region: int, edge: Union[int, str]) -> int:
         """The number of an edge that is given by its number or its name."""
@@ -162,7 +163,7 @@ class Sketch:
         raise ArgumentError(f"{caller}: no edge of region {region} has the name {edge!r}; {known}")
 
     def with_names(self, sentence: str) -> str:
-        """A sentence of the library with the names of the edges in it."""
+        """A sentence of the library with the names of edges, regions, supports and loads in it."""
         lone = set(re.findall(r"\bregion (\d+)", sentence))
 
         def named(found: re.Match[str]) -> str:
@@ -171,7 +172,13 @@ class Sketch:
             name = region.names.get(int(found[1])) if region is not None else None
             return f'edge {found[1]} ("{name}")' + (f" of region {found[2]}" if found[2] else "") if name else found[0]
 
-        return re.sub(r"\bedge (\d+)\b(?: of region (\d+))?", named, sentence)
+        sentence = re.sub(r"\bedge (\d+)\b(?: of region (\d+))?", named, sentence)
+        return re.sub(r"\b(region|support|load) (\d+)\b(?!\.\d)", lambda found: self.called(found[1], int(found[2])), sentence)
+
+    def called(self, what: str, number: int) -> str:
+        """Region 2 ("middle"): what it is, its number and, if it has one, its name."""
+        name = self.names.get((what, number))
+        return f"{what} {number}" + (f' ("{name}")' if name else "")
 
     def across_plane(self, region: int) -> float:
         """Stress across the plane over the sum of those in the plane; NaN where heat adds to it."""
@@ -221,14 +228,14 @@ class Sketch:
         for number, region in self.regions.items():
             outline = " ".join(path(loop, close=True) for loop in region.outlines())
             drawn.append(f'<path d="{outline}" fill="{FACES[region.kind]}" fill-rule="evenodd" stroke="{EDGE}">'
-                         f"<title>region {number} ({region.kind})</title></path>")
+                         f"<title>{html.escape(self.called('region', number))} ({region.kind})</title></path>")
             labels += [written(region.middle(edge), region.names.get(edge, str(edge)), EDGE)
                        for edge in range(1, region.edge_count + 1) if region.edge_count <= MOST_NUMBERED]
         for crack, line in self.cracks.items():
             drawn.append(f'<path d="{path(line)}" fill="none" stroke="{CRACK}" stroke-width="2"><title>crack {crack}</title></path>')
         for what, marks, colour in (("load", self.loads, LOADED), ("support", self.supports, HELD)):
             for number, mark in marks.items():
-                title = f"<title>{html.escape(f'{what} {number}: {mark.does}')}</title>"
+                title = f"<title>{html.escape(f'{self.called(what, number)}: {mark.does}')}</title>"
                 if mark.point is not None:
                     x, y = path([mark.point])[1:].split()
                     drawn.append(f'<circle cx="{x}" cy="{y}" r="4" fill="{colour}">{title}</circle>')
@@ -248,13 +255,13 @@ class Sketch:
         if mark.crack:
             return f"crack {mark.crack}"
         if not mark.edge:
-            return f"region {mark.region}"
+            return self.called("region", mark.region)
         name = self.regions[mark.region].names.get(mark.edge) if mark.region in self.regions else None
-        return f"edge {mark.edge}" + (f' ("{name}")' if name else "") + f" of region {mark.region}"
+        return f"edge {mark.edge}" + (f' ("{name}")' if name else "") + f" of {self.called('region', mark.region)}"
 
     def marks(self) -> list[tuple[str, str, str]]:
         """What each support and load is, where it is and what it does."""
-        return [(f"{what} {number}", self.place_of(mark), mark.does)
+        return [(self.called(what, number), self.place_of(mark), mark.does)
                 for what, marks in (("support", self.supports), ("load", self.loads)) for number, mark in sorted(marks.items())]
 
     def page(self, sentence: str) -> str:

@@ -339,3 +339,28 @@ def test_named_edges_are_written_beside_snapshots(tmp_path):
     assert arrays["region"].text.split() == ["1"] * 4 and arrays["edge"].text.split() == ["1", "2", "3", "4"]
     names = "".join(chr(int(code)) for code in arrays["name"].text.split()).split("\0")[:-1]
     assert names == ["", "pulled < side", "", ""]
+
+
+def test_regions_supports_and_loads_have_names(tmp_path):
+    """In messages, in the picture and table of a notebook, and in the file of edges."""
+    model = bempd.Model()
+    glass = model.add_material(young_modulus=1, poisson_ratio=1 / 3)
+    plate = model.add_bem_region(glass, bempd.rectangle(0, 0, 4, 4), 1.0)
+    model.name_region(plate, "pane")
+    with pytest.raises(bempd.UnsolvableError, match=r'region 1 \("pane"\) can'):
+        model.prepare()
+    frame, wind = model.fix_edge(plate, 4), model.add_traction(plate, 2, "x", 1.0)
+    model.name_support(frame, "frame")
+    model.name_load(wind, "wind")
+    page = model._repr_html_()
+    assert all(f'{word} 1 (&quot;{name}&quot;)' in page for word, name in (("region", "pane"), ("support", "frame"), ("load", "wind")))
+    with pytest.raises(bempd.ArgumentError, match=r'support 1 \("frame"\)'):
+        model.set_support_values(frame, np.zeros(3))
+    model.step(1)
+    model.write_snapshot(tmp_path / "plate")
+    codes = " ".join(str(code) for code in b'support 1 ("frame")')
+    assert codes in (tmp_path / "plate_edges.vtp").read_text()
+    with pytest.raises(bempd.ArgumentError, match="name_load: there is no load 7"):
+        model.name_load(7, "none")
+    with pytest.raises(bempd.ArgumentError, match="it must be a word"):
+        model.name_region(plate, "")
