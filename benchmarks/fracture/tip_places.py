@@ -11,10 +11,10 @@ CRACK, HALF = 15.0, 36
 PLACES = 10
 
 
-def felt(horizon_ratio: int, degrees: float, tip: tuple[float, float], crack_tip: str, shear: bool, outlined: bool,
+def felt(horizon_ratio: int, degrees: float, tip: tuple[float, float], rule: str, shear: bool, outlined: bool,
          poisson: float) -> float:
     """How far ahead the tip is felt, in spacings, in a square of lattice under tension across the crack or shear along it."""
-    model = bempd.Model(options={"threads": 1, "pd.crack_tip": crack_tip})
+    model = bempd.Model(options={"threads": 1, "crack.rule": rule})
     material = model.add_material(young_modulus=1, poisson_ratio=poisson)
     plate = model.add_pd_region(material, bempd.rectangle(-HALF, -HALF, HALF, HALF), 1, horizon_ratio,
                                 lattice_angle=-math.radians(degrees) if outlined else 0.0)
@@ -47,28 +47,28 @@ def places(degrees: float) -> list[tuple[float, float]]:
     return [(chance.random(), chance.random()) for _ in steps]
 
 
-def spread(horizon_ratio: int, degrees: float, crack_tip: str, shear: bool = False, outlined: bool = False,
+def spread(horizon_ratio: int, degrees: float, rule: str, shear: bool = False, outlined: bool = False,
            poisson: float = 1 / 3) -> str:
-    found = [felt(horizon_ratio, degrees, place, crack_tip, shear, outlined, poisson) for place in places(degrees)]
+    found = [felt(horizon_ratio, degrees, place, rule, shear, outlined, poisson) for place in places(degrees)]
     return f"{min(found):+.2f} to {max(found):+.2f}"
 
 
 def section() -> str:
     lines = [f"Tips of cracks of {2 * CRACK:g} spacings, {PLACES} places within a spacing for each row of the table: least and "
-             "largest\ndistance ahead of the described place at which they are felt, in spacings, by `pd.crack_tip`. What is "
-             "counted is stiffness across\nthe crack, so that under shear, which other bonds bear, tips are felt further ahead.",
+             "largest\ndistance ahead of the described place at which they are felt, in spacings: *ahead* by `crack.rule` = `bond`, *stated* by "
+             "`line`. What is counted is stiffness across the crack, so that under shear, which other bonds bear, tips are felt further ahead.",
              "",
              "| direction from the rows | horizon | ahead | stated | stated, sheared |", "|---|---|---|---|---|"]
     for degrees in (0.0, 15.0, 30.0, 45.0):
         for m in (3, 4, 5, 6):
-            lines.append(f"| {degrees:g} degrees | {m} | {spread(m, degrees, 'ahead')} | {spread(m, degrees, 'stated')} | "
-                         f"{spread(m, degrees, 'stated', shear=True)} |")
+            lines.append(f"| {degrees:g} degrees | {m} | {spread(m, degrees, 'bond')} | {spread(m, degrees, 'line')} | "
+                         f"{spread(m, degrees, 'line', shear=True)} |")
     for name, outlined, poisson in (("rows turned by -20 degrees", True, 1 / 3), ("30 degrees, ratio 0", False, 0.0),
                                     ("30 degrees, ratio 0.45", False, 0.45)):
         degrees = 20.0 if outlined else 30.0
         lines.append(f"| {name} | 4 | " + " | ".join(
-            spread(4, degrees, tip, shear, outlined, poisson)
-            for tip, shear in (("ahead", False), ("stated", False), ("stated", True))) + " |")
+            spread(4, degrees, rule, shear, outlined, poisson)
+            for rule, shear in (("bond", False), ("line", False), ("line", True))) + " |")
     return "\n".join(lines)
 
 

@@ -27,7 +27,7 @@ Answer = tuple[list[Tip], float]  # of the start and the end, and the stored ene
 
 def plate(kind: str, degrees: float, height: float, slant: float = 0, horizon_ratio: int = 4) -> Answer:
     """A plate that is pulled by its ends, with a crack in its middle."""
-    model = bempd.Model(options={"pd.crack_tip": "stated"})
+    model = bempd.Model()
     solid = model.add_material(young_modulus=1, poisson_ratio=1 / 3)
     left = [(0, 0), (MIDDLE - slant, 0), (MIDDLE + slant, HEIGHT), (0, HEIGHT)]
     right = [(MIDDLE - slant, 0), (WIDTH, 0), (WIDTH, HEIGHT), (MIDDLE + slant, HEIGHT)]

@@ -250,7 +250,7 @@ class CrackEvolution {
   EvolutionState state_;
   LoadedBody body_;
   EventSources sources_;
-  std::vector<double> lengths_;  // of the cracks that the host described
+  std::vector<pd::CrackLength> lengths_;  // of the cracks that the host described
   std::vector<int> held_;
   std::optional<Start> start_;  // of an advance() that ended where other tips grow
   Due due_;

@@ -108,15 +108,19 @@ void CrackFluid::add_forces(const CrackPressures& pressures, const coupling::Ter
   }
   for (const coupling::Terms::Following& pair : terms.following)
     if (!intact[pair.follower] && of_term[pair.leader] != 0) of_term[pair.follower] = of_term[pair.leader];
-  for (std::size_t t = 0; t < terms.size(); ++t) {
-    if (of_term[t] == 0) continue;
+  const auto push = [&](std::size_t t, int crack, double share) {
     bool loaded = true;
     terms.for_each_node(t, [&](int node) { loaded = loaded && !unloaded[static_cast<std::size_t>(node)]; });
-    if (!loaded) continue;
-    const Eigen::RowVector2d size = ways_.push[t] * pressures.at(of_term[t]);
+    if (!loaded) return;
+    const Eigen::RowVector2d size = share * ways_.push[t] * pressures.at(crack);
     terms.for_each_entry(
         t, [&](int node, double x, double y) { force.middleRows<2>(2 * node) += Eigen::Vector2d(x, y) * size; });
-  }
+  };
+  for (std::size_t t = 0; t < terms.size(); ++t)
+    if (of_term[t] != 0) push(t, of_term[t], 1);
+  for (const auto& [term, share, crack] : ways_.weakened)
+    if (const auto t = static_cast<std::size_t>(term); of_term[t] == 0 && pressures.contains(crack))
+      push(t, crack, 1 - share);
 }
 
 }  // namespace bempd::fracture

@@ -214,9 +214,11 @@ void CrackEvolution::book_lines(const Outcome& outcome, double released_energy) 
     const auto last =
         std::find_if(all.rbegin(), all.rend(), [&](const auto& other) { return other.crack == extension.crack; });
     const auto number = static_cast<std::size_t>(extension.crack - 1);
-    const double before = last != all.rend() ? last->crack_length : number < lengths_.size() ? lengths_[number] : 0;
+    const pd::CrackLength described = number < lengths_.size() ? lengths_[number] : pd::CrackLength();
+    const bool is_first = std::ranges::none_of(all, [&](const auto& other) { return other.tip() == extension.tip(); });
     extension.event = state_.events;
-    extension.crack_length = before + extension.length;
+    extension.crack_length = (last != all.rend() ? last->crack_length : described.length) + extension.length;
+    if (is_first) extension.crack_length += described.to_cut[static_cast<std::size_t>(extension.end)];
     extension.released_energy = released_energy * extension.length / length;
     // Energy that a last ligament releases beyond its fracture energy, at a constant load factor, becomes kinetic
     // energy.

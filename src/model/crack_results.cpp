@@ -47,6 +47,12 @@ void take_stress_ahead(regions::TipValues& values, const crack::Tip& tip, double
   values.energy_release_rate = in_range(values.factors.squaredNorm() / tip.law.plane_modulus);
 }
 
+bool has_extensions(const crack::TipId& tip, std::span<const fracture::CrackExtension> extensions) {
+  return std::any_of(extensions.begin(), extensions.end(), [&](const fracture::CrackExtension& e) {
+    return crack::TipId{e.crack, e.end} == tip;
+  });
+}
+
 // Length by which an end of a crack has grown in lattices, without extensions that the scene's crack contains.
 double grown_among_bonds(int crack, int end, const scene::Crack& described,
                          std::span<const fracture::CrackExtension> extensions) {
@@ -69,6 +75,8 @@ regions::BondedBody Model::bonded_body() const {
           system.present_stiffness(),
           system.intact(),
           prepared_->cut_bonds,
+          prepared_->in_lattices.cracks,
+          system.constraints(),
           pressures_of(prepared_->conditions)};
 }
 
@@ -112,11 +120,7 @@ std::vector<regions::TipValues> Model::tips_of_lines() const {
   for (const crack::Tip& tip : carried) {
     std::vector<Point> path = places_of(crack_path(tip.id.crack));
     if (tip.id.end == 0) std::reverse(path.begin(), path.end());
-    const std::span<const fracture::CrackExtension> all = extensions();
-    const bool grown = std::any_of(all.begin(), all.end(), [&](const fracture::CrackExtension& e) {
-      return crack::TipId{e.crack, e.end} == tip.id;
-    });
-    known.push_back({tip.id.crack, tip.id.end, tip.direction, std::move(path), grown});
+    known.push_back({tip.id.crack, tip.id.end, tip.direction, std::move(path), has_extensions(tip.id, extensions())});
   }
   const regions::BondedBody body = bonded_body();
   std::vector<regions::TipValues> tips =
@@ -200,9 +204,14 @@ std::vector<PathVertex> Model::crack_path(int crack) const {
   if (crack > described) return path_of(crack, {}, extensions());
   const auto number = static_cast<std::size_t>(crack) - 1;
   const bool in_lattice = prepared_ && prepared_->discretization.cracks[number].cuts_bonds();
-  const scene::Crack& found = in_lattice ? prepared_->cracks[number] : scene_.cracks()[number];
+  const scene::Crack& found = in_lattice ? prepared_->in_lattices.cracks[number] : scene_.cracks()[number];
   if (found.points.empty()) return {};
-  return path_of(crack, found.given(), extensions());
+  std::vector<Point> given(found.given().begin(), found.given().end());
+  // An end that has grown lies where its cut ended, one that has not where it is felt.
+  const auto has_grown = [&](int end) { return has_extensions({crack, end}, extensions()); };
+  if (in_lattice && !has_grown(0)) given.front() = prepared_->in_lattices.ends[number][0];
+  if (in_lattice && !has_grown(1)) given.back() = prepared_->in_lattices.ends[number][1];
+  return path_of(crack, given, extensions());
 }
 
 double Model::crack_length(int crack) const {

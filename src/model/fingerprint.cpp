@@ -75,7 +75,13 @@ constexpr std::array options_of_format_14 = {
     "contact", "bem.quadrature_tolerance", "bem.grading"};
 
 void add_options_of_format_14(Hash& hash, const scene::Options& options) {
-  for (const char* const name : options_of_format_14) add_option(hash, scene::option_description(name), options);
+  for (const std::string_view name : options_of_format_14) {
+    if (name == "pd.crack_tip") {
+      hash.add(name), hash.add(std::string_view("ahead"));
+    } else {
+      add_option(hash, scene::option_description(name), options);
+    }
+  }
   for (const scene::OptionDescription& option : regions::scheme_options(options)) add_option(hash, option, options);
 }
 

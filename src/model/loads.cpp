@@ -76,12 +76,12 @@ void Model::add_crack_fluid(PreparedScene& p) const {
     std::vector<std::string> told_before;
     std::vector<int>& bonds = cut[pressure.crack];
     if (!bonds.empty()) continue;
-    const scene::Crack& crack = p.cracks[static_cast<std::size_t>(pressure.crack) - 1];
+    const scene::Crack& crack = p.in_lattices.cracks[static_cast<std::size_t>(pressure.crack) - 1];
     for (const auto& region : p.discretization.regions) region->cut(crack, pressure.crack, bonds, told_before);
   }
   const coupling::Terms& terms = p.system->terms();
-  p.evolution->add_crack_fluid(
-      {regions::fluid_paths(scene_, p.discretization, terms), std::move(cut), terms, p.discretization.positions});
+  p.evolution->add_crack_fluid({regions::fluid_paths(scene_, p.discretization, terms, p.in_lattices.weakened),
+                                std::move(cut), terms, p.discretization.positions});
 }
 
 fracture::CrackPressures Model::pressures_of(const regions::DofConditions& conditions) {

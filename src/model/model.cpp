@@ -152,9 +152,12 @@ void Model::grow_lines(PreparedScene& p) const {
       (k < outline.loops.front().size() ? laws.outer_edges : laws.hole_edges).push_back(edges[k]);
   }
   std::vector<fracture::GrowingTip> tips;
-  for (const regions::StartingTip& tip : regions::tips_of_cracks(scene_, p.cracks, p.discretization, options_))
+  for (const regions::StartingTip& tip : regions::tips_of_cracks(scene_, p.in_lattices, p.discretization, options_)) {
     tips.push_back({tip.place, tip.direction, law_of_region.at(tip.region), tip.id});
-  for (const scene::Crack& crack : p.cracks) laws.of_crack.push_back(length_of(crack));
+    tips.back().even_ahead = tip.even_ahead;
+  }
+  laws.of_crack = regions::lengths_of(p.in_lattices);
+  laws.weakened = p.in_lattices.weakened;
   p.first_tips = tips.size(), p.tip_laws = laws.laws.size();
   p.evolution->grow_lines(std::move(laws), std::move(tips));
 }
@@ -163,7 +166,7 @@ fracture::ContactPlan Model::contact_plan(const PreparedScene& p) const {
   if (options_.text_value("contact") == "none" || options_.text_value("scheme") != "symmetric") return {};
   pd::FacePlaces lattices = regions::face_lattices(p.discretization);
   if (lattices.lattice_count() == 0) return {};
-  std::vector<pd::FacePlace> places = regions::places_on_cracks(p.cracks, p.discretization, lattices);
+  std::vector<pd::FacePlace> places = regions::places_on_cracks(p.in_lattices.cracks, p.discretization, lattices);
   return {true, std::move(lattices), std::move(places)};
 }
 
@@ -186,11 +189,11 @@ std::unique_ptr<PreparedScene> Model::build(const PreparedScene* before) const {
   p->conditions = regions::apply_conditions(scene_, d);
   regions::swell(d, p->conditions.swelling);
   regions::require_determined_pressure(d, p->conditions.prescribed);
-  regions::LatticeCracks in_lattices = regions::cracks_in_lattices(scene_, d, options_);
-  for (const auto& [bond, share] : in_lattices.weakened) d.bonds.stiffness[static_cast<std::size_t>(bond)] *= share;
-  p->cracks = std::move(in_lattices.cracks);
-  d.warnings.insert(d.warnings.end(), in_lattices.warnings.begin(), in_lattices.warnings.end());
-  p->cut_bonds = regions::bonds_cut_by_cracks(p->cracks, d, d.warnings);
+  p->in_lattices = regions::cracks_in_lattices(scene_, d, options_);
+  for (const pd::WeakenedTerm& weak : p->in_lattices.weakened)
+    d.bonds.stiffness[static_cast<std::size_t>(weak.term)] *= weak.share;
+  d.warnings.insert(d.warnings.end(), p->in_lattices.warnings.begin(), p->in_lattices.warnings.end());
+  p->cut_bonds = regions::bonds_cut_by_cracks(p->in_lattices.cracks, d, d.warnings);
   p->system = std::make_unique<coupling::EquilibriumSystem>(static_cast<int>(d.positions.size()), d.dense_operators(),
                                                             std::move(d.bonds), p->conditions.prescribed, d.ties);
   p->system->note_condition(regions::condition_of_held_pressure(scene_, d, p->conditions.prescribed, d.warnings));

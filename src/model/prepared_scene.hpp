@@ -11,6 +11,7 @@
 #include "model/fingerprint.hpp"
 #include "regions/boundary_conditions.hpp"
 #include "regions/discretization.hpp"
+#include "regions/initial_cracks.hpp"
 #include "regions/singular_places.hpp"
 #include "scene/scene.hpp"
 
@@ -21,7 +22,7 @@ struct PreparedScene {
   SceneFingerprint fingerprint;
   regions::Discretization discretization;
   regions::DofConditions conditions;
-  std::vector<scene::Crack> cracks;  // as they are in lattices
+  regions::LatticeCracks in_lattices;
   std::vector<int> cut_bonds;
   std::unique_ptr<coupling::EquilibriumSystem> system;
   std::unique_ptr<fracture::CrackEvolution> evolution;

@@ -22,7 +22,7 @@ enum class Acting : std::uint8_t {
 
 // Version of the bytes of states, raised when their content changes, and the oldest version that is still read, so that
 // hosts can restore states of earlier versions of the library.
-constexpr int state_format = 15, oldest_state_format = 14;
+constexpr int state_format = 16, oldest_state_format = 14;
 
 // Saved state of a run, tied to a scene by its fingerprint.
 struct SavedState {

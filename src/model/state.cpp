@@ -12,11 +12,20 @@ namespace bempd::model {
 bool is_sound(const fracture::GrowingTip& tip) {
   const auto is_ratio = [](double ratio) { return ratio >= 0 && std::isfinite(ratio); };
   return tip.place.allFinite() && std::abs(tip.direction.norm() - 1) < 1e-6 && tip.law >= 0 && tip.id.crack >= 1 &&
-         (tip.id.end == 0 || tip.id.end == 1) && tip.state <= crack::TipState::carried_on &&
+         (tip.id.end == 0 || tip.id.end == 1) && std::isfinite(tip.even_ahead.value_or(0)) &&
+         tip.state <= crack::TipState::carried_on &&
          std::all_of(tip.energy_ratios.begin(), tip.energy_ratios.end(), is_ratio);
 }
 
 namespace {
+
+// Throws for a state from before ends of initial cracks were placed so that they are felt where they are described.
+void require_same_ends(const SavedState& saved, const regions::LatticeCracks& cracks) {
+  const bool are_placed = std::ranges::any_of(cracks.even_ahead, [](const auto& ends) { return ends[0] || ends[1]; });
+  require(saved.format > 15 || !are_placed, "the state has format version ", saved.format,
+          ", in which initial cracks of lattices acted up to 0.6 spacings longer; repeat the run, or go on with the "
+          "version of bempd that wrote it");
+}
 
 // Throws Error (argument) unless a state belongs to this body: its numbers may be consistent and still be those of
 // another body.
@@ -142,6 +151,7 @@ void Model::restore_body(const SavedState& state) {
   const SceneFingerprint& present = prepared_->fingerprint;
   require(state.scene.body == (state.format == 14 ? present.body_of_format_14 : present.body),
           "the state belongs to another scene; restore it into the model that was saved or one built in the same way");
+  require_same_ends(state, prepared_->in_lattices);
   require(state.scene.supports == present.supports,
           "the state was saved with other supports, or with the same ones in another order; add those of the model "
           "that was saved, in its order");

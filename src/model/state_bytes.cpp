@@ -45,6 +45,7 @@ requires std::is_same_v<std::remove_const_t<Tip>, fracture::GrowingTip>
 void visit_members(Tip& t, Visit& visit) {
   visit(t.place.x()), visit(t.place.y()), visit(t.direction.x()), visit(t.direction.y());
   visit(t.law), visit(t.energy_ratios), visit(t.id), visit(t.state);
+  if (visit.format > 15) visit(t.even_ahead);
 }
 template <class Face, class Visit>
 requires std::is_same_v<std::remove_const_t<Face>, fracture::GrownFace>
@@ -88,7 +89,6 @@ void visit_members(Place& zone, Visit& visit) {
 template <class Look, class Visit>
 requires std::is_same_v<std::remove_const_t<Look>, fracture::WindowOrigin::Look>
 void visit_members(Look& l, Visit& visit) { visit(l.after), visit(l.load_factor), visit(l.largest_force); }
-
 template <class Window, class Visit>
 requires std::is_same_v<std::remove_const_t<Window>, fracture::WindowOrigin>
 void visit_members(Window& w, Visit& visit) {
@@ -96,7 +96,6 @@ void visit_members(Window& w, Visit& visit) {
   visit(w.load_factor), visit(w.displacement), visit(w.faces), visit(w.looks), visit(w.events_performed);
   visit(w.is_behind), visit(w.has_changed_terms), visit(w.needs_whole_body), visit(w.tips);
 }
-
 template <class State, class Visit>
 requires std::is_same_v<std::remove_const_t<State>, fracture::Continuation>
 void visit_members(State& c, Visit& visit) {
@@ -104,7 +103,6 @@ void visit_members(State& c, Visit& visit) {
   visit(c.place.zones), visit(c.place.nodes), visit(c.place.are_last);
   visit(c.places_met), visit(c.barred), visit(c.changes_that_bar), visit(c.factor), visit(c.window);
 }
-
 // Form in which the values of a condition are written. Functions are not written.
 enum class Form : std::uint8_t { function, samples, places };
 
@@ -115,6 +113,7 @@ void visit_members(Both& values, Visit& visit) { visit(values.supports), visit(v
 // Writes structs number by number, because the padding between their members is undefined.
 class Writer {
  public:
+  static constexpr int format = state_format;
   template <class T>
   requires std::is_arithmetic_v<T>
   void operator()(const T& number) { raw(&number, sizeof number); }
@@ -160,6 +159,7 @@ class Writer {
 
 class Reader {
  public:
+  int format = state_format;  // of the bytes
   Reader(const std::uint8_t* bytes, std::size_t size) : bytes_(bytes), left_(size) {}
 
   template <class T>
@@ -281,7 +281,7 @@ std::vector<std::uint8_t> to_bytes(const SavedState& state) {
 
 SavedState from_bytes(const std::uint8_t* bytes, std::size_t size) {
   Reader reader(bytes, size);
-  const int format = read_header(reader);
+  reader.format = read_header(reader);
   std::uint64_t stored = 0;
   require(reader.left() > sizeof stored, "the bytes of the state end too early");
   Hash hash;
@@ -289,7 +289,7 @@ SavedState from_bytes(const std::uint8_t* bytes, std::size_t size) {
   std::memcpy(&stored, bytes + size - sizeof stored, sizeof stored);
   require(stored == hash.value(), "the bytes of the state are damaged: their checksum does not match");
   SavedState state;
-  state.format = format;
+  state.format = reader.format;
   visit_members(state, reader);
   if (reader.left() > sizeof stored) reader(state.frozen);
   require(reader.left() == sizeof stored, "the bytes of the state are damaged: something is left over");

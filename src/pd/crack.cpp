@@ -3,6 +3,7 @@
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "cancellation.hpp"
 #include "geometry/box_tree.hpp"
@@ -89,6 +90,9 @@ std::vector<int> points_on(const std::vector<Point>& points, const Polyline& pol
   return found;
 }
 
+// Places along a crack's line that are nearer to each other, in spacings, are the same.
+constexpr double same_place = 1e-6;
+
 // Crossing of a bond with the line of a crack: its distance ahead of the tip, and the bond's stiffness across the line.
 struct LineCrossing {
   int bond;
@@ -96,7 +100,7 @@ struct LineCrossing {
 };
 
 // Crossings of bonds with the line through `tip` along `direction`, up to `reach` from the tip on both sides,
-// ascending.
+// ascending. Places are rounded, so that the order of equal places does not depend on the unit of length.
 std::vector<LineCrossing> crossings_of_line(const std::vector<Point>& points, const std::vector<Bond>& bonds,
                                             const Point& tip, const Point& direction, double reach) {
   std::vector<LineCrossing> found;
@@ -105,12 +109,14 @@ std::vector<LineCrossing> crossings_of_line(const std::vector<Point>& points, co
     const Point from = points[bond.first] - tip, to = points[bond.second] - tip;
     const double below = cross(direction, from), above = cross(direction, to);
     if (below * above >= 0) continue;
-    const double part = below / (below - above), place = direction.dot(from + part * (to - from));
+    const double part = below / (below - above);
+    const double place = same_place * std::round(direction.dot(from + part * (to - from)) / same_place);
     if (std::abs(place) > reach) continue;
     const double across = above - below;
     found.push_back({static_cast<int>(b), place, bond.stiffness * across * across / (to - from).squaredNorm()});
   }
-  std::sort(found.begin(), found.end(), [](const auto& a, const auto& b) { return a.place < b.place; });
+  std::sort(found.begin(), found.end(),
+            [](const auto& a, const auto& b) { return std::pair(a.place, a.bond) < std::pair(b.place, b.bond); });
   return found;
 }
 
@@ -124,7 +130,7 @@ Eigen::Vector2d even_growth(const std::vector<LineCrossing>& crossings, double r
   auto next = crossings.begin();
   for (int k = 0; k < samples; ++k) {
     const double t = (2 * k + 1.0) / samples - 1, place = reach * t;
-    for (; next != crossings.end() && next->place <= place; ++next) sum += next->weight;
+    for (; next != crossings.end() && next->place <= place + same_place / 2; ++next) sum += next->weight;
     const double weight = (1 - t * t) * (1 - t * t);
     const Eigen::Vector2d row(1, place);
     normal += weight * row * row.transpose();
@@ -166,7 +172,7 @@ std::vector<int> bonds_cut_by(const std::vector<Point>& points, const std::vecto
 
 FeltEnd end_felt_at(const std::vector<Point>& points, const std::vector<Bond>& bonds, const Point& tip,
                     const Point& direction, int horizon_ratio, double backward) {
-  constexpr double largest_move = 1.5, same_place = 1e-6, whole = 1e-3;
+  constexpr double largest_move = 1.5, whole = 1e-3;
   constexpr double weakened_more = 0.03;  // spacings by which a weakened bond counts more than its share, measured
   constexpr std::size_t fewest = 20;
   double reach = 3 * horizon_ratio;
@@ -182,7 +188,7 @@ FeltEnd end_felt_at(const std::vector<Point>& points, const std::vector<Bond>& b
     const double place = crossings[k].place;
     FeltEnd found;
     double there = 0;
-    for (; next < crossings.size() && crossings[next].place - place < same_place; ++next) {
+    for (; next < crossings.size() && crossings[next].place - place < same_place / 2; ++next) {
       there += crossings[next].weight;
       found.weakened.push_back(crossings[next].bond);
     }
@@ -190,6 +196,7 @@ FeltEnd end_felt_at(const std::vector<Point>& points, const std::vector<Bond>& b
     if (sum + (1 - whole) * there > wanted) {
       if (end < -std::min(backward, largest_move) || end > largest_move) break;
       found.end = tip + end * direction;
+      found.even_ahead = -felt_ahead_of_cut(horizon_ratio) - end;
       found.share = 1 - std::max(0.0, wanted - sum) / there;
       if (found.share > 1 - whole) found.weakened.clear();
       return found;

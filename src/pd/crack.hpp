@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "geometry/point.hpp"
@@ -26,6 +27,9 @@ struct FeltEnd {
   Point end;
   std::vector<int> weakened;  // bonds that meet no crack and have a share of their stiffness only
   double share = 1;
+  // Distance ahead of the end at which evenly spread bonds would end, of which as much stiffness is lost; none where
+  // the end is the tip.
+  std::optional<double> even_ahead{};
 };
 
 // End of the cut for a crack that comes straight to `tip` in this direction. The effective tip depends on the stiffness

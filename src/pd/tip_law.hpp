@@ -1,9 +1,11 @@
 #pragma once
 
+#include <array>
 #include <vector>
 
 #include "elasticity/kinked_tip.hpp"
 #include "geometry/edge.hpp"
+#include "pd/weakened_term.hpp"
 
 namespace bempd::pd {
 
@@ -16,6 +18,13 @@ struct TipLaw {
   double toughness = 0;  // [Pa m^(1/2)]; infinite for a material that does not break
 };
 
+// Length of a crack whose ends act where they are described, and by how much it becomes longer when an end grows, which
+// it does from where the cut ends [m].
+struct CrackLength {
+  double length = 0;
+  std::array<double, 2> to_cut{};
+};
+
 // Data of all regions in which cracks grow as lines.
 struct TipLaws {
   std::vector<TipLaw> laws;
@@ -25,7 +34,8 @@ struct TipLaws {
   bool loads_by_energy = false;                          // where the fit of stresses does not hold
   std::vector<Edge> outer_edges{}, hole_edges{};         // of these regions
   bool more_begin = false;                               // whether cracks begin besides those that the host described
-  std::vector<double> of_crack{};                        // length of each crack that the host described [m]
+  std::vector<CrackLength> of_crack{};                   // each that the host described
+  std::vector<WeakenedTerm> weakened{};                  // at the ends of initial cracks
   std::vector<char> joined{};                            // by node, 1: boundary elements of its material lie behind it
 
   bool is_joined(int node) const {

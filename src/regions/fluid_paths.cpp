@@ -43,8 +43,10 @@ std::vector<double> pushes(const Discretization& d, const coupling::Terms& terms
 
 }  // namespace
 
-pd::FluidPaths fluid_paths(const scene::Scene& scene, const Discretization& d, const coupling::Terms& terms) {
-  pd::FluidPaths ways{{}, pushes(d, terms)};
+pd::FluidPaths fluid_paths(const scene::Scene& scene, const Discretization& d, const coupling::Terms& terms,
+                           const std::vector<pd::WeakenedTerm>& weakened) {
+  pd::FluidPaths ways{{}, pushes(d, terms), weakened};
+  for (const pd::WeakenedTerm& weak : weakened) ways.push[static_cast<std::size_t>(weak.term)] /= weak.share;
   double least = std::numeric_limits<double>::infinity();
   for (const auto& region : d.regions)
     if (region->bonds()) least = std::min(least, scene.region(region->id()).resolution());

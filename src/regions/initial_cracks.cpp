@@ -5,9 +5,11 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <span>
 
 #include "cancellation.hpp"
 #include "error.hpp"
+#include "pd/crack.hpp"
 
 namespace bempd::regions {
 
@@ -90,21 +92,89 @@ void shift_off_points(const Scene& scene, const Discretization& d, int number, L
   }
 }
 
-// Whether the initial crack at `tip` is cut so that its effective tip lies where the host described it (option
-// pd.crack_tip = stated, or auto). With auto not beside another lattice, because bonds of both lattices determine the
-// tip there.
-bool ends_as_stated(const Scene& scene, const Discretization& d, const scene::Options& options, const Region& region,
-                    const Point& tip) {
-  const std::string choice = options.text_value("pd.crack_tip");
-  if (choice != "auto") return choice == "stated";
+bool are_alike(const Region& one, const Region& other) {
+  const std::optional<LatticeGrid> a = one.lattice_grid(), b = other.lattice_grid();
+  return a && b && a->spacing == b->spacing && a->horizon == b->horizon && a->angle == b->angle &&
+         one.elasticity() == other.elasticity();
+}
+
+// Whether ends of initial cracks in a lattice are placed so that they are felt where they are described: those of
+// cracks that grow as lines. Beside a lattice of another kind bonds of both hold a tip, and those of one do not tell
+// where it is felt.
+bool is_felt_as_described(const Scene& scene, const Discretization& d, const scene::Options& options,
+                          const Region& region, const Point& tip) {
   const std::optional<LatticeGrid> grid = region.lattice_grid();
   if (!grid || options.text_in_effect("crack.rule") == "bond") return false;
   return std::none_of(d.regions.begin(), d.regions.end(), [&](const auto& other) {
-    if (other->id() == region.id() || !other->lattice_grid()) return false;
+    if (!other->lattice_grid() || are_alike(region, *other)) return false;
     const std::vector<Edge> edges = edges_of(scene.region(other->id()).outline());
     return std::any_of(edges.begin(), edges.end(),
                        [&](const Edge& edge) { return distance(edge, tip) < beside_lattice * grid->spacing; });
   });
+}
+
+// End of the cut for a tip in a region, by the bonds of this region and of those that it goes on in.
+pd::FeltEnd end_felt_at(const Discretization& d, const Region& region, const Point& tip, const Point& direction,
+                        double backward) {
+  const LatticeGrid grid = *region.lattice_grid();
+  const int horizon_ratio = static_cast<int>(std::lround(grid.horizon / grid.spacing));
+  std::vector<int> point_of(d.positions.size(), -1);
+  std::vector<Point> points;
+  for (const auto& other : d.regions)
+    if (are_alike(region, *other))
+      for (const int node : other->nodes()) {
+        const Point place = (d.positions[static_cast<std::size_t>(node)] - tip) / grid.spacing;
+        int& number = point_of[static_cast<std::size_t>(node)];
+        if (number >= 0 || place.norm() > 5 * horizon_ratio) continue;
+        number = static_cast<int>(points.size());
+        points.push_back(place);
+      }
+  std::vector<pd::Bond> bonds;
+  std::vector<int> term_of;
+  for (std::size_t t = 0; t < d.bonds.size(); ++t) {
+    if (d.bonds.is_wide(t)) continue;
+    const int first = point_of[static_cast<std::size_t>(d.bonds.first[t])],
+              second = point_of[static_cast<std::size_t>(d.bonds.second[t])];
+    if (first < 0 || second < 0) continue;
+    bonds.push_back({first, second, d.bonds.stiffness[t]}), term_of.push_back(static_cast<int>(t));
+  }
+  pd::FeltEnd found = pd::end_felt_at(points, bonds, Point(0, 0), direction, horizon_ratio, backward / grid.spacing);
+  found.end = tip + grid.spacing * found.end;
+  if (found.even_ahead) *found.even_ahead *= grid.spacing;
+  for (int& bond : found.weakened) bond = term_of[static_cast<std::size_t>(bond)];
+  return found;
+}
+
+// End of the cut of a crack in a lattice for its tip to be felt at the described place, with the bonds that are
+// weakened there; the described place elsewhere.
+pd::FeltEnd end_of_cut(const Scene& scene, const Discretization& d, const scene::Options& options, const Point& tip,
+                       const Point& before, double part) {
+  const double length = (tip - before).norm();
+  for (const auto& region : d.regions)
+    if (locate(scene.region(region->id()).outline(), tip, d.tolerance) == Location::inside &&
+        is_felt_as_described(scene, d, options, *region, tip))
+      return end_felt_at(d, *region, tip, (tip - before) / length, part * length);
+  return {tip, {}};
+}
+
+// Places the ends that the host has given. What growth has added to them cuts bonds as it is.
+void place_ends(const Scene& scene, const Discretization& d, const scene::Options& options, int number,
+                LatticeCracks& found) {
+  const auto c = static_cast<std::size_t>(number) - 1;
+  scene::Crack& crack = found.cracks[c];
+  const std::span<const Point> given = crack.given();
+  if (given.empty()) return;
+  found.ends[c] = {given.front(), given.back()};
+  if (!d.cracks[c].cuts_bonds() || given.size() < 2) return;
+  // A single segment may have two ends that move, so each gets less than half of it.
+  const double part = given.size() > 2 ? 0.9 : 0.45;
+  const std::array placed{end_of_cut(scene, d, options, given.front(), given[1], part),
+                          end_of_cut(scene, d, options, given.back(), given.end()[-2], part)};
+  crack.points[static_cast<std::size_t>(crack.grown_at_start)] = placed[0].end;
+  crack.points.end()[-1 - crack.grown_at_end] = placed[1].end;
+  found.even_ahead[c] = {placed[0].even_ahead, placed[1].even_ahead};
+  for (const pd::FeltEnd& end : placed)
+    for (const int bond : end.weakened) found.weakened.push_back({bond, end.share, number});
 }
 
 }  // namespace
@@ -112,26 +182,11 @@ bool ends_as_stated(const Scene& scene, const Discretization& d, const scene::Op
 LatticeCracks cracks_in_lattices(const Scene& scene, const Discretization& d, const scene::Options& options) {
   LatticeCracks found;
   for (const PartedCrack& parted : d.cracks) found.cracks.push_back(parted.crack);
+  found.ends.resize(found.cracks.size()), found.even_ahead.resize(found.cracks.size());
   for (std::size_t c = 0; c < found.cracks.size(); ++c)
     if (d.cracks[c].cuts_bonds() && found.cracks[c].points.size() > 1)
       shift_off_points(scene, d, static_cast<int>(c) + 1, found);
-  for (std::size_t c = 0; c < found.cracks.size(); ++c) {
-    const std::vector<Point> points = found.cracks[c].points;
-    if (!d.cracks[c].cuts_bonds() || points.size() < 2) continue;
-    const auto move = [&](const Point& tip, const Point& before, Point& end) {
-      // A crack of one segment may have two tips, so the cut at each tip may be shortened by less than half of it.
-      const double length = (tip - before).norm(), backward = (points.size() > 2 ? 0.9 : 0.45) * length;
-      for (const auto& region : d.regions) {
-        if (locate(scene.region(region->id()).outline(), tip, d.tolerance) != Location::inside) continue;
-        if (!ends_as_stated(scene, d, options, *region, tip)) continue;
-        const pd::FeltEnd felt = region->end_felt_at(tip, (tip - before) / length, backward);
-        end = felt.end;
-        for (const int bond : felt.weakened) found.weakened.emplace_back(bond, felt.share);
-      }
-    };
-    move(points.front(), points[1], found.cracks[c].points.front());
-    move(points.back(), points.end()[-2], found.cracks[c].points.back());
-  }
+  for (std::size_t c = 0; c < found.cracks.size(); ++c) place_ends(scene, d, options, static_cast<int>(c) + 1, found);
   return found;
 }
 
@@ -148,23 +203,46 @@ std::vector<int> bonds_cut_by_cracks(const std::vector<scene::Crack>& cracks, co
   return cut;
 }
 
-std::vector<StartingTip> tips_of_cracks(const Scene& scene, const std::vector<scene::Crack>& cracks,
-                                        const Discretization& d, const scene::Options& options) {
+std::vector<StartingTip> tips_of_cracks(const Scene& scene, const LatticeCracks& found, const Discretization& d,
+                                        const scene::Options& options) {
   std::vector<StartingTip> tips;
-  for (std::size_t c = 0; c < cracks.size(); ++c) {
-    const std::vector<Point>& points = cracks[c].points;
+  for (std::size_t c = 0; c < found.cracks.size(); ++c) {
+    const scene::Crack& crack = found.cracks[c];
+    const std::vector<Point>& points = crack.points;
     if (!d.cracks[c].cuts_bonds() || points.size() < 2) continue;
     for (const int number : {0, 1}) {
+      const bool has_grown = (number == 0 ? crack.grown_at_start : crack.grown_at_end) > 0;
+      const std::optional<double> even =
+          has_grown ? std::nullopt : found.even_ahead[c][static_cast<std::size_t>(number)];
       const Point& end = number == 0 ? points.front() : points.back();
       const Point& before = number == 0 ? points[1] : points.end()[-2];
       for (const auto& region : d.regions) {
         if (locate(scene.region(region->id()).outline(), end, d.tolerance) != Location::inside) continue;
         if (region->tip_law(options))
-          tips.push_back({end, (end - before).normalized(), region->id(), {static_cast<int>(c) + 1, number}});
+          tips.push_back({end, (end - before).normalized(), region->id(), {static_cast<int>(c) + 1, number}, even});
       }
     }
   }
   return tips;
+}
+
+// A piece that growth has added lies behind an end that is where its cut ended.
+std::vector<pd::CrackLength> lengths_of(const LatticeCracks& found) {
+  std::vector<pd::CrackLength> lengths;
+  for (std::size_t c = 0; c < found.cracks.size(); ++c) {
+    const scene::Crack& crack = found.cracks[c];
+    const std::vector<Point>& points = crack.points;
+    pd::CrackLength& length = lengths.emplace_back();
+    for (std::size_t k = 1; k < points.size(); ++k) length.length += (points[k] - points[k - 1]).norm();
+    if (points.size() < 2) continue;
+    const auto to_cut = [&](const Point& cut, const Point& before, const Point& felt) {
+      return (cut - before).norm() - (felt - before).norm();
+    };
+    if (crack.grown_at_start == 0) length.to_cut[0] = to_cut(points.front(), points[1], found.ends[c][0]);
+    if (crack.grown_at_end == 0) length.to_cut[1] = to_cut(points.back(), points.end()[-2], found.ends[c][1]);
+    length.length -= length.to_cut[0] + length.to_cut[1];
+  }
+  return lengths;
 }
 
 }  // namespace bempd::regions

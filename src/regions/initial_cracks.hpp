@@ -1,20 +1,26 @@
 #pragma once
 
+#include <array>
+#include <optional>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "crack/tip.hpp"
+#include "pd/tip_law.hpp"
+#include "pd/weakened_term.hpp"
 #include "regions/discretization.hpp"
 
 namespace bempd::regions {
 
-// Initial cracks as they are cut into lattices: as described, except that a crack through material points is shifted
-// beside them. With pd.crack_tip = stated, a cut ends where it puts the effective tip at the described place, and some
-// bonds ahead of it keep only a share of their stiffness.
+// Cracks of the scene as they are in lattices. They are as described, with two exceptions. A crack through material
+// points is shifted beside them. Cracks that grow as lines end where their effective tips are at the described places,
+// and some bonds there keep a share of their stiffness.
 struct LatticeCracks {
+  using Ends = std::array<Point, 2>;  // of what the host has given
   std::vector<scene::Crack> cracks;
-  std::vector<std::pair<int, double>> weakened;  // of the whole scene, and their shares
+  std::vector<Ends> ends;                                        // of each crack, where they are felt
+  std::vector<std::array<std::optional<double>, 2>> even_ahead;  // of their tips, as fracture::GrowingTip has it
+  std::vector<pd::WeakenedTerm> weakened;
   std::vector<std::string> warnings;
 };
 LatticeCracks cracks_in_lattices(const scene::Scene& scene, const Discretization& discretization,
@@ -31,8 +37,11 @@ struct StartingTip {
   Point place, direction;
   int region;  // id
   crack::TipId id;
+  std::optional<double> even_ahead;  // as fracture::GrowingTip has it
 };
-std::vector<StartingTip> tips_of_cracks(const scene::Scene& scene, const std::vector<scene::Crack>& cracks,
+std::vector<StartingTip> tips_of_cracks(const scene::Scene& scene, const LatticeCracks& found,
                                         const Discretization& discretization, const scene::Options& options);
+
+std::vector<pd::CrackLength> lengths_of(const LatticeCracks& found);
 
 }  // namespace bempd::regions

@@ -32,6 +32,10 @@ constexpr RemovedName removed_names[] = {
     {"accuracy", "set bem.quadrature_tolerance, and crack.tie_share where cracks grow bond by bond"},
     {"pd.contact", "use contact, which is for faces of cracks in regions of all kinds"},
     {"bem.contact", "use contact, which is for faces of cracks in regions of all kinds"},
+    {"pd.crack_tip",
+     "leave it out: initial cracks that grow as lines are felt where they are described; crack.rule = bond cuts all "
+     "bonds "
+     "that meet a crack"},
     {"pd.crack_rule", "use crack.rule"},
     {"growth.criterion", "use crack.criterion"},
     {"growth.share", "use crack.tie_share"},

@@ -118,7 +118,6 @@ TEST(CrossedBorders, from_a_lattice_into_elements) {
   const SavedState first = plate.model.save();
   const bempd_step_report report = plate.model.run(1e9);
   const std::vector<Vertex> found = plate.vertices();
-  // The first load is that of a crack that was described (pd.crack_tip = ahead).
   const double inside = difference(found, 12.5, 24), behind = difference(found, 24, 45);
   std::printf("loads off by %.4f at first, %.4f among bonds, %.4f behind; path off by %.2f spacings\n",
               difference(found, 0, 12.5), inside, behind, largest_height(found));

@@ -2,6 +2,8 @@
 // for (crack_factors_test), as long as the lattice's are felt.
 #include <gtest/gtest.h>
 
+#include <limits>
+
 #include "host.hpp"
 
 namespace lattice_tips_test {
@@ -25,12 +27,12 @@ struct Plate {
   double spacing = 0;
   int horizon_ratio = 0;
   int32_t plane = BEMPD_PLANE_STRESS;
-  const char* crack_tip = "ahead";
+  const char* rule = "bond";
   std::array<double, 3> stress{0, 1, 0};  // xx, yy, xy
 
   std::vector<bempd_crack_tip> tips_of(const Outline& crack) const {
     BondModel model;
-    model.set_text("pd.crack_tip", crack_tip);
+    model.set_text("crack.rule", rule);
     const int32_t id = model.add(material(1, bond_poisson(plane), plane));
     const Outline box = rectangle(-2, -3, 2, 3);
     const int32_t body = spacing > 0 ? model.pd(id, box, spacing, horizon_ratio) : model.bem(id, box, 0.25);
@@ -82,7 +84,7 @@ TEST(LatticeTips, of_a_centre_crack_have_its_factors) {
   for (const int m : {3, 4, 5}) compare({0.05, m}, 0, 0.475, {0, 0.025}, 4e-3, 0.06);
 }
 
-// Effective tips are at the stated places with pd.crack_tip = stated, wherever these are within a spacing and for any
+// Effective tips of cracks that grow as lines are at the stated places, wherever these are within a spacing and for any
 // direction of the crack.
 TEST(LatticeTips, are_felt_where_they_are_stated) {
   struct Case {
@@ -100,7 +102,7 @@ TEST(LatticeTips, are_felt_where_they_are_stated) {
                         {5, 20, {0.7, 0.13}}}) {
     constexpr double dx = 0.05;
     Plate lattice{dx, c.horizon_ratio};
-    lattice.crack_tip = "stated";
+    lattice.rule = "line";
     const double angle = c.degrees * 3.14159265358979323846 / 180;
     Vector normal{-std::sin(angle), std::cos(angle)};
     lattice.stress = {normal[0] * normal[0], normal[1] * normal[1], normal[0] * normal[1]};
@@ -112,6 +114,59 @@ TEST(LatticeTips, are_felt_where_they_are_stated) {
     }
   }
   EXPECT_LT(report("felt ahead, spacings", largest, 0, "the stated place"), 0.1);
+}
+
+// Points on the crack as it is described lie beside it in the lattice, all on one side. The plate is the same from left
+// to right, and so are both tips.
+TEST(LatticeTips, of_a_crack_through_points_are_alike_at_both_ends) {
+  for (const char* rule : {"bond", "line"}) {
+    Plate lattice{0.05, 4};
+    lattice.rule = rule;
+    const auto found = lattice.tips_of({{-0.487, 0}, {0.487, 0}});
+    ASSERT_EQ(found.size(), 2u);
+    const double reference = found[0].stress_intensity_1;
+    EXPECT_LT(std::abs(report("K_I", found[1].stress_intensity_1, reference, "the other end")), 1e-2 * reference);
+    EXPECT_NEAR(found[1].felt_ahead, found[0].felt_ahead, 0.1 * lattice.spacing);
+    EXPECT_LT(found[1].error, 2e-2 * reference);
+  }
+}
+
+// The faces of a crack bear the pressure across it; they slide as those of boundary elements.
+TEST(LatticeTips, of_a_crack_that_is_pressed_shut_have_no_mode_I) {
+  const Outline crack = inclined(30, -0.487, 0.487, {0.011, 0.017});
+  const std::array<double, 3> pressure{0, -1, 0};
+  const auto elements = Plate{0, 0, BEMPD_PLANE_STRESS, "bond", pressure}.tips_of(crack);
+  for (const char* rule : {"bond", "line"}) {
+    const auto found = Plate{0.05, 4, BEMPD_PLANE_STRESS, rule, pressure}.tips_of(crack);
+    ASSERT_EQ(found.size(), 2u);
+    for (std::size_t k = 0; k < 2; ++k) {
+      EXPECT_EQ(found[k].stress_intensity_1, 0);
+      const double known = elements[k].stress_intensity_2;
+      EXPECT_LT(std::abs(report("K_II", found[k].stress_intensity_2, known, "boundary elements")),
+                0.08 * std::abs(known));
+    }
+  }
+}
+
+TEST(LatticeTips, of_a_crack_that_is_only_pressed_never_grow) {
+  Model model;
+  model.set_text("crack.load", "energy");
+  model.lattice_angle = 17 * 3.14159265358979323846 / 180;
+  bempd_material solid = material(1, 1.0 / 3);
+  solid.fracture_energy = 1;
+  const int32_t body = model.pd(model.add(solid), rectangle(0, 0, 40, 40), 1, 4);
+  model.crack({{13.2, 20.4}, {27.3, 20.4}});
+  model.fix_point({0, 0}, BEMPD_BOTH);
+  model.fix_point({40, 0}, BEMPD_Y);
+  model.traction(body, 1, 0, 1, BEMPD_Y, 0, 1);
+  model.traction(body, 3, 0, 1, BEMPD_Y, 0, -1);
+  model.step(1e-3);
+  const auto found = tips(model);
+  ASSERT_EQ(found.size(), 2u);
+  for (const bempd_crack_tip& tip : found) {
+    EXPECT_EQ(tip.stress_intensity_1, 0);
+    EXPECT_EQ(tip.critical_load_factor, std::numeric_limits<double>::max());
+  }
 }
 
 TEST(LatticeTips, of_an_inclined_crack_have_both_modes) {

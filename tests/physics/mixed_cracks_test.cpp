@@ -37,7 +37,6 @@ struct Plate {
   }
 
   void describe(Model& model, const std::vector<Strip>& strips, const Outline& crack) const {
-    model.set_text("pd.crack_tip", "stated");
     if (log) model.check(bempd_set_log(model.get(), &hear, log));
     const int32_t id = model.add(material(1, poisson, BEMPD_PLANE_STRESS));
     for (const Strip& strip : strips) {
@@ -183,7 +182,6 @@ TEST(MixedCracks, are_pressed_open_on_both_sides) {
   }
   for (const double rise : {0.0, 7.0}) {
     Model model;
-    model.set_text("pd.crack_tip", "stated");
     const int32_t id = model.add(material(1, 1.0 / 3));
     const int32_t left = model.bem(id, rectangle(0, 0, middle, height), 4);
     const int32_t right = model.pd(id, rectangle(middle, 0, width, height), 1, 4);

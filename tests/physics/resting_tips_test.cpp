@@ -27,7 +27,6 @@ bempd_material brittle(double young = 1) {
 constexpr double side = 24;
 void describe_square(Model& model, bool lattice = true, double constant = 0, double proportional = 1,
                      double spacing = 1) {
-  model.set_text("pd.crack_tip", "stated");
   const int32_t id = model.add(brittle());
   const Outline outline = rectangle(0, 0, side, side);
   const int32_t region = lattice ? model.pd(id, outline, spacing, 3) : model.bem(id, outline, 2);

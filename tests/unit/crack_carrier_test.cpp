@@ -43,7 +43,6 @@ class SomeTips final : public crack::Carrier {
 // A square of lattice with a crack in its middle, moved apart.
 std::unique_ptr<model::Model> cracked_lattice() {
   auto model = std::make_unique<model::Model>();
-  model->options().set_text("pd.crack_tip", "stated");
   scene::Scene& scene = model->editable_scene();
   scene::Material material;
   material.elasticity = {1, 1.0 / 3, PlaneState::stress, 1};

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "crack/tip.hpp"
@@ -15,6 +16,9 @@ struct GrowingTip {
   crack::TipState state = crack::TipState::grows;
   // Ratios of the last steps: energy released over the energy expected from stress intensity factors.
   std::vector<double> energy_ratios{};
+  // Distance ahead of the place at which evenly spread bonds would end, of which the crack has cut as much stiffness:
+  // there the tip acts. Known of initial cracks that are felt where they are described, until they grow [m].
+  std::optional<double> even_ahead{};
 };
 
 }  // namespace bempd::fracture

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <limits>
 
+#include "coupling/pressed_faces.hpp"
 #include "elasticity/kinked_tip.hpp"
 #include "fracture/line/line_steps.hpp"
 #include "fracture/line/on_limits.hpp"
@@ -22,6 +23,9 @@ constexpr double residual_without_direction = 0.2;
 constexpr double residual_with_shape = 0.1;
 // Largest K_II over K_I for which the fit holds: beyond it K_II decides, which the fit reads worse.
 constexpr double largest_shear = 0.25;
+// Least K_II over the K_I that the fit takes from the pressure across a shut crack: less is what the lattice makes of
+// pressure alone, by which a crack never grows.
+constexpr double least_shear_of_shut = 0.1;
 // Distances in horizons for which a fit holds: to anything else around the tip, and the least length of its crack.
 constexpr double clear_horizons = 2, shortest_crack = 3;
 
@@ -37,20 +41,8 @@ double largest_residual(const pd::TipLaw& law) {
 
 }  // namespace
 
-// Faces press at a tip if the nearest constraint within a horizon is closed.
 bool LineSteps::faces_press_at(const GrowingTip& tip) const {
-  const coupling::Constraints& constraints = system_.constraints();
-  if (constraints.closed_penalty_count() == 0) return false;
-  double nearest = law_of(tip).horizon;
-  bool presses = false;
-  for (std::size_t i = constraints.exact_count(); i < constraints.size(); ++i) {
-    const std::vector<coupling::TermEntry>& pull = constraints[i].pull;
-    Point middle(0, 0);
-    for (const coupling::TermEntry& e : pull) middle += body_.positions()[static_cast<std::size_t>(e.node)];
-    const double away = (middle / static_cast<double>(pull.size()) - tip.place).norm();
-    if (away < nearest) nearest = away, presses = constraints.is_closed(i);
-  }
-  return presses;
+  return coupling::faces_press_at(system_.constraints(), body_.positions(), tip.place, law_of(tip).horizon);
 }
 
 // A kink beside pressed faces may be open: then the fit has opening.
@@ -61,7 +53,10 @@ bool LineSteps::is_shut(const GrowingTip& tip, const WilliamsFit& fit) const {
 
 AffineIntensity LineSteps::intensity_of(const GrowingTip& tip, const WilliamsFit& fit) const {
   AffineIntensity found = stress_.as_read(fit.factors(law_of(tip).horizon));
-  if (laws_.loads_by_energy && is_shut(tip, fit)) found.one.setZero();
+  if (!laws_.loads_by_energy || !is_shut(tip, fit)) return found;
+  const Eigen::Vector2d at(1, body_.state().load_factor);
+  if (std::abs(found.two.dot(at)) < least_shear_of_shut * std::abs(found.one.dot(at))) found.two.setZero();
+  found.one.setZero();
   return found;
 }
 
@@ -87,10 +82,10 @@ void LineSteps::judge_fit(const std::vector<GrowingTip>& tips, const WilliamsFit
     return &other != &tip && (other.place - tip.place).norm() < reach;
   });
   // An initial crack acts longer than it is where all bonds across it are cut, which beside an edge counts more in the
-  // energy than in the fit, and most under shear.
-  const bool is_first = tip.energy_ratios.empty();
-  const bool is_crowded = (!is_first || is_sheared) && stress_.is_crowded(tip, law, clear);
-  const bool is_told = is_sheared ? is_first && is_crowded && step.residual < residual_with_shape
+  // energy than in the fit, and most under shear. One whose end is placed does not.
+  const bool acts_longer = tip.energy_ratios.empty() && !tip.even_ahead;
+  const bool is_crowded = (!acts_longer || is_sheared) && stress_.is_crowded(tip, law, clear);
+  const bool is_told = is_sheared ? acts_longer && is_crowded && step.residual < residual_with_shape
                                   : !is_crowded && step.residual < largest_residual(law);
   step.fit_holds = laws_.criterion == KinkCriterion::hoop_stress && is_told && !beside_tip && !faces_press_at(tip) &&
                    !stress_.meets_other_material(tip, law, clear);

@@ -175,6 +175,7 @@ double LineSteps::ratio_after(const GrowingTip& tip, const pd::TipLaw& law, cons
 void LineSteps::move(const LineStep& step, std::vector<GrowingTip>& tips) const {
   GrowingTip& tip = tips[step.tip];
   tip.place += step.way.length * step.direction;
+  tip.even_ahead.reset();
   tip.direction = step.direction;
   if (laws_.laws.size() > 1) tip.law = law_ahead_of(tip);
 }

@@ -1,5 +1,6 @@
 #include "fracture/line/outline_points.hpp"
 
+#include "fracture/line/whole_stiffness.hpp"
 #include "geometry/point.hpp"
 
 namespace bempd::fracture {
@@ -11,14 +12,16 @@ constexpr double outline_pull = 0.1;
 
 }  // namespace
 
-// The bonds of a point on the outline pull it inwards under constant stress, as those of a point inside do not.
+// The bonds of a point on the outline pull it inwards under constant stress, as those of a point inside do not. All of
+// them count as whole: those that are weakened at the end of a crack do not make an outline.
 OutlinePoints::OutlinePoints(const coupling::Terms& terms, const pd::TipLaws& laws, std::size_t nodes)
     : share_(nodes, 0) {
   std::vector<Point> pull(nodes, Point(0, 0));
   std::vector<double> sum(nodes, 0);
+  const std::vector<double> stiffness = whole_stiffness(terms, laws.weakened);
   for (std::size_t t = 0; t < terms.size(); ++t) {
     if (terms.is_wide(t)) continue;
-    const double size = terms.stiffness[t] * terms.length[t];
+    const double size = stiffness[t] * terms.length[t];
     const Point along = size * Point(terms.cosine[t], terms.sine[t]);
     const auto first = static_cast<std::size_t>(terms.first[t]), second = static_cast<std::size_t>(terms.second[t]);
     pull[first] += along, pull[second] -= along;

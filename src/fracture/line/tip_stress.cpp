@@ -121,10 +121,9 @@ TipSight TipStress::sight_of(const GrowingTip& tip, const pd::TipLaw& law) const
 Eigen::RowVector2d TipStress::tension(std::size_t term, const coupling::Affine& displacement) const {
   const coupling::Terms& terms = system_.terms();
   Eigen::RowVector2d parts;
-  for (int part = 0; part < 2; ++part) {
+  for (int part = 0; part < 2; ++part)
     parts[part] =
         system_.present_stiffness()[term] * terms.elastic_elongation_part(term, displacement.col(part).data(), part);
-  }
   return parts;
 }
 
@@ -178,16 +177,22 @@ Point TipStress::across_tension(int bond, const pd::TipLaw& law, const coupling:
   const auto b = static_cast<std::size_t>(bond);
   // The mean of both ends, where a corner counts half: what loads do there is felt by no other point.
   const auto stress_of = [&](int node) {
-    const double share = outline_.has(node) ? 0.5 : 1.0;
-    return Stress(stress_times_volume(node, {1, 0}, displacement) /
-                  (law.spacing * law.spacing * law.thickness * share));
+    const double volume = law.spacing * law.spacing * law.thickness * (outline_.has(node) ? 0.5 : 1.0);
+    return Stress(stress_times_volume(node, {1, 0}, displacement) / volume);
   };
   const Eigen::Vector3d s = (stress_of(terms.first[b]) + stress_of(terms.second[b])) * Eigen::Vector2d(1, load_factor);
   const double angle = std::atan2(2 * s[2], s[0] - s[1]) / 2;  // of the principal direction
   return {-std::sin(angle), std::cos(angle)};
 }
 
-TipStress::Fit TipStress::fit_of(const GrowingTip& tip, const pd::TipLaw& law) const {
+GrowingTip TipStress::as_fitted(GrowingTip tip) const {
+  tip.place += tip.even_ahead.value_or(0) * tip.direction;
+  return tip;
+}
+
+// The stress around a tip is fitted where the tip acts.
+TipStress::Fit TipStress::fit_of(const GrowingTip& growing, const pd::TipLaw& law) const {
+  const GrowingTip tip = as_fitted(growing);
   const TipSight sight = sight_of(tip, law);
   const double face = sight.nearest_face();
   Reach reach = reach_at(std::min(face, nearest_disturbance(tip, law)), law.horizon);
@@ -247,11 +252,10 @@ void TipStress::add_nodes_asked(const GrowingTip& tip, const pd::TipLaw& law, bo
     const std::vector<Station> near = stations_closely_ahead(tip, law);
     asked.insert(asked.end(), near.begin(), near.end());
   }
-  for (const Station& s : asked) {
+  for (const Station& s : asked)
     for_each_term(s.node, [&](std::size_t term) {
       system_.terms().for_each_node(term, [&](int node) { nodes.push_back(node); });
     });
-  }
 }
 
 WilliamsFit TipStress::fitted(const GrowingTip& tip, const pd::TipLaw& law, const coupling::Affine& displacement,
@@ -282,9 +286,8 @@ AffineIntensity TipStress::closely_ahead_of(const GrowingTip& tip, const pd::Tip
   AffineIntensity sum;
   double total = 0;
   for (const Station& station : stations_closely_ahead(tip, law)) {
-    const double r = station.distance;
     const Stress s = stress(station.node, tip.direction, law, displacement);
-    const double bump = 1 - r * r / (near_reach * near_reach), weight = bump * bump;
+    const double r = station.distance, bump = 1 - r * r / (near_reach * near_reach), weight = bump * bump;
     sum.one += weight * (s.row(1) + pressure);
     sum.two += weight * s.row(2);
     total += weight;

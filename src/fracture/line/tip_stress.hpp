@@ -66,7 +66,8 @@ class TipStress {
     int terms;  // of Williams' series
     std::vector<Station> stations;
   };
-  Fit fit_of(const GrowingTip& tip, const pd::TipLaw& law) const;
+  GrowingTip as_fitted(GrowingTip tip) const;
+  Fit fit_of(const GrowingTip& growing, const pd::TipLaw& law) const;
   std::vector<Station> stations_closely_ahead(const GrowingTip& tip, const pd::TipLaw& law) const;
   // The material points with bonds ahead of a tip that lie within reach and that it sees.
   std::vector<Station> stations(const GrowingTip& tip, const pd::TipLaw& law, const Reach& reach, double least_cosine,

@@ -7,6 +7,7 @@
 #include <numbers>
 #include <utility>
 
+#include "fracture/line/whole_stiffness.hpp"
 #include "geometry/turning.hpp"
 #include "linalg/adjacency.hpp"
 
@@ -81,6 +82,7 @@ CutStiffness::CutStiffness(const coupling::Terms& terms, const std::vector<Point
       add(terms.second[t], static_cast<int>(t));
     }
   });
+  const std::vector<double> stiffness = whole_stiffness(terms, laws.weakened);
   for (std::size_t law = 0; law < family_.size(); ++law) {
     const auto alike = std::ranges::find_if(laws.laws, [&](const auto& l) { return are_alike(l, laws.laws[law]); });
     if (const auto first = static_cast<std::size_t>(alike - laws.laws.begin()); first < law) {
@@ -91,13 +93,15 @@ CutStiffness::CutStiffness(const coupling::Terms& terms, const std::vector<Point
     for (std::size_t node = 0; node < is_of.size(); ++node)
       is_of[node] =
           laws.of_node[node] >= 0 && are_alike(laws.laws[static_cast<std::size_t>(laws.of_node[node])], laws.laws[law]);
-    family_[law] = family_of(terms, deep_points(is_of, neighbours), bonds_at, same_vector * laws.laws[law].spacing);
+    family_[law] =
+        family_of(terms, stiffness, deep_points(is_of, neighbours), bonds_at, same_vector * laws.laws[law].spacing);
   }
 }
 
 // The family has the median stiffness of every bond vector: in a low lattice corrections at edges reach some of these
 // points.
-std::vector<CutStiffness::Bond> CutStiffness::family_of(const coupling::Terms& terms, const std::vector<int>& points,
+std::vector<CutStiffness::Bond> CutStiffness::family_of(const coupling::Terms& terms, const std::vector<double>& whole,
+                                                        const std::vector<int>& points,
                                                         const linalg::Adjacency& bonds_at, double same) {
   std::map<std::pair<long, long>, std::pair<Point, std::vector<double>>> found;
   for (const int node : points)
@@ -106,7 +110,7 @@ std::vector<CutStiffness::Bond> CutStiffness::family_of(const coupling::Terms& t
       const Point way = Point(terms.cosine[t], terms.sine[t]) * (terms.first[t] == node ? 1 : -1);
       const Point vector = terms.length[t] * way, rounded = vector / same;
       const std::pair key(std::lround(rounded.x()), std::lround(rounded.y()));
-      found.try_emplace(key, vector, std::vector<double>()).first->second.second.push_back(terms.stiffness[t]);
+      found.try_emplace(key, vector, std::vector<double>()).first->second.second.push_back(whole[t]);
     }
   std::vector<Bond> family;
   for (auto& [key, bond] : found) {

@@ -32,8 +32,8 @@ class CutStiffness {
     Point vector;  // between its points
     double stiffness;
   };
-  static std::vector<Bond> family_of(const coupling::Terms& terms, const std::vector<int>& points,
-                                     const linalg::Adjacency& bonds_at, double same);
+  static std::vector<Bond> family_of(const coupling::Terms& terms, const std::vector<double>& whole,
+                                     const std::vector<int>& points, const linalg::Adjacency& bonds_at, double same);
   double per_length(int law, const Point& normal) const;
 
   const coupling::Terms& terms_;

@@ -9,6 +9,8 @@ namespace bempd::fracture {
 
 namespace {
 
+constexpr double rounding_of_rims = 1e-6;  // in spacings
+
 // Groups of points: each point is within `distance` of another point of its group.
 std::vector<std::vector<int>> crowds(const std::vector<Point>& points, double distance) {
   std::vector<char> taken(points.size(), 0);
@@ -39,6 +41,8 @@ void fit(Zone& zone, const std::vector<Point>& points, double back, const ZoneSh
   zone.low = {low.x() - back * dx, std::min(-shape.half_width * dx, low.y() - WindowSettings::beside_hot * dx)};
   zone.high = {high.x() + shape.ahead * dx,
                std::max(shape.half_width * dx, high.y() + WindowSettings::beside_hot * dx)};
+  // A node on the rim is inside, whatever its rounding.
+  zone.low.array() -= rounding_of_rims * dx, zone.high.array() += rounding_of_rims * dx;
   // No break is expected behind the tip, so no rim is needed there.
   zone.inner_low = zone.low + Point(back == shape.back ? 0 : WindowSettings::front_rim * dx, 0);
   zone.inner_high = zone.high - Point(WindowSettings::front_rim * dx, 0);

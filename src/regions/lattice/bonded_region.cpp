@@ -105,6 +105,7 @@ pd::FeltEnd BondedRegion::end_felt_at(const Point& tip, const Point& direction, 
   pd::FeltEnd found =
       pd::end_felt_at(bond_ends(), network()->bonds, to_grid(tip), direction, horizon_ratio(), backward / spacing());
   found.end = from_grid(found.end);
+  if (found.even_ahead) *found.even_ahead *= spacing();
   for (int& bond : found.weakened) bond = static_cast<int>(scene_bond(static_cast<std::size_t>(bond)));
   return found;
 }

@@ -38,13 +38,6 @@ const scene::OptionGroup lattice_group(scene::OptionPlace::lattices, [] {
                              "starts earlier by as much. printed: Eq. 15 of Yang and Liu 2021, plane stress only.",
                              "exact | running | printed", "exact")),
       scene::shaping(scene::text_option(
-          "pd.crack_tip",
-          "Where tips of initial cracks in peridynamic regions act under a load that opens them. ahead: all bonds that "
-          "meet the crack are cut, and the tip acts up to 0.6 spacings ahead, by its place between points. stated: "
-          "fewer bonds are cut and the last ones are weakened, so that the tip acts where it is, within 0.15 spacings. "
-          "auto: stated where cracks grow as lines, but for tips within 1.5 spacings of another lattice; else ahead.",
-          "auto | ahead | stated", "ahead")),
-      scene::shaping(scene::text_option(
           "pd.criterion",
           "What counts of the stretch of a bond in peridynamic regions. stretch: all of it. opening: all but what "
           "compression across the bond adds by Poisson's effect, so that pressure does not crush a sound body.",

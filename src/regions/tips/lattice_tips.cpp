@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "cancellation.hpp"
+#include "coupling/pressed_faces.hpp"
 #include "elasticity/griffith.hpp"
 #include "number_range.hpp"
 
@@ -75,6 +76,13 @@ std::optional<coupling::Affine> free_displacement(const BondedBody& body, const 
   return free;
 }
 
+// Whether faces press on each other at a tip. What the rings take for K_I there is the pressure across the crack, which
+// the faces bear.
+bool is_shut(const BondedBody& body, const LatticeTip& tip, const TipValues& values) {
+  return values.factors.x() <= 0 &&
+         coupling::faces_press_at(body.constraints, body.discretization.positions, tip.axes.place, tip.horizon);
+}
+
 TipValues values_of(const BondedBody& body, const LatticeTip& tip, double toughness, const Solution& solution) {
   TipValues values = without_contours(tip);
   if (tip.clear < least_horizons * tip.horizon) return values;
@@ -102,6 +110,8 @@ TipValues values_of(const BondedBody& body, const LatticeTip& tip, double toughn
   values.contour_radius = radius;
   values.constant_factors = factors_of(seen(constant, 1));
   values.proportional_factors = factors_of(seen(proportional, 1));
+  if (is_shut(body, tip, values))
+    values.factors.x() = values.constant_factors.x() = values.proportional_factors.x() = 0;
   values.plane_modulus = plane_modulus(tip.axes.elasticity);
   values.toughness = toughness;
   values.energy_release_rate = in_range(values.factors.squaredNorm() / values.plane_modulus);

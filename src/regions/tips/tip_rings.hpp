@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "coupling/constraints.hpp"
 #include "elasticity/crack_tip_field.hpp"
 #include "regions/discretization.hpp"
 
@@ -18,6 +19,8 @@ struct BondedBody {
   const std::vector<double>& stiffness;  // present ones [N/m]
   const std::vector<char>& intact;
   const std::vector<int>& cut;                  // by initial cracks, ascending
+  const std::vector<scene::Crack>& cracks;      // as they are in lattices
+  const coupling::Constraints& constraints;     // of faces that may press on each other
   std::map<int, Eigen::RowVector2d> pressures;  // in cracks, constant and proportional part [Pa]
 };
 

@@ -210,10 +210,10 @@ class TipSearch {
 std::vector<LatticeTip> find_lattice_tips(const BondedBody& body) {
   std::vector<LatticeTip> tips;
   TipSearch search(body);
-  for (std::size_t c = 0; c < body.scene.cracks().size(); ++c) {
-    const PartedCrack& parted = body.discretization.cracks[c];
-    const std::vector<Point>& points = parted.crack.points;
-    if (!parted.cuts_bonds() || points.size() < 2) continue;
+  for (std::size_t c = 0; c < body.cracks.size(); ++c) {
+    // A crack through material points lies beside them, which decides on which of its sides they are.
+    const std::vector<Point>& points = body.cracks[c].points;
+    if (!body.discretization.cracks[c].cuts_bonds() || points.size() < 2) continue;
     const std::vector<Point> reversed(points.rbegin(), points.rend());
     search.add(static_cast<int>(c) + 1, 0, reversed, tips);
     search.add(static_cast<int>(c) + 1, 1, points, tips);

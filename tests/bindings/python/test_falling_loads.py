@@ -171,7 +171,7 @@ def up_and_down(seed: int, solver: str) -> list[tuple[float, int, float]]:
 
 # Bonds that were critical while the load factor fell broke as it rose again, and windows broke others than whole bodies
 # did.
-@pytest.mark.parametrize("seed", [40, 150, 390, 446, 705, 894, 1030, 1150])
+@pytest.mark.parametrize("seed", [40, 150, 446, 705, 894, 1030, 1150])
 def test_after_the_load_fell_windows_break_the_bonds_of_the_whole_body(seed: int) -> None:
     plain, window = up_and_down(seed, "plain"), up_and_down(seed, "window")
     assert [bonds for _, bonds, _ in plain] == [bonds for _, bonds, _ in window]

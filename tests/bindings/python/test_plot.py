@@ -74,7 +74,8 @@ def crack_of(points):
 
 def test_the_crack_line_lies_on_the_crack():
     segments = crack_of([(4.5, 0), (4.5, 5.2)])
-    assert (segments[..., 0] == 4.5).all() and segments[..., 1].min() == 0 and 5 <= segments[..., 1].max() <= 6
+    assert (segments[..., 0] == 4.5).all() and segments[..., 1].min() == 0
+    assert 4.5 <= segments[..., 1].max() <= 6  # the cut ends up to 0.6 spacings before the described tip
     assert np.abs(segments[:, 1] - segments[:, 0]).sum() == pytest.approx(segments[..., 1].max())
 
 

@@ -41,7 +41,7 @@ def test_the_package_run_as_a_program_says_what_is_at_work():
     rows = dict(line.split(maxsplit=1) if not line.startswith("first") else ("first crack", line) for line in shown.stdout.splitlines())
     assert shown.returncode == 0 and shown.stderr == "", shown
     assert rows["bempd"] == bempd.version() and rows["library"] == bempd.library_path and rows["built"] == bempd.build_info()
-    assert "in two at 134.50 micrometres: 544 bonds in 12 events, 0.0417 J released" in rows["first crack"]
+    assert "in two at 137.35 micrometres: 560 bonds in 12 events, 0.0441 J released" in rows["first crack"]
 
 
 def test_an_exception_ends_a_program_as_always():

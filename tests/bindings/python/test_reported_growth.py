@@ -125,10 +125,12 @@ def test_lines_grow_where_their_tips_tell(angle: float, sign: float) -> None:
             if sign < 0:
                 continue
             turned = math.atan2(first.direction_y, first.direction_x) + first.critical_kink_angle
-            way = math.hypot(grown.x - first.x, grown.y - first.y)
-            assert way == pytest.approx(1, abs=0.6)
-            assert grown.x - first.x == pytest.approx(way * math.cos(turned), abs=1e-9)
-            assert grown.y - first.y == pytest.approx(way * math.sin(turned), abs=1e-9)
+            step = model.extensions()[-1]
+            # The cut of an initial crack ends up to 0.6 spacings from where its tip acts.
+            assert math.hypot(step.from_x - first.x, step.from_y - first.y) < (0 if first.grown else 0.6) + 1e-9
+            assert math.hypot(grown.x - step.from_x, grown.y - step.from_y) == pytest.approx(1)
+            assert grown.x - step.from_x == pytest.approx(math.cos(turned), abs=1e-9)
+            assert grown.y - step.from_y == pytest.approx(math.sin(turned), abs=1e-9)
 
 
 def test_a_critical_stretch_is_a_toughness_too() -> None:
@@ -208,5 +210,6 @@ def test_openings_in_a_lattice_are_those_of_boundary_elements() -> None:
         felt = model.tips()[0].felt_ahead
     ratio = openings["lattice"].normal / openings["elements"].normal
     print("opening over that of boundary elements", ratio)
-    assert np.all(np.abs(ratio - 1) < [2e-2, 7e-3, 7e-3, 7e-3])
+    # The crack acts 0.06 spacings longer by its opening.
+    assert np.all(np.abs(ratio - 1) < [2e-2, 9e-3, 7e-3, 7e-3])
     assert np.all(np.abs(openings["lattice"].tangential) < 1e-9 * openings["lattice"].normal)

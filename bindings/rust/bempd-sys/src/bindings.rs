@@ -614,20 +614,20 @@ extern "C" {
     ///
     /// In peridynamic regions bonds that meet it are cut (touching its tip counts). Material points
     /// on it belong to its left side, on the way from its first point to its last: it passes them
-    /// by, which is logged. The bonds cut ahead of a tip make the crack open like a slit that is
-    /// 0.3 to 0.55 spacings longer there; the load at which it grows depends on where the tip lies
-    /// between points: best half way between two columns or rows. It may end on a region's
-    /// boundary. In a BEM region (scheme symmetric) it gets boundary elements, which are divided by
-    /// themselves around its tips: steps grow it where its material has a fracture energy, and
-    /// bempd_tip() tells how much it is loaded. There it may start or end at a free edge, a hole or
-    /// another crack, and cracks may cross. A crack may run from a BEM region into a peridynamic
-    /// region and back. It crosses their straight interface half way between two material points:
-    /// elsewhere it is bent to there, over three spacings on either side, which is logged. It goes
-    /// on for at least a spacing behind the interface, and no other crack crosses between the same
-    /// two points. From one BEM region into another of the same material it goes on straight, as if
-    /// there were no interface; it ends before the interface with a BEM region of another material.
-    /// A crack beside all regions there are is refused at once, everything else when the model is
-    /// prepared.
+    /// by, which is logged. A tip of a crack that grows as a line acts where it is described,
+    /// within 0.15 spacings under opening. Bond by bond, or close to another lattice, the bonds cut
+    /// ahead of a tip make the crack open like a slit that is 0.3 to 0.55 spacings longer there. It
+    /// may end on a region's boundary. In a BEM region (scheme symmetric) it gets boundary
+    /// elements, which are divided by themselves around its tips: steps grow it where its material
+    /// has a fracture energy, and bempd_tip() tells how much it is loaded. There it may start or
+    /// end at a free edge, a hole or another crack, and cracks may cross. A crack may run from a
+    /// BEM region into a peridynamic region and back. It crosses their straight interface half way
+    /// between two material points: elsewhere it is bent to there, over three spacings on either
+    /// side, which is logged. It goes on for at least a spacing behind the interface, and no other
+    /// crack crosses between the same two points. From one BEM region into another of the same
+    /// material it goes on straight, as if there were no interface; it ends before the interface
+    /// with a BEM region of another material. A crack beside all regions there are is refused at
+    /// once, everything else when the model is prepared.
     ///
     /// * model \[in\]: the model
     /// * point_count \[in\]: number of points, \>= 2
