@@ -79,6 +79,7 @@
  *   bempd_set_edge_arc_about        makes an edge an arc about a centre
  *   bempd_set_edges_smooth          makes a row of edges a smooth curve
  *   bempd_set_edge_mesh             lengths of the elements of an edge
+ *   bempd_set_toughness_at          fracture energies of a region by place
  *   bempd_add_crack                 a crack that is there from the start
  *   bempd_remove_region             takes a region back out of the scene
  *   bempd_remove_crack              takes a crack back out of the scene
@@ -522,6 +523,20 @@ BEMPD_API bempd_status bempd_set_edges_smooth(bempd_model* model, int32_t region
  * @return status @since 0.1 */
 BEMPD_API bempd_status bempd_set_edge_mesh(bempd_model* model, int32_t region, int32_t edge, double element_length,
                                            double grading);
+
+/** @brief Give a region fracture energies G0 at places, in place of the one of its material.
+ *
+ * Between the places G0 is linear on their Delaunay triangles, elsewhere it is that of the nearest place on the border
+ * of the triangles. Places on one line give a G0 that changes along the line only. It acts wherever the fracture energy
+ * of the material acts: a bond has the mean G0 of its ends, and a crack grows when its energy release rate
+ * reaches the G0 at its tip, as a line or with boundary elements. Stiffness stays as it is. The scatter of a random
+ * material needs places no farther apart than its correlation length. A second call replaces the first.
+ * @param[in] model the model, not prepared yet @param[in] region id of a region whose material has a fracture_energy
+ * @param[in] count number of places, >= 1 @param[in] places places [m], no two the same, inside the region or not,
+ * shape [count][2] @param[in] values fracture energies G0 [J/m^2], > 0, shape [count]
+ * @return status @since 0.3 */
+BEMPD_API bempd_status bempd_set_toughness_at(bempd_model* model, int32_t region, int64_t count, const double* places,
+                                              const double* values);
 
 /** @brief Add an initial crack, a polyline.
  *
@@ -1629,7 +1644,7 @@ typedef struct bempd_path_vertex {
   double stress_intensity_1;  /**< K_I of the tip just before [Pa m^(1/2)]; NaN also where the crack began */
   double stress_intensity_2;  /**< K_II [Pa m^(1/2)]; NaN likewise */
   double energy_release_rate; /**< G in the direction to here just before [J/m^2]; NaN likewise */
-  double resistance;          /**< fracture energy G0 along the way to here [J/m^2]; NaN likewise */
+  double resistance;          /**< fracture energy G0 where the way to here began [J/m^2]; NaN likewise */
 } bempd_path_vertex;
 
 /** @brief Set struct_size and zeros. @param[out] vertex the struct to fill
@@ -1735,7 +1750,7 @@ typedef struct bempd_crack_extension {
   double from_y;                     /**< [m] */
   double stress_intensity_1;         /**< K_I of the tip as it grew; NaN where a crack began [Pa m^(1/2)] */
   double stress_intensity_2;         /**< K_II; NaN likewise [Pa m^(1/2)] */
-  double resistance;                 /**< fracture energy G0 along the extension [J/m^2] */
+  double resistance;                 /**< fracture energy G0 where the extension began [J/m^2] */
   int32_t state;                     /**< what became of the end, a bempd_tip_state */
   int32_t reserved;                  /**< 0 */
   double surface_energy;             /**< part of the released energy that the new area took: G0 times the area in BEM

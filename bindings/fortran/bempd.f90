@@ -49,7 +49,7 @@ module bempd
     generic :: get_option => get_option_number, get_option_text
     generic :: assignment(=) => refuse_copy
     procedure :: add_material, add_bem_region, add_pd_region, add_hole, add_circular_hole, add_crack
-    procedure :: add_bem_disc, set_edge_arc, set_edge_arc_about, set_edges_smooth, set_edge_mesh
+    procedure :: add_bem_disc, set_edge_arc, set_edge_arc_about, set_edges_smooth, set_edge_mesh, set_toughness_at
     procedure :: remove_region, remove_crack, remove_support, remove_load
     procedure :: region_count, edge_count, node_count, element_count, bond_count
     procedure :: fix_edge, fix_point, prescribe_edge, prescribe_edge_function, prescribe_point
@@ -93,6 +93,7 @@ module bempd
   private :: create, free, last_error, set_option_number, set_option_text, get_option_number, &
     get_option_text, refuse_copy, add_material, add_bem_region, add_pd_region, add_hole, add_circular_hole, add_crack, &
     add_bem_disc, set_edge_arc, set_edge_arc_about, set_edges_smooth, set_edge_mesh, &
+    set_toughness_at, &
     edge_reaction, evaluate_in, singularities, stress_orders, &
     add_edge_forces, set_support_nodal_values, set_load_nodal_values, set_support_values_at, set_load_values_at, &
     fractions_on_edge, edge_nodes, edge_elements, edge_forces, &
@@ -239,6 +240,14 @@ module bempd
       integer, intent(out), optional :: stat
       character(*), intent(inout), optional :: errmsg
     end subroutine set_edge_mesh
+    ! Fracture energies [J/m^2] at places (2,n), in place of the one of the region's material.
+    module subroutine set_toughness_at(self, region, places, values, stat, errmsg)
+      class(bempd_model), intent(inout) :: self
+      integer(c_int32_t), intent(in) :: region
+      real(c_double), intent(in) :: places(:, :), values(:)
+      integer, intent(out), optional :: stat
+      character(*), intent(inout), optional :: errmsg
+    end subroutine set_toughness_at
     module subroutine add_crack(self, points, crack, stat, errmsg)
       class(bempd_model), intent(inout) :: self
       real(c_double), intent(in) :: points(:, :)

@@ -610,7 +610,7 @@ module bempd_c
     real(c_double) :: stress_intensity_2
     !> G in the direction to here just before [J/m^2]; NaN likewise
     real(c_double) :: energy_release_rate
-    !> fracture energy G0 along the way to here [J/m^2]; NaN likewise
+    !> fracture energy G0 where the way to here began [J/m^2]; NaN likewise
     real(c_double) :: resistance
   end type bempd_path_vertex
 
@@ -676,7 +676,7 @@ module bempd_c
     real(c_double) :: stress_intensity_1
     !> K_II; NaN likewise [Pa m^(1/2)]
     real(c_double) :: stress_intensity_2
-    !> fracture energy G0 along the extension [J/m^2]
+    !> fracture energy G0 where the extension began [J/m^2]
     real(c_double) :: resistance
     !> what became of the end, a bempd_tip_state
     integer(c_int32_t) :: state
@@ -1389,6 +1389,32 @@ module bempd_c
       real(c_double), value :: grading
       integer(c_int) :: bempd_set_edge_mesh
     end function bempd_set_edge_mesh
+
+    !> Give a region fracture energies G0 at places, in place of the one of its material.
+    !>
+    !> Between the places G0 is linear on their Delaunay triangles, elsewhere it is that of the nearest place on the
+    !> border of the triangles. Places on one line give a G0 that changes along the line only. It acts wherever the
+    !> fracture energy of the material acts: a bond has the mean G0 of its ends, and a crack grows when its energy
+    !> release rate reaches the G0 at its tip, as a line or with boundary elements. Stiffness stays as it is. The
+    !> scatter of a random material needs places no farther apart than its correlation length. A second call replaces
+    !> the first.
+    !>
+    !> model [in]: the model, not prepared yet
+    !> region [in]: id of a region whose material has a fracture_energy
+    !> count [in]: number of places, >= 1
+    !> places [in]: places [m], no two the same, inside the region or not, shape [count][2]
+    !> values [in]: fracture energies G0 [J/m^2], > 0, shape [count]
+    !> return: status
+    !> since: 0.3
+    function bempd_set_toughness_at(model, region, count, places, values) bind(c, name="bempd_set_toughness_at")
+      import :: c_double, c_int, c_int32_t, c_int64_t, c_ptr
+      type(c_ptr), value :: model
+      integer(c_int32_t), value :: region
+      integer(c_int64_t), value :: count
+      real(c_double), intent(in) :: places(2, *)
+      real(c_double), intent(in) :: values(*)
+      integer(c_int) :: bempd_set_toughness_at
+    end function bempd_set_toughness_at
 
     !> Add an initial crack, a polyline.
     !>

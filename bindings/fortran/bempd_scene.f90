@@ -141,6 +141,19 @@ contains
       stat, errmsg)
   end procedure set_edge_mesh
 
+  module procedure set_toughness_at
+    character(48) :: counts
+
+    if (.not. are_points(self, "bempd_set_toughness_at", "places", places, stat, errmsg)) return
+    if (size(values) /= size(places, 2)) then
+      write (counts, '(i0," values and ",i0," places")') size(values), size(places, 2)
+      call refuse(self, "bempd_set_toughness_at: there are " // trim(counts) // "; give one value for each place", stat, &
+        errmsg)
+      return
+    end if
+    call finish(self, bempd_set_toughness_at(self%handle, region, size(places, 2, c_int64_t), places, values), stat, errmsg)
+  end procedure set_toughness_at
+
   module procedure add_crack
     integer(c_int32_t), target :: new
 

@@ -1,7 +1,7 @@
-// Pairs of elements that lie along each other at a distance far below their lengths. The inner integral is a function
-// of the position x on the outer element. It is smooth except near the ends of the inner element, where it varies over
-// the distance between the two. So the outer element is split towards the ends of the inner one. For every outer point
-// the inner element is split towards that point.
+// Pairs of elements that lie along each other at a distance far below their lengths. The inner integral is a smooth
+// function of the position x on the outer element, except near the ends of the inner element, where it varies over the
+// distance between the two. So the outer element is split towards the ends of the inner one. For every outer point the
+// inner element is split towards that point.
 
 #include <algorithm>
 #include <cassert>

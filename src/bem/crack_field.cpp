@@ -101,9 +101,9 @@ CrackField::CrackField(const ScaledBoundary& boundary, const CrackMesh& cracks, 
   }
 }
 
-// Adds displacement and stress of one crack element. Both are derivatives of g = 1 / (4 pi (1 - nu)) integral of w ln r
-// for the two components of the opening w. (Crouch and Starfield, Boundary Element Methods in Solid Mechanics, 1983,
-// section 5.2, with the opposite sign of the discontinuity.)
+// Adds displacement and stress of one crack element, from derivatives of g = 1 / (4 pi (1 - nu)) integral of w ln r for
+// both components of the opening w (Crouch and Starfield, Boundary Element Methods in Solid Mechanics, 1983, section
+// 5.2, with the opposite sign of the discontinuity).
 void CrackField::add(const Piece& piece, const Point& x, Value& value) const {
   const Point left = left_of(piece.axis), r = x - piece.start;
   Complex z(r.dot(piece.axis) / piece.length, r.dot(left) / piece.length);

@@ -28,8 +28,8 @@ class CrackField {
   Value at(const Point& x, int skipped = -1) const;
 
   // Displacement and stress at x, also at ends of elements, where terms of at() that are infinite should cancel but do
-  // not. At an end the displacement is the mean of values close to it. The stress is the mean of values inside the
-  // elements that meet there, because their openings have a kink at the end.
+  // not. At an end the displacement is the mean of those close to it, and the stress the mean of those inside the
+  // elements that meet, whose openings have a kink there.
   Value anywhere(const Point& x) const;
 
   // Distance from x to the tip that is nearest in units of its element's length, in these units; infinite without tips.

@@ -87,9 +87,9 @@ class ElementBasis {
 // End of an element that is a crack tip.
 enum class TipEnd { none, start, end };
 
-// Geometry x(xi) = c0 + c1 odd(xi) + c2 even(xi) of an element; straight when c2 vanishes. Elements at a crack tip have
-// quarter points (Barsoum, Int. J. Num. Meth. Eng. 10, 1976): with sigma running from 0 at the tip to 1, the vector
-// from the tip is sigma^2 times the vector to the other end. The shape functions then span 1, sigma and sigma^3, so
+// Geometry x(xi) = c0 + c1 odd(xi) + c2 even(xi) of an element; straight when c2 vanishes. On an element at a crack
+// tip, the vector from the tip is sigma^2 times the vector to the other end, where sigma runs from 0 at the tip to 1
+// (quarter points; Barsoum, Int. J. Num. Meth. Eng. 10, 1976). The shape functions then span 1, sigma and sigma^3, so
 // that openings have only the powers 1/2 and 3/2 of the distance.
 struct ElementGeometry {
   Point c0, c1, c2;

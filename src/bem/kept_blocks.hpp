@@ -16,7 +16,7 @@ struct KeptNodes {
 
   bool has(const GalerkinElement& element) const;
   // Whether the integrals over a pair of elements are known. Rows of B on boundary nodes are known only if the whole
-  // boundary is the same: the term that removes the forces of rigid motions is a sum over all of it.
+  // boundary is the same, because the term that removes the forces of rigid motions is a sum over all of it.
   bool has(const GalerkinElement& outer, const GalerkinElement& inner) const {
     return has(outer) && has(inner) && (whole_boundary || outer.crack || inner.crack);
   }

@@ -15,8 +15,8 @@ namespace bempd::bem {
 // Length of rows for the three nodes of an element, padded to whole vectors.
 inline constexpr int padded_nodes = 4;
 
-// Double integrals over a pair of elements, x on the outer and y on the inner one, r = y - x. The blocks of all
-// Galerkin matrices follow from them. With e = r / |r| and the normal n at y the kernels are
+// Double integrals over a pair of elements, with x on the outer and y on the inner one and r = y - x, from which the
+// blocks of all Galerkin matrices follow. With e = r / |r| and the normal n at y the kernels are
 //   weakly singular:  ln r,  (e_x^2 - e_y^2) / 2,  e_x e_y   (the last two: e e^T without its trace part),
 //   double layer:     (e . n) / r,  (n x e) / r,  and (e . n) / r times the last two weakly singular ones.
 struct PairMoments {

@@ -51,7 +51,7 @@ Singularities singularities_from(const ElementGeometry& element, const Point& x)
 
 // Singularities of an integral over an interval of `inner`, with kernels of the distance, as a function of the place on
 // `outer`. They lie where the path of integration ends, and where the parameter of `inner` is not an analytic function
-// of the place: at the centre of an arc, at the focus of a parabola. The rest of the path can be deformed away from the
+// of the place (at the centre of an arc, the focus of a parabola). The rest of the path can be deformed away from the
 // place.
 std::vector<Singularities> singularities_of_integral(const ElementGeometry& outer, const ElementGeometry& inner,
                                                      const Interval& interval);

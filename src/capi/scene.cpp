@@ -170,6 +170,15 @@ bempd_status bempd_set_edge_mesh(bempd_model* model, int32_t region, int32_t edg
   });
 }
 
+bempd_status bempd_set_toughness_at(bempd_model* model, int32_t region, int64_t count, const double* places,
+                                    const double* values) {
+  return with_model(model, __func__, [&](model::Model& m) {
+    require(count >= 1, "count is ", count, "; give at least one place with its value");
+    require(values != nullptr, "values is NULL; give ", count, " fracture energies");
+    m.editable_scene().set_toughness(region, points_from(places, count, "places"), {values, values + count});
+  });
+}
+
 bempd_status bempd_add_crack(bempd_model* model, int64_t point_count, const double* points, int32_t* crack) {
   return with_model(model, __func__, [&](model::Model& m) {
     const int added = m.editable_scene().add_crack(points_from(points, point_count, "points"));

@@ -9,8 +9,8 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-// Rounding error of stress intensity factors, relative to their size: a tip whose equivalent factor is smaller is
-// pressed shut, and its mode II factor is only rounding. Such a tip does not grow.
+// Relative rounding error of stress intensity factors: where the equivalent factor is below this share of K, the loads
+// press the tip shut and its mode II factor is only a rounding error. Such a tip does not grow.
 constexpr double share_of_rounding = 1e-15;
 
 // Load factor at which the range without growth ends in `direction` (1 or -1), by bisection from `inside`, a load

@@ -19,8 +19,8 @@ struct BodyForce {
 
 // Particular solution: an infinite plane body under a linear body force, which is b + k r at the vector r from a centre
 // near the body (for accuracy). The constant part b has the stresses
-//   sigma_xx = -b_x x,  sigma_yy = -b_y y,  sigma_xy = 0.
-// They satisfy div sigma + b = 0 and, being linear, are compatible, with quadratic displacements. The part k r has the
+//   sigma_xx = -b_x x,  sigma_yy = -b_y y,  sigma_xy = 0,
+// which satisfy div sigma + b = 0 and, being linear, are compatible, with quadratic displacements. The part k r has the
 // radial displacement -k r^3 / (8 c11) (Timoshenko and Goodier, Theory of Elasticity, 3rd ed., section 30).
 class LinearBodyForce {
  public:

@@ -28,9 +28,9 @@ struct Event {
   bool is_contact = false;
   bool goes_down = false;  // then: the load factor falls on the way
 
-  crack::TipId tip{};       // tip that grows at the event; crack 0: none
-  double taken_energy = 0;  // largest energy that growth takes [J]; 0: it follows from the ratio
-  int ties = 0;             // other tips or bonds that tie with it
+  crack::TipId tip{};       // that grows at it; crack 0: none
+  double taken_energy = 0;  // at most, by what grows, where that is known; else 0: the ratio tells it [J]
+  int ties = 0;             // others that would grow as soon
   bool is_growth = false;   // nothing breaks: a tip with boundary elements grows
 
   // Notes the ratio of one of the event's terms; the largest one counts.
@@ -51,25 +51,25 @@ struct LostBalance {
 struct Outcome {
   std::int64_t broken = 0;    // terms that break
   std::int64_t switches = 0;  // places of faces that have closed or opened
-  double work_before = 0;     // work of the loads on the path to the event
-  double work = 0;            // work of the loads at the event
+  double work_before = 0;     // of the loads on the way to the event
+  double work = 0;            // of the event itself
   double released_energy = 0;
-  double bond_energy = 0;             // part of it that terms absorb: released at their critical values
-  double stored_energy_before = 0;    // just before the event, at its load factor
-  double within_before = 0;           // CrackEvolution::within() just before it
+  double bond_energy = 0;             // of it, what the terms take where they just reach their critical values
+  double stored_energy_before = 0;    // at the same load factor
+  double within_before = 0;           // CrackEvolution::within() there
   double stored_energy = 0;           // after it
-  double critical_stored_energy = 0;  // after it, at the critical load factor
+  double critical_stored_energy = 0;  // the same at the critical load factor
   double unit_energy = 0;             // of the proportional load alone, after it
   double residual = 0;
-  double energy_scale = 0;  // least scale of energies
+  double energy_scale = 0;  // what energies are measured by at least
   std::int64_t fragments = 0;
-  bool comes_free = false;                          // contact event at which a part comes free
-  std::vector<double> reactions_before, reactions;  // before and after it at its load factor, x and y of every support
-  double resistance_before = 0;                     // just before it, at its load factor
+  bool comes_free = false;                          // of faces that close or open: a part does
+  std::vector<double> reactions_before, reactions;  // at the same load factor and after it, x and y of every support
+  double resistance_before = 0;                     // at the same load factor
   double resistance = 0;
   LostBalance lost_balance;
-  std::vector<CrackExtension> extensions;  // without event, crack length and energy, which the records add
-  int ties = 0;                            // other tips or bonds that tied with it
+  std::vector<CrackExtension> extensions;  // but for what the books know: event, length of the crack, energy
+  int ties = 0;                            // others that would have grown as soon
 };
 
 // Event source: finds the next event as the load factor changes, and performs it on the body.

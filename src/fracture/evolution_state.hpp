@@ -27,14 +27,14 @@ struct HistoryEntry {
   // energy stored there after the event. At the end of a step: `load_factor` and `stored_energy`.
   double critical_load_factor = 0;
   double critical_stored_energy = 0;
-  double bond_energy = 0;  // energy released so far if each event had happened there
+  double bond_energy = 0;  // released by then, had each event happened there
   // Values just before the event; at the end of a step those at its end.
   double load_factor_before = 0;
   double stored_energy_before = 0;
   double work_before = 0;
-  double resistance_before = 0;  // divided by the stretch ratio if out of equilibrium [N]
+  double resistance_before = 0;  // in equilibrium: what would be borne beyond it is divided by the stretch ratio [N]
   double resistance = 0;         // after it [N]
-  std::int64_t ties = 0;         // other tips or bonds that tied at the event
+  std::int64_t ties = 0;         // others that would have grown at the event as soon
 };
 
 using CrackExtension = crack::Extension;
@@ -54,15 +54,15 @@ struct BodyState {
   std::vector<char> unloaded;         // nodes whose loads have gone with a piece that came free
   std::vector<GrowingTip> tips;       // of cracks that grow as lines
   FaceState faces;                    // of cracks, where they can close
-  std::vector<crack::TipId> stopped;  // tips with elements that cannot grow
+  std::vector<crack::TipId> stopped;  // tips with elements that cannot go on
 };
 
 // Resistance: the force that the body carries, as the pull in a tensile test. It is half the sum of the magnitudes of
 // all support forces and nodal loads.
 struct Resistance {
   double present = 0;    // after the last event [N]
-  double peak = 0;       // largest one in equilibrium just before an event [N]
-  double stiffness = 1;  // product of the shares that events have left of the resistance
+  double peak = 0;       // the largest that was borne in equilibrium just before an event [N]
+  double stiffness = 1;  // share that events have left of it, each at the loads of its own
 };
 
 // Counts and sums of a run.
@@ -71,15 +71,15 @@ struct Sums {
   std::int64_t broken_bonds = 0;
   std::int64_t fragments = 0;
   double released_energy = 0;
-  double bond_energy = 0;  // part of it that broken terms absorb; the rest would be kinetic energy
+  double bond_energy = 0;  // of it, what broken terms take; the rest would have become motion
   double work = 0;
   double largest_work = 0;
   double worst_energy_balance_error = 0;
   double residual = 0;  // at the last line of the history
   Resistance resistance;
   std::int64_t contact_switches = 0;  // places of faces that have closed or opened
-  std::int64_t ties = 0;              // tips or bonds that tied with those that grew or broke
-  double work_out_of_balance = 0;     // by loads since equilibrium was lost, as far as it is still stored
+  std::int64_t ties = 0;              // tips or places that would have grown at events as soon as those that did
+  double work_out_of_balance = 0;     // of loads since equilibrium was lost, as far as it is stored
 };
 
 // Everything that a run changes: a copy saves the run. A Continuation is needed as well to continue with the same

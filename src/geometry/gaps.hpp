@@ -13,9 +13,8 @@ struct Gap {
   Point where;  // half way between the two
 };
 
-// Narrowest gap between each two regions. It must be narrower than `reach` of both (one entry per region), and wider
-// than the geometric tolerance of all regions together, within which edges coincide. Sorted by the numbers of the
-// regions.
+// Narrowest gap between each two regions, if it is narrower than `reach` of both (one entry per region) and wider than
+// the geometric tolerance of all regions together, within which edges coincide. Sorted by the numbers of the regions.
 std::vector<Gap> close_gaps(const std::vector<Outline>& regions, const std::vector<double>& reach);
 
 }  // namespace bempd

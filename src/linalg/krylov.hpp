@@ -27,7 +27,7 @@ struct Sweep {
 };
 
 // Solves A x = b by sweeps of an iteration. sweep(target, max_iterations, x, r, iterations) iterates from x with r = b
-// - A x. It ends when the largest entry of the residual that it updates is at most `target`, or when it has to restart.
+// - A x, until the residual it updates has at most the largest entry `target`, or until it has to restart.
 //
 // Updated residuals drift from the true one, so only b - A x decides about convergence. If it is still too large, the
 // iteration restarts from it, which refines the solution, until a restart gains less than a factor of two.

@@ -16,10 +16,10 @@ struct PathVertex {
 
   Point place{0, 0};
   std::int64_t event = 0;  // event of the growth to here; 0: the vertex was described
-  int end = -1;            // end that grew to here; -1: none
+  int end = -1;            // that grew; -1: none
   double load_factor = unknown;
   Point factors{unknown, unknown};                             // K_I and K_II of the tip just before [Pa m^(1/2)]
-  double energy_release_rate = unknown, resistance = unknown;  // of the growth to here [J/m^2]
+  double energy_release_rate = unknown, resistance = unknown;  // in its direction, and met there [J/m^2]
 };
 
 // Path of a crack from its start to its end: the points that the host described (none for a crack that began in the

@@ -155,7 +155,7 @@ std::optional<double> end_of_path(const Growing& growing, const std::vector<regi
 }
 
 // Energies of a growth. Each extension releases the integral of its energy release rate (trapezoidal rule). On the
-// equilibrium path the rate stays what it was before. For tips that have ended, whose last rate is unknown, the
+// equilibrium path the rate is the fracture energy all along. For tips that have ended, whose last rate is unknown, the
 // remainder of `released` is divided by length.
 fracture::Growth booked(Growing growing, const std::vector<regions::TipValues>& after,
                         const std::vector<double>& thickness, double released, std::optional<double> beyond_path) {
@@ -165,11 +165,14 @@ fracture::Growth booked(Growing growing, const std::vector<regions::TipValues>& 
   for (std::size_t k = 0; k < growth.extensions.size(); ++k) {
     fracture::CrackExtension& e = growth.extensions[k];
     const double area = e.length * thickness[k];
-    e.surface_energy = e.resistance * area;
+    const regions::TipValues* tip = tip_of(e, after);
+    const double at_end = tip ? tip->toughness * tip->toughness / tip->plane_modulus : e.resistance;
+    const double mean = at_end == e.resistance ? 1 : 0.5 * (1 + at_end / e.resistance);
+    e.surface_energy = mean * e.resistance * area;
     growth.surface_energy += e.surface_energy;
-    if (const regions::TipValues* tip = tip_of(e, after)) {
+    if (tip) {
       e.rate_after = tip->energy_release_rate;
-      e.released_energy = (beyond_path ? e.rate_before : 0.5 * (e.rate_before + e.rate_after)) * area;
+      e.released_energy = (beyond_path ? mean * e.rate_before : 0.5 * (e.rate_before + e.rate_after)) * area;
       left -= e.released_energy;
     } else {
       ended_length += e.length;

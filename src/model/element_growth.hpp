@@ -16,9 +16,9 @@ namespace bempd::model {
 // Tips that grow together at a load factor, each with its extension and the length that it is to have.
 struct Growing {
   double load_factor = 0;
-  double ratio = 1;                 // of the first tip: equivalent factor / toughness
+  double ratio = 1;                 // of the first tip: equivalent factor over toughness
   double critical_load_factor = 0;  // at which that tip just reaches its toughness
-  int ties = 0;                     // other tips that tie with it
+  int ties = 0;                     // others that would have grown as soon
   std::vector<regions::TipValues> tips;
   std::vector<fracture::CrackExtension> extensions;
   std::vector<double> lengths;

@@ -146,6 +146,12 @@ void Model::grow_lines(PreparedScene& p) const {
       if (k < shares.size()) laws.share_of_node[node] += shares[k];
     }
     laws.laws.push_back(*law);
+    if (law->energies) {
+      laws.energy_share_of_node.resize(laws.of_node.size(), 1);
+      for (const int node : region->nodes())
+        laws.energy_share_of_node[static_cast<std::size_t>(node)] =
+            law->energies->share(p.discretization.positions[static_cast<std::size_t>(node)]);
+    }
     const Outline& outline = scene_.region(region->id()).outline();
     const std::vector<Edge> edges = edges_of(outline);
     for (std::size_t k = 0; k < edges.size(); ++k)

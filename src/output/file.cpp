@@ -119,7 +119,7 @@ void write_through(const fs::path& path, const fs::path& target, int flags, std:
   if (!file.is_open() || !file.write(content) || !file.close()) fail(path, errno);
 }
 
-// Name of the unfinished file. It is in the folder of the target, so that it can take the target's place. It is short,
+// Name of the unfinished file. It is in the folder of the target, so that it can take the target's place, and short,
 // because the target's own name may be as long as the system allows.
 fs::path unfinished_name(const fs::path& target) {
   static std::atomic<unsigned> count{0};

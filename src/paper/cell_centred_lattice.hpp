@@ -10,7 +10,7 @@ class CellCentredLattice final : public UncorrectedLattice {
  public:
   CellCentredLattice(int id, const regions::LatticeDescription& described, const scene::Material& material);
 
-  // Rank 0, below that of boundary elements, because the points of the cells do not lie on interfaces.
+  // Rank 0, that of boundary elements: the points of the cells do not lie on interfaces.
   int rank_at_interfaces() const override { return 0; }
 
  protected:

@@ -28,8 +28,8 @@ class Supernodal : public Eigen::SparseLU<LongMatrix, MinimumDegree> {
  public:
   Supernodal() {
     // Symmetric mode is chosen because the systems have a symmetric pattern and usually a good diagonal. It orders by
-    // the pattern of A + A^T and keeps a diagonal pivot that is not much smaller than the best one. This gives far less
-    // fill than full partial pivoting.
+    // the pattern of A + A^T and keeps a diagonal pivot that is not much smaller than the best one, which gives far
+    // less fill than full partial pivoting.
     isSymmetric(true);
     setPivotThreshold(0.1);
   }

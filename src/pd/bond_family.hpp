@@ -16,11 +16,11 @@ struct BondOffset {
   Eigen::Vector4d moment = {0, 0, 0, 0};  // length * direction^3, components 111, 112, 122, 222
 };
 
-// Half of the family of bonds of a material point. Every pair of points closer than `horizon_ratio` spacings appears
-// once, as the step from its lower end (its left end if both are level). Steps are sorted by row and then by column.
+// Half of the family of bonds of a material point: every pair of points closer than `horizon_ratio` spacings appears
+// once, as the step from its lower end (its left end if both are level), sorted by row and then by column of the step.
 // Squared lengths are compared as integers. A bond as long as the horizon is left out, because its stiffness is 0.
 //
-// Stiffnesses come from the kernel's micromodulus. They are then changed by the least relative amounts that give the
+// Stiffnesses come from the kernel's micromodulus, and are then changed by the least relative amounts that give the
 // lattice the elastic constants C1111 = 1, C1122 = C1212 = 1/3 exactly.
 std::vector<BondOffset> bond_family(int horizon_ratio, const BondKernel& kernel = quartic_kernel());
 

@@ -12,14 +12,14 @@ namespace bempd::pd {
 
 // Isotropic materials of any Poisson's ratio on a lattice. Central bonds alone have only one ratio, that of lambda =
 // mu. Here the bonds have lambda = mu = beta = min(mu, (lambda + mu) / 2). The rest of the energy of a cell consists of
-// squares, terms in the square of what its four corners do:
+// squares, terms in the square of what its four corners do,
 //   lambda > mu: h (lambda - mu) / 4 (d1 + d2)^2
-//   lambda < mu: h m / 4 (d1 - d2)^2 + h m / 8 (a1 + a2 - b1 - b2)^2,  m = (mu - lambda) / 2.
-// h is the thickness; d1, d2 are the elongations of the diagonals, a1, a2 of the horizontal and b1, b2 of the vertical
-// edges. d1 + d2 is the dilatation at the cell's centre times sqrt(2) and the spacing, d1 - d2 twice the shear strain
-// times the same. a1 + a2 - b1 - b2 is the difference of the normal strains times two spacings. Under a constant strain
-// the forces of the cells around a point add up to the stress times the point's surface vector. So faces, corners,
-// holes and interfaces need no correction. All stiffnesses are positive for every ratio above -1.
+//   lambda < mu: h m / 4 (d1 - d2)^2 + h m / 8 (a1 + a2 - b1 - b2)^2,  m = (mu - lambda) / 2
+// with the elongations d1, d2 of the diagonals, a1, a2 of the horizontal and b1, b2 of the vertical edges, and the
+// thickness h. For d1 + d2 is the dilatation at the cell's centre times sqrt(2) and the spacing, d1 - d2 twice the
+// shear strain times the same, and a1 + a2 - b1 - b2 the difference of the normal strains times two spacings. Under a
+// constant strain the forces of the cells around a point add up to the stress times the point's surface vector. So
+// faces, corners, holes and interfaces need no correction. All stiffnesses are positive for every ratio above -1.
 //
 // Docs: materials.md.
 

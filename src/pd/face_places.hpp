@@ -16,9 +16,10 @@ struct FaceLattice {
   double angle;
 };
 
-// Face place: a place x at which the two faces of a crack in a lattice may touch. Its gap is the opening along the
-// crack's normal n between the points x + h n and x - h' n on both sides. Displacements there are interpolated between
-// material points. Rigid motions have no gap. Under a strain the gap is that of the material between the two points.
+// Face place: a place at which the two faces of a crack in a lattice may touch. Its gap is the opening along the
+// crack's normal n, taken between the points x + h n and x - h' n on both sides of the place x, where displacements are
+// interpolated between material points. Rigid motions have no gap. Under a strain the gap is that of the material
+// between the two points.
 struct FacePlace {
   struct Pull {
     int node;

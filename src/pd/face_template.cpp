@@ -100,7 +100,7 @@ void add_moments(Equations& equations, const std::vector<Kind>& kinds, const Lay
 
 // Weight of a bond in the flux conditions. Along a strip, moments of C1111 over its cross-section are conserved; they
 // belong to symmetric gradients of Killing tensors. The end of a strip can be closed only if these moments equal those
-// of the network assembled cell by cell, which is exact for every body (edges and diagonals of every cell C11 / 3).
+// of the network assembled cell by cell (edges and diagonals of every cell C11 / 3), which is exact for every body.
 double flux_weight(const Kind& kind, double y, int order) {
   const double a2 = kind.across * kind.across, b2 = kind.away * kind.away, common = kind.pair * a2 / (a2 + b2);
   if (order < 2) return common * a2 * (order == 0 ? 1 : y);

@@ -6,9 +6,9 @@
 
 namespace bempd::pd {
 
-// Stiffnesses of bonds next to straight faces, as multiples of the bulk stiffness. With them a half plane or a strip of
-// material points reproduces linear displacement fields up to its faces. A bond is identified by the depth `row` of its
-// end nearer to the face, and by its step across (>= 0) and away from the face (>= 0).
+// Stiffnesses of bonds next to straight faces, as multiples of the bulk stiffness, with which a half plane or a strip
+// of material points reproduces linear displacement fields up to its faces. A bond is identified by the depth `row` of
+// its end nearer to the face, and by its step across (>= 0) and away from the face (>= 0).
 class FaceTemplate {
  public:
   FaceTemplate() = default;

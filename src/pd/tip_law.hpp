@@ -1,21 +1,31 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <vector>
 
 #include "elasticity/kinked_tip.hpp"
 #include "geometry/edge.hpp"
+#include "pd/varied_energy.hpp"
 #include "pd/weakened_term.hpp"
 
 namespace bempd::pd {
 
 // Data of the lattice and the material around a tip, which the growth of a crack line needs.
 struct TipLaw {
-  double spacing = 0;    // [m]
-  double horizon = 0;    // [m]
-  double thickness = 1;  // [m]
-  double modulus = 0;    // E, in plane strain E / (1 - nu^2) [Pa]
-  double toughness = 0;  // [Pa m^(1/2)]; infinite for a material that does not break
+  double spacing = 0;                      // [m]
+  double horizon = 0;                      // [m]
+  double thickness = 1;                    // [m]
+  double modulus = 0;                      // E, in plane strain E / (1 - nu^2) [Pa]
+  double toughness = 0;                    // [Pa m^(1/2)]; infinite for a material that does not break
+  const VariedEnergy* energies = nullptr;  // by place; null where the toughness holds everywhere
+
+  // The law with the toughness at a place.
+  TipLaw at(const Point& place) const {
+    TipLaw there = *this;
+    if (energies) there.toughness *= std::sqrt(energies->share(place));
+    return there;
+  }
 };
 
 // Length of a crack whose ends act where they are described, and by how much it becomes longer when an end grows, which
@@ -30,6 +40,7 @@ struct TipLaws {
   std::vector<TipLaw> laws;
   std::vector<int> of_node;                              // law of its region; -1 where there is none
   std::vector<double> share_of_node{};                   // share of the area of a full point; 0 if unknown
+  std::vector<double> energy_share_of_node{};            // of VariedEnergy; empty if it is 1 everywhere
   KinkCriterion criterion = KinkCriterion::hoop_stress;  // says when tips grow, not where to
   bool loads_by_energy = false;                          // where the fit of stresses does not hold
   std::vector<Edge> outer_edges{}, hole_edges{};         // of these regions
@@ -38,6 +49,9 @@ struct TipLaws {
   std::vector<WeakenedTerm> weakened{};                  // at the ends of initial cracks
   std::vector<char> joined{};                            // by node, 1: boundary elements of its material lie behind it
 
+  double energy_share_at(std::size_t node) const {
+    return node < energy_share_of_node.size() ? energy_share_of_node[node] : 1;
+  }
   bool is_joined(int node) const {
     const auto n = static_cast<std::size_t>(node);
     return n < joined.size() && joined[n] != 0;

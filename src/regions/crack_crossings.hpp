@@ -12,9 +12,9 @@ namespace bempd::regions {
 
 // Crossing: place where a crack passes from one region to another.
 struct CrackCrossing {
-  double way;              // distance along the crack as described [m]
+  double way;              // along the crack, as described [m]
   Point place, direction;  // direction: of the crack, a unit vector
-  int before, after;       // ids of the regions with elements on the crack; 0: it cuts bonds
+  int before, after;       // regions that have elements on it; 0: it cuts bonds
   double spacing = 0;      // of the material points beside `place`, once it lies half way between two of them [m]
 
   bool among_elements() const { return before > 0 && after > 0; }
@@ -32,7 +32,7 @@ void move_between_rows(const Preparation& preparation, int crack, std::vector<Cr
 struct BentCrack {
   std::vector<Point> points;
   std::vector<char> grown;             // by segment
-  std::vector<std::size_t> crossings;  // index of its point, for each crossing
+  std::vector<std::size_t> crossings;  // points, by crossing
 
   // Numbers of segments that growth has added at the start and at the end of the piece between the points `from` and
   // `to`.

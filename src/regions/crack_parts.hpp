@@ -12,11 +12,11 @@ struct Preparation;
 // Part of a crack: a piece inside one boundary element region, which has elements on it, or inside lattices, whose
 // bonds it cuts.
 struct CrackPart {
-  int region;                 // id of the region with elements on it; 0: it cuts bonds
+  int region;                 // that has elements on it; 0: it cuts bonds
   std::vector<Point> points;  // of the polyline
   // Numbers of segments at the part's start and end that growth has added.
   int grown_at_start = 0, grown_at_end = 0;
-  double start = 0;                                 // distance of its start along the crack [m]
+  double start = 0;                                 // its way along the crack [m]
   bool from_another = false, into_another = false;  // whether another part of the crack is before or behind it
   // Spacing [m] of the two material points between which the part begins (`spacing_before`) or ends (`spacing_behind`)
   // at another part; 0 if it does not begin or end at the interface with a lattice.
@@ -31,7 +31,7 @@ struct PartedCrack {
   // The crack as described, except that it is bent to pass interfaces with lattices half way between two material
   // points.
   scene::Crack crack;
-  std::vector<CrackPart> parts;  // in order along the crack; none if it was removed
+  std::vector<CrackPart> parts;  // in its order; none if the crack was removed
 
   bool cuts_bonds() const { return has_elements_in(0); }
   bool has_elements() const;

@@ -102,7 +102,10 @@ Discretization discretize(const scene::Scene& scene, const scene::Options& optio
                                 d.tolerance, d.regions, d.cracks, before ? &before->regions : nullptr};
   require_compatible(preparation);
 
-  for (int id : scene.region_ids()) d.regions.push_back(scene.region(id).build(id, preparation));
+  for (int id : scene.region_ids()) {
+    d.regions.push_back(scene.region(id).build(id, preparation));
+    d.regions.back()->vary_toughness({scene.region(id).fracture_energies(), scene.material_of(id).fracture_energy});
+  }
   d.cracks = parted_cracks(preparation, d.warnings);
   for (const auto& region : d.regions) {
     check_cancelled();

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cmath>
 #include <functional>
 #include <memory>
 #include <string>
@@ -43,6 +44,14 @@ struct Contributions {
     double limit;        // stretch
     int law;             // of `terms`
     double contraction;  // 0: compression across a bond is not counted apart
+
+    // Breaking of a bond whose ends have these shares of the material's fracture energy; without shares they have it.
+    Breaking between(const std::vector<double>& energy_shares, int first, int second) const {
+      if (energy_shares.empty()) return *this;
+      const double at_first = energy_shares[static_cast<std::size_t>(first)];
+      const double at_second = energy_shares[static_cast<std::size_t>(second)];
+      return {limit * std::sqrt((at_first + at_second) / 2), law, contraction};
+    }
   };
   // Adds a bond between two nodes of the scene. `step` is the vector from one to the other in spacings, `spacing` [m].
   void add_bond(const pd::Bond& between_nodes, const Point& step, double spacing, const Breaking& breaking) const;

@@ -20,9 +20,11 @@
 #include "pd/face_places.hpp"
 #include "pd/network.hpp"
 #include "pd/tip_law.hpp"
+#include "pd/varied_energy.hpp"
 #include "regions/cell_splits.hpp"
 #include "regions/fields.hpp"
 #include "regions/preparation.hpp"
+#include "regions/region_statistics.hpp"
 #include "scene/material.hpp"
 
 namespace bempd::regions {
@@ -127,13 +129,6 @@ struct SnapshotBlock {
   std::vector<Array> arrays;
 };
 
-// Sizes and preparation times of regions, added up.
-struct RegionStatistics {
-  std::int64_t boundary_nodes = 0, boundary_elements = 0, material_points = 0, kernel_evaluations = 0;
-  double seconds_boundary = 0, seconds_lattice = 0;
-  std::set<const void*> counted;  // shared data counts once
-};
-
 // Region: its contribution to the equations of the scene's nodes, and its results. Its own nodes are numbered from 0;
 // `nodes()` gives their numbers in the scene.
 class Region {
@@ -146,6 +141,8 @@ class Region {
   int id() const { return id_; }
   const scene::Material& material() const { return material_; }
   const PlaneElasticity& elasticity() const { return material_.elasticity; }
+  const pd::VariedEnergy& toughness() const { return toughness_; }
+  void vary_toughness(pd::VariedEnergy toughness) { toughness_ = std::move(toughness); }
   const std::vector<int>& nodes() const { return nodes_; }
 
   // --- Preparation: every step is done for all regions in the order of their ids before the next step begins.
@@ -294,6 +291,7 @@ class Region {
  private:
   int id_;
   scene::Material material_;
+  pd::VariedEnergy toughness_;
 };
 
 }  // namespace bempd::regions

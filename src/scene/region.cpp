@@ -26,6 +26,10 @@ void Region::identify(Hash& hash) const {
     add_computed(edge.joint());
     for (int k = 0; k < edge.piece_count(); ++k) add_computed(edge.piece(k).sweep);
   }
+  if (!fracture_energies_) return;
+  hash.add(std::string_view("fracture energies"));
+  for (const Point& place : fracture_energies_->places()) hash.add(place.x()), hash.add(place.y());
+  for (const double value : fracture_energies_->values()) hash.add(value);
 }
 
 }  // namespace bempd::scene

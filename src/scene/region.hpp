@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "geometry/outline.hpp"
+#include "geometry/scattered_field.hpp"
 #include "hash.hpp"
 #include "scene/size_estimate.hpp"
 
@@ -29,8 +30,8 @@ struct NodeGrid {
 // Region as the host described it: a material, an outline, and what its kind adds. Edges are numbered from 1, through
 // the outer loop and then the holes.
 //
-// Where two regions share a piece of an edge, a region has one of two things: nodes at fixed places, which the other
-// one must follow (node_grid), or element ends that can be negotiated (edge_mesh).
+// Where two regions share a piece of an edge, a region has either nodes at fixed places, which the other one must
+// follow (node_grid), or element ends that can be negotiated (edge_mesh).
 class Region {
  public:
   Region(int material, Outline outline) : material_(material), outline_(std::move(outline)) {}
@@ -63,6 +64,12 @@ class Region {
   // Distance between the region's nodes, unless the host has chosen another one for an edge.
   virtual double resolution() const { return node_grid() ? node_grid()->spacing : outline_size(); }
 
+  // Fracture energy by place [J/m^2] in place of the material's; null where that holds everywhere.
+  const std::shared_ptr<const ScatteredField>& fracture_energies() const { return fracture_energies_; }
+  void set_fracture_energies(std::shared_ptr<const ScatteredField> energies) {
+    fracture_energies_ = std::move(energies);
+  }
+
   virtual void add_size(SizeEstimate& /*size*/) const {}
 
   // Adds the region, as the host described it, to the fingerprint of the scene. Computed values stay out or are
@@ -81,6 +88,7 @@ class Region {
 
   int material_;
   Outline outline_;
+  std::shared_ptr<const ScatteredField> fracture_energies_;
 };
 
 }  // namespace bempd::scene

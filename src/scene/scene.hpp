@@ -38,6 +38,7 @@ class Scene {
   void set_edge_arc_about(int region, int edge, const Point& centre, double radius, bool clockwise);
   // Makes the edges first_edge .. last_edge of one loop a smooth curve through their vertices.
   void set_edges_smooth(int region, int first_edge, int last_edge);
+  void set_toughness(int region, std::vector<Point> places, std::vector<double> fracture_energies);
   int add_crack(const std::vector<Point>& points);
   // Replaces all cracks by the same number of others, such as the same cracks with their growth.
   void set_cracks(std::vector<Crack> cracks) { cracks_ = std::move(cracks); }

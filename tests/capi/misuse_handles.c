@@ -39,6 +39,7 @@ static void null_model_is_refused_while_building(void) {
   NO_MODEL(bempd_add_pd_region(NULL, 1, 4, r.vertices, 0.1, 3, &id));
   NO_MODEL(bempd_add_hole(NULL, 1, 4, r.vertices, &id));
   NO_MODEL(bempd_set_edge_mesh(NULL, 1, 1, 1.0, 1.0));
+  NO_MODEL(bempd_set_toughness_at(NULL, 1, 1, &value, &value));
   NO_MODEL(bempd_add_crack(NULL, 2, r.vertices, &id));
   NO_MODEL(bempd_region_count(NULL, &id));
   NO_MODEL(bempd_edge_count(NULL, 1, &id));

@@ -156,7 +156,7 @@ void Scene::act_on_edges() {
     case 6:
       return give_edge_values();
     default:
-      return keep_file();
+      return bytes_.pick(2) == 0 ? vary_toughness() : keep_file();
   }
 }
 

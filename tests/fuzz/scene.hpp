@@ -51,6 +51,7 @@ class Scene {
   void add_hole();
   void bend_edge();
   void mesh_edge();
+  void vary_toughness();
   void add_crack(bool in_lattice);
 
   // Cracks (scene_cracks.cpp).

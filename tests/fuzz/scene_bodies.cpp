@@ -129,6 +129,16 @@ void Scene::mesh_edge() {
   FUZZ_CALL(bempd_set_edge_mesh, model_, of, number, length, bytes_.of(gradings));
 }
 
+// Places on one line, or three that are not.
+void Scene::vary_toughness() {
+  static constexpr std::array energies = {1.0, 2.0, 0.1, 1e3, 1e-12, 0.0, -1.0};
+  const Place at = place();
+  const std::array places = {at.x, at.y, at.x + scale_, at.y, at.x, at.y + bytes_.pick(2) * scale_};
+  const double first = bytes_.of(energies), second = bytes_.of(energies);
+  const std::array values = {first, second, first};
+  FUZZ_CALL(bempd_set_toughness_at, model_, region(), 2 + bytes_.pick(2), places.data(), values.data());
+}
+
 void Scene::add_crack(bool in_lattice) {
   std::vector<double> points;
   const int count = 2 + bytes_.pick(2);

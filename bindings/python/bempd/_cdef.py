@@ -98,6 +98,8 @@ bempd_status bempd_set_edges_smooth(bempd_model *model, int32_t region, int32_t 
     int32_t last_edge);
 bempd_status bempd_set_edge_mesh(bempd_model *model, int32_t region, int32_t edge,
     double element_length, double grading);
+bempd_status bempd_set_toughness_at(bempd_model *model, int32_t region, int64_t count,
+    const double *places, const double *values);
 bempd_status bempd_add_crack(bempd_model *model, int64_t point_count, const double *points,
     int32_t *crack);
 bempd_status bempd_remove_region(bempd_model *model, int32_t region);
@@ -933,6 +935,23 @@ grading [in]: ratio of neighbouring elements' lengths, growing from both ends; 1
   [-], 1 .. 4; no element may be shorter than 1e-9 of the edge
 return: status
 since: 0.1""",
+    "bempd_set_toughness_at": """\
+Give a region fracture energies G0 at places, in place of the one of its material.
+
+Between the places G0 is linear on their Delaunay triangles, elsewhere it is that of the nearest
+place on the border of the triangles. Places on one line give a G0 that changes along the line only.
+It acts wherever the fracture energy of the material acts: a bond has the mean G0 of its ends, and a
+crack grows when its energy release rate reaches the G0 at its tip, as a line or with boundary
+elements. Stiffness stays as it is. The scatter of a random material needs places no farther apart
+than its correlation length. A second call replaces the first.
+
+model [in]: the model, not prepared yet
+region [in]: id of a region whose material has a fracture_energy
+count [in]: number of places, >= 1
+places [in]: places [m], no two the same, inside the region or not, shape [count][2]
+values [in]: fracture energies G0 [J/m^2], > 0, shape [count]
+return: status
+since: 0.3""",
     "bempd_add_crack": """\
 Add an initial crack, a polyline.
 
@@ -2349,7 +2368,7 @@ at which it grew to here; NaN if it was described, as all that follows [-]""",
 K_I of the tip just before [Pa m^(1/2)]; NaN also where the crack began""",
     "bempd_path_vertex.stress_intensity_2": """K_II [Pa m^(1/2)]; NaN likewise""",
     "bempd_path_vertex.energy_release_rate": """G in the direction to here just before [J/m^2]; NaN likewise""",
-    "bempd_path_vertex.resistance": """fracture energy G0 along the way to here [J/m^2]; NaN likewise""",
+    "bempd_path_vertex.resistance": """fracture energy G0 where the way to here began [J/m^2]; NaN likewise""",
     "bempd_path_vertex_init": """\
 Set struct_size and zeros.
 
@@ -2473,7 +2492,7 @@ the history less that of its other extensions [J]""",
     "bempd_crack_extension.stress_intensity_1": """\
 K_I of the tip as it grew; NaN where a crack began [Pa m^(1/2)]""",
     "bempd_crack_extension.stress_intensity_2": """K_II; NaN likewise [Pa m^(1/2)]""",
-    "bempd_crack_extension.resistance": """fracture energy G0 along the extension [J/m^2]""",
+    "bempd_crack_extension.resistance": """fracture energy G0 where the extension began [J/m^2]""",
     "bempd_crack_extension.state": """what became of the end, a bempd_tip_state""",
     "bempd_crack_extension.reserved": """0""",
     "bempd_crack_extension.surface_energy": """\

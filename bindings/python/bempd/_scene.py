@@ -324,6 +324,31 @@ class Scene:
         edge = self._sketch.edge("set_edge_mesh", region, edge)
         self._open().call("bempd_set_edge_mesh", region, edge, element_length, grading)
 
+    def set_toughness_at(self, region: int, places: npt.ArrayLike, values: npt.ArrayLike) -> None:
+        """Give a region fracture energies G0 [J/m^2] at places, in place of the one of its material.
+
+        Between the places G0 is linear on their triangles, elsewhere that of the nearest place on the border. It acts on
+        bonds, and on cracks as lines and with elements. random_field() makes values of a random material.
+
+        >>> import bempd
+        >>> model = bempd.Model()
+        >>> glass = model.add_material(young_modulus=70e9, poisson_ratio=0.2, fracture_energy=8)
+        >>> plate = model.add_bem_region(glass, bempd.rectangle(-1, -3, 1, 3), element_length=0.5)
+        >>> model.set_toughness_at(plate, [(-1, 0), (1, 0)], [8, 32])  # rises from left to right
+        >>> crack = model.add_crack([(-0.5, 0), (0.5, 0)])
+        >>> loads = model.add_traction(plate, 3, "y", 1e6), model.add_traction(plate, 1, "y", -1e6)
+        >>> held = model.fix_point((-1, -3)), model.fix_point((1, -3), "y")
+        >>> report = model.step(0)
+        >>> left, right = (tip.critical_load_factor for tip in model.tips())
+        >>> round(right / left, 3), round((26 / 14) ** 0.5, 3)
+        (1.363, 1.363)
+        """
+        points = arguments.point_array("set_toughness_at: places", places)
+        energies = arguments.real_array("set_toughness_at: values", values)
+        if energies.shape != (len(points),):
+            raise ArgumentError(f"set_toughness_at: values has the shape {energies.shape}; give {len(points)} numbers, one for each place")
+        self._open().call("bempd_set_toughness_at", region, len(points), arguments.doubles(points), arguments.doubles(energies))
+
     def add_crack(self, points: npt.ArrayLike) -> int:
         """Add an initial crack along a polyline; returns its id."""
         polyline = arguments.point_array("add_crack: points", points)

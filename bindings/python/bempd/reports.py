@@ -180,7 +180,7 @@ class CrackExtension:
     from_y: float
     stress_intensity_1: float  #: K_I of the tip as it grew; NaN where a crack began [Pa m^(1/2)]
     stress_intensity_2: float  #: K_II
-    resistance: float  #: fracture energy of what it went through [J/m^2]
+    resistance: float  #: fracture energy where it began [J/m^2]
     state: TipState  #: what became of the end
     surface_energy: float  #: part of the released energy that the new area took; the rest becomes motion [J]
 

@@ -21,7 +21,7 @@ std::vector<crack::Tip> LineEvents::tips() {
   for (std::size_t k = 0; k < found.size(); ++k) {
     const GrowingTip& tip = state.tips[k];
     found[k].id = tip.id, found[k].place = tip.place, found[k].direction = tip.direction;
-    found[k].law = steps_.growth_law(tip.law);
+    found[k].law = steps_.growth_law(tip.law, tip.place);
     if (LineSteps::has_ended(tip)) continue;
     const AffineIntensity fit = steps_.intensity_at(tip, state.displacement);
     found[k].factors = {{fit.one[0], fit.two[0]}, {fit.one[1], fit.two[1]}};

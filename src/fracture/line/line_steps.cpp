@@ -71,7 +71,7 @@ bool LineSteps::has_begun(const GrowingTip& tip) const {
 // A tip turns by the stress closely ahead; where nothing lies ahead, it goes straight on.
 AffineIntensity LineSteps::turning_of(const GrowingTip& tip, const AffineIntensity& by_fit,
                                       const coupling::Affine& displacement, double present) const {
-  const pd::TipLaw& law = law_of(tip);
+  const pd::TipLaw law = law_of(tip).at(tip.place);
   AffineIntensity ahead = stress_.closely_ahead_of(tip, law, displacement, body_.pressure_in(tip.id.crack));
   const auto size = [](const AffineIntensity& one, int part) { return std::hypot(one.one[part], one.two[part]); };
   const std::optional<double> critical = load_ratio(law.toughness, size(by_fit, 1));
@@ -86,7 +86,7 @@ AffineIntensity LineSteps::turning_of(const GrowingTip& tip, const AffineIntensi
 std::optional<LineStep> LineSteps::next(const std::vector<GrowingTip>& tips, std::size_t number,
                                         const coupling::Affine& displacement, const LoadWay& load_way) const {
   const GrowingTip& tip = tips[number];
-  const pd::TipLaw& law = law_of(tip);
+  const pd::TipLaw law = law_of(tip).at(tip.place);
   if (std::isinf(law.toughness)) return std::nullopt;
   const WilliamsFit fit = stress_.fitted(tip, law, displacement, body_.pressure_in(tip.id.crack));
   const AffineIntensity by_fit = intensity_of(tip, fit);
@@ -205,7 +205,8 @@ crack::Extension LineSteps::remember(const LineStep& step, double ratio, double 
                                      const coupling::Affine& displacement, double load_factor,
                                      std::vector<GrowingTip>& tips) const {
   GrowingTip& tip = tips[step.tip];
-  const pd::TipLaw& law = laws_.laws[static_cast<std::size_t>(step.law)];
+  const Point from = tip.place - step.way.length * step.direction;
+  const pd::TipLaw law = laws_.laws[static_cast<std::size_t>(step.law)].at(from);
   // The ratio of the event holds the correction that was made; what is remembered must not.
   const double before = step.by_energy ? ratio : ratio / correction(tip);
   // The mean of the rates at both ends of the step is expected: behind a kink, or as an edge comes or goes, the energy
@@ -214,7 +215,7 @@ crack::Extension LineSteps::remember(const LineStep& step, double ratio, double 
   const double after = arrives          ? before
                        : step.by_energy ? before * step.after_step
                                         : std::max(ratio_after(tip, law, displacement, load_factor), 0.0);
-  const double fracture_energy = growth_law(step.law).resistance();
+  const double fracture_energy = growth_law(step.law, from).resistance();
   const double rate = fracture_energy * (before * before + after * after) / 2;
   const double expected = rate * law.thickness * step.way.length;
   const double released = expected > 0 ? released_energy / expected : 1;
@@ -226,10 +227,11 @@ crack::Extension LineSteps::remember(const LineStep& step, double ratio, double 
   const bool at_hole = step.way.ends_as == crack::TipState::at_edge &&
                        distance_to(laws_.hole_edges, tip.place) < distance_to(laws_.outer_edges, tip.place);
   tip.state = at_hole ? crack::TipState::at_hole : step.way.ends_as;
-  crack::Extension extension = crack::begin_extension(tip.id, tip.place - step.way.length * step.direction, step.angle,
-                                                      load_factor, step.factors, fracture_energy);
+  crack::Extension extension =
+      crack::begin_extension(tip.id, from, step.angle, load_factor, step.factors, fracture_energy);
   crack::arrive(extension, tip.place, step.way.length, tip.state);
-  extension.surface_energy = fracture_energy * law.thickness * step.way.length;
+  const double mean_energy = (fracture_energy + growth_law(step.law, tip.place).resistance()) / 2;
+  extension.surface_energy = mean_energy * law.thickness * step.way.length;
   extension.rate_before = fracture_energy * before * before;
   extension.rate_after = arrives ? 0 : fracture_energy * after * after;
   return extension;

@@ -51,9 +51,9 @@ class LineSteps {
 
   const pd::TipLaws& laws() const { return laws_; }
   const pd::TipLaw& law_of(const GrowingTip& tip) const { return laws_.laws[static_cast<std::size_t>(tip.law)]; }
-  crack::GrowthLaw growth_law(int law) const {
-    const pd::TipLaw& of_region = laws_.laws[static_cast<std::size_t>(law)];
-    return {of_region.toughness, of_region.modulus, laws_.criterion};
+  crack::GrowthLaw growth_law(int law, const Point& place) const {
+    const pd::TipLaw there = laws_.laws[static_cast<std::size_t>(law)].at(place);
+    return {there.toughness, there.modulus, laws_.criterion};
   }
 
   // Sets the tips that the host has frozen.

@@ -154,12 +154,14 @@ CutStiffness::Counted CutStiffness::of(std::size_t bond, double stiffness, const
   if (law[0] < 0) law[0] = law[1];
   if (law[1] < 0) law[1] = law[0];
   Counted counted;
-  for (const int number : law) {
-    if (number < 0) continue;
-    const pd::TipLaw& its = laws_.laws[static_cast<std::size_t>(number)];
-    const double length = 0.5 * weight / per_length(number, normal);
+  for (const std::size_t end : {0U, 1U}) {
+    if (law[end] < 0) continue;
+    const pd::TipLaw& its = laws_.laws[static_cast<std::size_t>(law[end])];
+    const double length = 0.5 * weight / per_length(law[end], normal);
+    const auto node = static_cast<std::size_t>(end == 0 ? terms_.first[bond] : terms_.second[bond]);
     counted.length += length;
-    counted.energy += length * its.thickness * its.toughness * its.toughness / its.modulus;
+    counted.energy +=
+        length * its.thickness * its.toughness * its.toughness / its.modulus * laws_.energy_share_at(node);
   }
   return counted;
 }

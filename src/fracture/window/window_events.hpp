@@ -31,8 +31,8 @@ class WindowEvents final : public EventSource {
   bool is_open() const { return forecast_.is_open(); }
   bool suits(const SteppingOptions& options) const;  // the window, once open
   void close();
-  void forget();            // closes the window and forgets its location; the body's state is not brought up to date
-  void abandon() noexcept;  // like forget(), but the window's location is kept
+  void forget();            // and where the window was; the body's state is no longer brought up to date
+  void abandon() noexcept;  // the same, but for where it was
 
   // Saving and restoring the window: how the open window has got to its present state, and the location of the last
   // one. To restore, call remember() in the state in which the window was opened, then open_again(), which also

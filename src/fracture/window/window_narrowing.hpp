@@ -23,7 +23,7 @@ class WindowNarrowing {
                     (system.terms().followers.empty() ? 0 : WindowSettings::reach_of_followers)) {}
 
   void restart();  // with a new window
-  void stop();     // until restart(): displacements were corrected, which dropped nodes do not follow
+  void stop();     // until then: where displacements are put right, what is left behind stays as rounding has made it
 
   // Narrows the window at intervals, at the load factor of an event. `dofs` are the degrees of freedom that the
   // window's condensation keeps.

@@ -26,8 +26,8 @@ struct Missing {
   std::vector<double> evenness;
 };
 
-// Least change of the stiffnesses in one part of a layer, by primal-dual active sets (Hintermueller, Ito, Kunisch
-// 2002), as in linalg's solve_long_least_change(). The normal equations are in the order of points along the outline.
+// Least change of the stiffnesses in one part of a layer, by primal-dual active sets (Hintermueller, Ito, Kunisch 2002)
+// as in solve_long_least_change() of linalg, with the normal equations in the order of points along the outline.
 class PartBalance {
  public:
   PartBalance(const OutlinedBonds& all, const LayerParts::Part& part, const std::vector<int>& number,

@@ -24,10 +24,10 @@ struct OutlinedBody {
 };
 
 // Builds the bonds between all points closer than the horizon that see each other. Far from the outline they have the
-// lattice's own stiffness. Near the outline, forces must balance the tractions of constant stress on the chords of the
-// outline. There stiffnesses change as little as possible from what the kernel and the area of each point suggest. If
-// that fails, other gaps between the outline and the points inside are tried, then other positions of these points.
-// Last, chords of different lengths are balanced piece by piece. The best attempt is returned. 3 <= horizon_ratio <= 8.
+// lattice's own stiffness. Near the outline stiffnesses change as little as possible from what the kernel and the area
+// of each point suggest, so that forces balance the tractions of constant stress on the chords of the outline. If that
+// fails, other gaps between the outline and the points inside are tried, then other positions of these points. Last,
+// chords of different lengths are balanced piece by piece. The best attempt is returned. 3 <= horizon_ratio <= 8.
 OutlinedBody build_outlined_body(const Chords& chords, const LatticePlace& place, int horizon_ratio,
                                  const PlaneElasticity& elasticity, int threads = 0,
                                  OutlineBalance balance = OutlineBalance::constant_stress,

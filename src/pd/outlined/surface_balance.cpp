@@ -40,9 +40,9 @@ class LoopBalance {
     return sum;
   }
 
-  // Makes all chords of the loop count as if they had one length: pieces with four or more chords get factors of the
-  // two nodes next to each of their ends. Factor changes a (1, -1, .., -1, 1) keep resultant and moment of a straight
-  // piece. They add a l^3 (2 n - 6) to the sum of N s^2, in which chords of another length lack n l (l^2 - wanted) / 6.
+  // Makes all chords of the loop count as if they had one length, by factors of the two nodes next to each end of every
+  // piece with four or more chords. Factor changes a (1, -1, .., -1, 1) keep resultant and moment of a straight piece,
+  // and add a l^3 (2 n - 6) to the sum of N s^2, in which chords of another length lack n l (l^2 - wanted) / 6.
   void level(std::vector<double>& factors) const {
     const std::vector<int> pieces = own_pieces();
     const double wanted = wanted_square(pieces);

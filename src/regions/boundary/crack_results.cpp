@@ -168,8 +168,7 @@ std::vector<TipValues> BoundaryRegion::tips(const Solution& solution, TipDetail 
   std::vector<double> along(factors.size(), 0);
   if (detail == TipDetail::everything) along = bem::stresses_along_crack(cracked(), states[2]);
   const LinearBodyForce particular = this->particular(solution.body_force(id()));
-  const double modulus = plane_modulus(elasticity()),
-               toughness = crack::toughness_of(material().fracture_energy, modulus);
+  const double modulus = plane_modulus(elasticity());
   std::vector<TipValues> values;
   for (std::size_t t = 0; t < factors.size(); ++t) {
     const bem::CrackTip& tip = cracks_->elements().tips[t];
@@ -182,7 +181,8 @@ std::vector<TipValues> BoundaryRegion::tips(const Solution& solution, TipDetail 
     value.stress_along = along[t];
     value.error = error_of_difference * length_of(present.factors - factors[t].back().factors);
     value.constant_factors = constant.factors, value.proportional_factors = proportional.factors;
-    value.toughness = toughness, value.plane_modulus = modulus;
+    value.toughness = crack::toughness_of(material().fracture_energy * toughness().share(tip.place), modulus);
+    value.plane_modulus = modulus;
     values.push_back(value);
   }
   return values;

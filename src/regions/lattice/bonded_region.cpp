@@ -47,17 +47,18 @@ std::optional<pd::TipLaw> BondedRegion::tip_law(const scene::Options& options) c
   const double energy = pd::fracture_energy(critical_stretch(options), e, horizon);
   const double modulus =
       e.state == PlaneState::stress ? e.young_modulus : e.young_modulus / (1 - e.poisson_ratio * e.poisson_ratio);
-  return pd::TipLaw{spacing(), horizon, e.thickness, modulus, crack::toughness_of(energy, modulus)};
+  return {{spacing(), horizon, e.thickness, modulus, crack::toughness_of(energy, modulus), toughness().if_any()}};
 }
 
 void BondedRegion::add_own_bonds(const Preparation& preparation, const Contributions& contributions) {
   bonds_.first = contributions.terms.size();
   bonds_.listed = network()->bonds.size();
   const Contributions::Breaking breaking = this->breaking(preparation, contributions);
-  for (const pd::Bond& bond : network()->bonds) {
-    const Point step = points_[bond.second] - points_[bond.first];
-    contributions.add_bond({nodes_[bond.first], nodes_[bond.second], bond.stiffness}, step, spacing(), breaking);
-  }
+  const std::vector<double> shares = energy_shares();
+  for (const pd::Bond& bond : network()->bonds)
+    contributions.add_bond({nodes_[bond.first], nodes_[bond.second], bond.stiffness},
+                           points_[bond.second] - points_[bond.first], spacing(),
+                           breaking.between(shares, bond.first, bond.second));
 }
 
 // Nodal forces for the stress at each node, from the tractions on this edge only.

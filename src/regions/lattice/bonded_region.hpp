@@ -69,6 +69,7 @@ class BondedRegion : public Region {
   void take_bonds(RegionBonds bonds) { bonds_ = std::move(bonds); }
   virtual double critical_stretch(const Preparation& preparation) const;
   Contributions::Breaking breaking(const Preparation& preparation, const Contributions& contributions) const;
+  std::vector<double> energy_shares() const { return toughness().shares(positions()); }
 
  protected:
   // Volume of each point over that of a full cell, for body forces.

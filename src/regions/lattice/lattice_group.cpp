@@ -61,6 +61,18 @@ class Union {
     }
     return nobody;
   }
+  // Values at all points, from those at the points of members; a point that several hold takes that of the first.
+  // Empty if no member has any; a member without has ones.
+  std::vector<double> of_points(const std::vector<std::vector<double>>& of_members) const {
+    if (std::ranges::all_of(of_members, [](const auto& values) { return values.empty(); })) return {};
+    std::vector<double> all(static_cast<std::size_t>(cells_.point_count()), 1);
+    for (int i = 0; i < cells_.point_count(); ++i) {
+      const Holder& first = holders_[*holders_at_.of(i).begin()];
+      const std::vector<double>& values = of_members[static_cast<std::size_t>(first.member)];
+      if (!values.empty()) all[static_cast<std::size_t>(i)] = values[static_cast<std::size_t>(first.point)];
+    }
+    return all;
+  }
   // Whether one member has both ends of a bond and no other member has either end.
   bool is_within_one(const pd::Bond& bond) const {
     const auto first = holders_at_.of(bond.first), second = holders_at_.of(bond.second);
@@ -193,6 +205,9 @@ bool LatticeGroup::add_bonds(const Preparation& preparation, const Contributions
   const pd::Network network = leader.make_network(all.cells(), preparation.options.whole_number("threads"));
   if (network.reduced) return false;
   const Contributions::Breaking breaking = leader.breaking(preparation, contributions);
+  std::vector<std::vector<double>> of_members;
+  for (const LatticeRegion* member : members_) of_members.push_back(member->energy_shares());
+  const std::vector<double> shares = all.of_points(of_members);
   const auto rows = bonds_by_owner(all, network, members_.size());
   std::vector<std::size_t> of_scene(network.bonds.size());
   std::vector<MemberBonds> parts;
@@ -206,7 +221,7 @@ bool LatticeGroup::add_bonds(const Preparation& preparation, const Contributions
       const Point step = (all.cells().point(bond.second) - all.cells().point(bond.first)).cast<double>();
       of_scene[b] = contributions.terms.size();
       contributions.add_bond({all.node(bond.first), all.node(bond.second), bond.stiffness}, step, leader.spacing(),
-                             breaking);
+                             breaking.between(shares, bond.first, bond.second));
       if (m < parts.size()) parts[m].add(b, of_scene[b], true);
     }
   }

@@ -14,7 +14,7 @@ struct LatticeTip {
   double horizon;
   double clear;  // radius that contains only this tip and the straight crack behind it
   bool grown;
-  bool branched;  // whether broken cells lead away from the crack's path, too
+  bool branched;  // other ways lead on from the crack, too
 };
 
 // Finds the tips of cracks in lattices out of broken bonds, one for each end of a described crack that lies inside the

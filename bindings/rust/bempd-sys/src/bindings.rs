@@ -610,6 +610,32 @@ extern "C" {
     ) -> bempd_status;
 }
 extern "C" {
+    /// Give a region fracture energies G0 at places, in place of the one of its material.
+    ///
+    /// Between the places G0 is linear on their Delaunay triangles, elsewhere it is that of the
+    /// nearest place on the border of the triangles. Places on one line give a G0 that changes
+    /// along the line only. It acts wherever the fracture energy of the material acts: a bond has
+    /// the mean G0 of its ends, and a crack grows when its energy release rate reaches the G0 at
+    /// its tip, as a line or with boundary elements. Stiffness stays as it is. The scatter of a
+    /// random material needs places no farther apart than its correlation length. A second call
+    /// replaces the first.
+    ///
+    /// * model \[in\]: the model, not prepared yet
+    /// * region \[in\]: id of a region whose material has a fracture_energy
+    /// * count \[in\]: number of places, \>= 1
+    /// * places \[in\]: places \[m\], no two the same, inside the region or not, shape \[count\]\[2\]
+    /// * values \[in\]: fracture energies G0 \[J/m^2\], \> 0, shape \[count\]
+    /// * return: status
+    /// * since: 0.3
+    pub fn bempd_set_toughness_at(
+        model: *mut bempd_model,
+        region: i32,
+        count: i64,
+        places: *const f64,
+        values: *const f64,
+    ) -> bempd_status;
+}
+extern "C" {
     /// Add an initial crack, a polyline.
     ///
     /// In peridynamic regions bonds that meet it are cut (touching its tip counts). Material points
@@ -2805,7 +2831,7 @@ pub struct bempd_path_vertex {
     pub stress_intensity_2: f64,
     /// G in the direction to here just before \[J/m^2\]; NaN likewise
     pub energy_release_rate: f64,
-    /// fracture energy G0 along the way to here \[J/m^2\]; NaN likewise
+    /// fracture energy G0 where the way to here began \[J/m^2\]; NaN likewise
     pub resistance: f64,
 }
 extern "C" {
@@ -2999,7 +3025,7 @@ pub struct bempd_crack_extension {
     pub stress_intensity_1: f64,
     /// K_II; NaN likewise \[Pa m^(1/2)\]
     pub stress_intensity_2: f64,
-    /// fracture energy G0 along the extension \[J/m^2\]
+    /// fracture energy G0 where the extension began \[J/m^2\]
     pub resistance: f64,
     /// what became of the end, a bempd_tip_state
     pub state: i32,

@@ -176,6 +176,12 @@ impl Model {
         self.handle.set_edge_mesh(region.0, edge, element_length, grading)
     }
 
+    /// Gives a region fracture energies \[J/m^2\] at places, in place of the one of its material: linear on the Delaunay
+    /// triangles of the places, and outside them that of the nearest place on their border.
+    pub fn set_toughness_at(&mut self, region: RegionId, places: &[[f64; 2]], values: &[f64]) -> Result<()> {
+        self.handle.set_toughness_at(region.0, places, values)
+    }
+
     /// Adds an initial crack: bonds that meet the closed polyline are cut (touching its tip counts). It must lie in
     /// peridynamic regions (ending on their boundary is fine); material points on it it passes by on its right.
     pub fn add_crack(&mut self, line: &[[f64; 2]]) -> Result<CrackId> {

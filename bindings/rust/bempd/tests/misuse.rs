@@ -32,6 +32,8 @@ fn wrong_regions_are_refused() {
     assert_fails!(model.add_crack(&[]), Argument, "bempd_add_crack: ");
     assert_fails!(model.add_hole(RegionId(1), &square), Argument, "bempd_add_hole: ");
     assert_fails!(model.set_edge_mesh(RegionId(1), 1, 0.5, 1.0), Argument, "bempd_set_edge_mesh: ");
+    assert_fails!(model.set_toughness_at(RegionId(1), &[[0.0, 0.0]], &[1.0]), Argument, "bempd_set_toughness_at: ");
+    assert_fails!(model.set_toughness_at(RegionId(1), &[[0.0, 0.0]], &[]), Argument, "0 values for 1 places");
     assert_eq!(model.region_count().unwrap(), 0);
 }
 

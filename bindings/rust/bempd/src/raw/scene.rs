@@ -141,6 +141,18 @@ impl Handle {
         self.call(|model| unsafe { sys::bempd_set_edge_mesh(model, region, edge, element_length, grading) })
     }
 
+    pub(crate) fn set_toughness_at(&mut self, region: i32, places: &[[f64; 2]], values: &[f64]) -> Result<()> {
+        if places.len() != values.len() {
+            return Err(Error::Argument(format!(
+                "there are {} values for {} places; give one for each",
+                values.len(),
+                places.len()
+            )));
+        }
+        let (count, places) = points(places);
+        self.call(|model| unsafe { sys::bempd_set_toughness_at(model, region, count, places, values.as_ptr()) })
+    }
+
     pub(crate) fn add_crack(&mut self, line: &[[f64; 2]]) -> Result<i32> {
         let (count, line) = points(line);
         self.output(|model, crack| unsafe { sys::bempd_add_crack(model, count, line, crack) })

@@ -1,0 +1,15 @@
+#pragma once
+
+#include <cstdint>
+#include <set>
+
+namespace bempd::regions {
+
+// Sizes and preparation times of regions, added up.
+struct RegionStatistics {
+  std::int64_t boundary_nodes = 0, boundary_elements = 0, material_points = 0, kernel_evaluations = 0;
+  double seconds_boundary = 0, seconds_lattice = 0;
+  std::set<const void*> counted;  // shared data counts once
+};
+
+}  // namespace bempd::regions
