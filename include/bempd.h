@@ -183,10 +183,21 @@
  *   bempd_crack_path                a vertex of it
  *   bempd_growth_init               prepares the struct of bempd_grow_cracks()
  *   bempd_grow_cracks               lets cracks grow by a length, and solves for the load
+ *   bempd_extend_cracks             lets tips grow by given lengths, at the present load
  *   bempd_set_tip_frozen            keeps a tip where it is
  *   bempd_crack_extension_init      prepares the struct of an extension
  *   bempd_extension_count           number of extensions of cracks
  *   bempd_extension                 what a tip did at an event
+ *
+ * Fatigue
+ *   bempd_growth_rate_init          prepares the struct of bempd_set_growth_rate()
+ *   bempd_set_growth_rate           how fast cracks grow in a material under loads that come and go
+ *   bempd_fatigue_init              prepares the options of bempd_grow_fatigue()
+ *   bempd_fatigue_report_init       prepares its report
+ *   bempd_grow_fatigue              lets cracks grow by cycles of the loads, and counts these
+ *   bempd_fatigue_record_init       prepares the struct of a record
+ *   bempd_fatigue_record_count      number of records of the last call
+ *   bempd_get_fatigue_record        what a tip was like after a step
  *
  * Books
  *   bempd_statistics_init           prepares the struct of bempd_get_statistics()
@@ -1701,6 +1712,19 @@ BEMPD_API bempd_status bempd_growth_init(bempd_growth* growth, int64_t struct_si
  * @return status; BEMPD_ERROR_UNSOLVABLE if no tip grows at any load factor @since 0.3 */
 BEMPD_API bempd_status bempd_grow_cracks(bempd_model* model, double length, bempd_growth* growth);
 
+/** @brief Let tips of BEM regions grow by given lengths, as one event, at the present load factor and whatever their
+ * load: for hosts with a law of growth of their own.
+ *
+ * Each tip turns as bempd_grow_cracks() would have it turn at this load factor; one whose faces are pressed together
+ * goes straight on. Edges, holes and other cracks on the way, and the option crack.direction, act as there. The energy
+ * that the body releases is booked as taken by the new area where no tip exceeds its toughness.
+ * @param[in] model the model @param[in] count number of tips, >= 1
+ * @param[in] cracks shape [count], ids of cracks @param[in] ends shape [count], a bempd_tip_end each
+ * @param[in] lengths shape [count], how far each tip grows [m], > 0
+ * @param[in,out] growth struct_size in, the rest out; may be NULL @return status @since 0.3 */
+BEMPD_API bempd_status bempd_extend_cracks(bempd_model* model, int64_t count, const int32_t* cracks,
+                                           const int32_t* ends, const double* lengths, bempd_growth* growth);
+
 /** @brief Keep the tip at an end of a crack from growing, or let it grow again.
  *
  * A frozen tip stays where it is in boundary elements and in a lattice in which cracks grow as lines, where no bond
@@ -1771,6 +1795,185 @@ BEMPD_API bempd_status bempd_extension_count(const bempd_model* model, int64_t* 
 /** @brief An extension, in the order in which they happened. @param[in] model the model
  * @param[in] index 0 .. count-1 @param[in,out] extension struct_size in, the rest out @return status @since 0.3 */
 BEMPD_API bempd_status bempd_extension(const bempd_model* model, int64_t index, bempd_crack_extension* extension);
+
+/* ----------------------------------------------------------------------------------------- Fatigue */
+
+/** @brief Laws by which a tip grows in a cycle of the loads. K_max and K_min are the factors of mode I in the direction
+ * in which the tip grows, at the highest and the lowest load of the cycle, with the faces of cracks closed where they
+ * press on each other; dK = K_max - K_min and R = K_min / K_max. C, m, gamma, p and q are the members of
+ * bempd_growth_rate. @since 0.3 */
+typedef enum bempd_rate_kind {
+  /** Paris and Walker: da/dN = C [(1 - R)^(gamma - 1) dK]^m. */
+  BEMPD_RATE_PARIS = 1,
+  /** Forman: da/dN = C dK^m / ((1 - R) K_c - dK). */
+  BEMPD_RATE_FORMAN = 2,
+  /** NASGRO: da/dN = C [(1 - f) / (1 - R) dK]^m (1 - dK_th / dK)^p / (1 - K_max / K_c)^q, with Newman's closure f. */
+  BEMPD_RATE_NASGRO = 3,
+  /** In time under a sustained load, as by stress corrosion: da/dt = C K_max^m above the threshold. What is called
+   * cycles is time then. */
+  BEMPD_RATE_SUSTAINED = 4,
+  /** A function of the host. */
+  BEMPD_RATE_FUNCTION = 5
+} bempd_rate_kind;
+
+/** @brief How far a tip grows in a cycle. It is called many times for each step, also at lengths between those at which
+ * the body is solved, and may call bempd_request_cancel() on the model and nothing else.
+ * @param[in] crack id of the crack @param[in] end a bempd_tip_end
+ * @param[in] highest K_max, the factor of mode I in the direction of growth at the highest load [Pa m^(1/2)]
+ * @param[in] lowest K_min, the same at the lowest load [Pa m^(1/2)]
+ * @param[in] stress_intensity_1 K_I at the highest load [Pa m^(1/2)]
+ * @param[in] stress_intensity_2 K_II at the highest load [Pa m^(1/2)]
+ * @param[in] length length of the crack [m] @param[in] x place of the tip [m] @param[in] y place of the tip [m]
+ * @param[in] user the pointer given with the function
+ * @return growth [m], >= 0; NaN, infinity and negative numbers end the call with BEMPD_ERROR_ARGUMENT @since 0.3 */
+typedef double (*bempd_rate_function)(int32_t crack, int32_t end, double highest, double lowest,
+                                      double stress_intensity_1, double stress_intensity_2, double length, double x,
+                                      double y, void* user);
+
+/** @brief A law of growth by cycles. Fill it with bempd_growth_rate_init(). @since 0.3 */
+typedef struct bempd_growth_rate {
+  int64_t struct_size;   /**< sizeof(bempd_growth_rate), set by bempd_growth_rate_init() */
+  int32_t kind;          /**< a bempd_rate_kind; default BEMPD_RATE_PARIS */
+  int32_t reserved;      /**< 0 */
+  double coefficient;    /**< C, > 0, growth in [m] for factors over unit_intensity; with unit_intensity = 1e6 it
+                              is that of tables in MPa m^(1/2) and m */
+  double exponent;       /**< m, >= 0 [-] */
+  double unit_intensity; /**< the unit of all factors in this struct; default 1 [Pa m^(1/2)] */
+  double threshold;      /**< dK_th, or of BEMPD_RATE_SUSTAINED K_th: up to it the tip does not grow, >= 0; default 0
+                              [unit_intensity] */
+  double critical_intensity; /**< K_c, at which the tip breaks; default 0: the toughness that belongs to the material's
+                                  fracture_energy, or none without that [unit_intensity] */
+  double walker;             /**< gamma of BEMPD_RATE_PARIS, >= 0; default 1: R has no effect [-] */
+  double p;                  /**< of BEMPD_RATE_NASGRO, >= 0; default 0 [-] */
+  double q;                  /**< of BEMPD_RATE_NASGRO, >= 0; default 0 [-] */
+  double closure_alpha;      /**< of BEMPD_RATE_NASGRO: 1 plane stress to 3 plane strain; default 1 [-] */
+  double closure_stress;     /**< of BEMPD_RATE_NASGRO: largest stress over the flow stress, >= 0, < 1; default 0 [-] */
+  bempd_rate_function function; /**< of BEMPD_RATE_FUNCTION; threshold and critical_intensity hold for it too */
+  void* user;                   /**< handed to the function; may be NULL */
+} bempd_growth_rate;
+
+/** @brief Set struct_size and the defaults. @param[out] rate the struct to fill
+ * @param[in] struct_size sizeof(bempd_growth_rate) as the caller was compiled: older programs keep working when it
+ * grows @return status @since 0.3 */
+BEMPD_API bempd_status bempd_growth_rate_init(bempd_growth_rate* rate, int64_t struct_size);
+
+/** @brief Say by which law cracks grow in a material under bempd_grow_fatigue(). It may be changed at any time; states
+ * do not have it.
+ * @param[in] model the model @param[in] material id of a material @param[in] rate copied @return status @since 0.3 */
+BEMPD_API bempd_status bempd_set_growth_rate(bempd_model* model, int32_t material, const bempd_growth_rate* rate);
+
+/** @brief Options of bempd_grow_fatigue(). Fill it with bempd_fatigue_init(). @since 0.3 */
+typedef struct bempd_fatigue {
+  int64_t struct_size; /**< sizeof(bempd_fatigue), set by bempd_fatigue_init() */
+  double first_cycle;  /**< cycles that have passed before, to go on in the middle of the blocks; default 0 [-] */
+  double most_cycles;  /**< where to stop, counted with those before; default 0: nowhere [-] */
+  double most_length;  /**< length of a crack at which to stop; default 0: none [m] */
+  int64_t most_steps;  /**< steps after which to stop; default 1000 */
+  double tolerance;    /**< error of the number of cycles in each step, as a share of these; default 1e-3 [-] */
+  double
+      largest_step; /**< longest step, over the crack's length or the half of it that is the tip's; default 0.2 [-] */
+} bempd_fatigue;
+
+/** @brief Set struct_size and the defaults. @param[out] options the struct to fill
+ * @param[in] struct_size sizeof(bempd_fatigue) as the caller was compiled: older programs keep working when it grows
+ * @return status @since 0.3 */
+BEMPD_API bempd_status bempd_fatigue_init(bempd_fatigue* options, int64_t struct_size);
+
+/** @brief Why bempd_grow_fatigue() came back. @since 0.3 */
+typedef enum bempd_fatigue_stop {
+  /** The number of cycles asked for has passed. */
+  BEMPD_FATIGUE_CYCLES = 1,
+  /** A tip has reached its critical factor K_c: it breaks in the next cycle of the present block. */
+  BEMPD_FATIGUE_CRITICAL = 2,
+  /** A crack has the length asked for. */
+  BEMPD_FATIGUE_LENGTH = 3,
+  /** No tip grows: all are below their thresholds, or pressed together. */
+  BEMPD_FATIGUE_NONE_GROWS = 4,
+  /** A tip has ended at an edge, a hole or another crack; a further call goes on with those that are left. */
+  BEMPD_FATIGUE_TIP_ENDED = 5,
+  /** A tip cannot grow on where it is, at an interface say. */
+  BEMPD_FATIGUE_TIP_STOPPED = 6,
+  /** The number of steps asked for was made. */
+  BEMPD_FATIGUE_STEPS = 7,
+  /** bempd_request_stop() was called. */
+  BEMPD_FATIGUE_REQUESTED = 8
+} bempd_fatigue_stop;
+
+/** @brief What bempd_grow_fatigue() did. Fill it with bempd_fatigue_report_init(). @since 0.3 */
+typedef struct bempd_fatigue_report {
+  int64_t struct_size; /**< sizeof(bempd_fatigue_report), set by bempd_fatigue_report_init() */
+  int32_t stop_reason; /**< a bempd_fatigue_stop */
+  int32_t crack;       /**< crack whose tip is the reason; 0: none */
+  int32_t end;         /**< its end, a bempd_tip_end; 0: none */
+  int32_t reserved;    /**< 0 */
+  int64_t steps;       /**< steps made */
+  double cycles;       /**< cycles that have passed, with those before [-] */
+  double growth;       /**< sum of the growth of all tips [m] */
+  double error; /**< estimated error of the cycles of this call, as a share of them; 0 after fewer than two steps [-] */
+} bempd_fatigue_report;
+
+/** @brief Set struct_size and zeros. @param[out] report the struct to fill
+ * @param[in] struct_size sizeof(bempd_fatigue_report) as the caller was compiled: older programs keep working when it
+ * grows @return status @since 0.3 */
+BEMPD_API bempd_status bempd_fatigue_report_init(bempd_fatigue_report* report, int64_t struct_size);
+
+/** @brief Let the cracks of BEM regions grow by cycles of the loads, and count the cycles.
+ *
+ * A block is a number of cycles between two load factors; blocks follow each other and are repeated. Each tip grows by
+ * the law of its material, in the direction in which bempd_grow_cracks() would have it grow at the load at which its
+ * factor is largest; tips in materials without a law stay where they are. Every step is an event of the history, at the
+ * highest load factor of all blocks, where the model is afterwards. All cracks grow in it, by lengths that follow their
+ * rates. Between two steps the factor of a tip is taken as a power of its crack's length, and the cycles are counted
+ * block by block. Steps are so long that the estimated error of their cycles is below the tolerance, and at most a
+ * quarter of the way to the nearest edge, hole or crack.
+ *
+ * Cracks stop at their critical factor; K_c is that of the law, or the toughness of the material. The progress callback
+ * is called after every step. After a failure, and where a callback cancels, the model is as it was.
+ * @param[in] model the model @param[in] block_count number of blocks, >= 1; 1 is a constant amplitude
+ * @param[in] high shape [block_count], high load factor of each block [-]
+ * @param[in] low shape [block_count], low load factor, at most the high one [-]
+ * @param[in] cycles shape [block_count], cycles of each block, > 0; NULL for one block [-]
+ * @param[in] options NULL for the defaults @param[in,out] report struct_size in, the rest out; may be NULL
+ * @return status @since 0.3 */
+BEMPD_API bempd_status bempd_grow_fatigue(bempd_model* model, int64_t block_count, const double* high,
+                                          const double* low, const double* cycles, const bempd_fatigue* options,
+                                          bempd_fatigue_report* report);
+
+/** @brief A tip after a step of bempd_grow_fatigue(), or as it was at first. High and low are the highest and the
+ * lowest load factor of all blocks. Fill it with bempd_fatigue_record_init(). @since 0.3 */
+typedef struct bempd_fatigue_record {
+  int64_t struct_size;           /**< sizeof(bempd_fatigue_record), set by bempd_fatigue_record_init() */
+  int64_t step;                  /**< number of the step; 0: as it was at first */
+  int64_t event;                 /**< event of the history; 0: as it was at first */
+  int32_t crack;                 /**< id of the crack */
+  int32_t end;                   /**< a bempd_tip_end */
+  double cycles;                 /**< that have passed, with those before [-] */
+  double length;                 /**< length of the crack [m] */
+  double growth;                 /**< growth of this tip in the call [m] */
+  double x;                      /**< place of the tip [m] */
+  double y;                      /**< [m] */
+  double stress_intensity_1;     /**< K_I at the high load [Pa m^(1/2)] */
+  double stress_intensity_2;     /**< K_II at the high load [Pa m^(1/2)] */
+  double stress_intensity_1_low; /**< K_I at the low load [Pa m^(1/2)] */
+  double stress_intensity_2_low; /**< K_II at the low load [Pa m^(1/2)] */
+  double highest; /**< K_max, factor of mode I in the direction of growth at the high load [Pa m^(1/2)] */
+  double range;   /**< dK, highest less the same at the low load [Pa m^(1/2)] */
+  double ratio;   /**< R = K_min / K_max; NaN where K_max is not positive [-] */
+  double rate;    /**< da/dN, mean over all blocks that do not break the tip [m] */
+} bempd_fatigue_record;
+
+/** @brief Set struct_size and zeros. @param[out] record the struct to fill
+ * @param[in] struct_size sizeof(bempd_fatigue_record) as the caller was compiled: older programs keep working when it
+ * grows @return status @since 0.3 */
+BEMPD_API bempd_status bempd_fatigue_record_init(bempd_fatigue_record* record, int64_t struct_size);
+
+/** @brief Number of records of the last call of bempd_grow_fatigue(), one for each tip and step.
+ * @param[in] model the model @param[out] count number of records @return status @since 0.3 */
+BEMPD_API bempd_status bempd_fatigue_record_count(const bempd_model* model, int64_t* count);
+
+/** @brief A record, in the order of steps, then by crack and end. @param[in] model the model
+ * @param[in] index 0 .. count-1 @param[in,out] record struct_size in, the rest out @return status @since 0.3 */
+BEMPD_API bempd_status bempd_get_fatigue_record(const bempd_model* model, int64_t index, bempd_fatigue_record* record);
 
 /** @brief Sizes, counters and times since the model was created. Fill it with bempd_statistics_init(). @since 0.1 */
 typedef struct bempd_statistics {

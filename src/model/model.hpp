@@ -17,6 +17,7 @@
 #include "model/answers.hpp"
 #include "model/crack_paths.hpp"
 #include "model/edge_results.hpp"
+#include "model/fatigue.hpp"
 #include "model/host_listener.hpp"
 #include "model/pieces.hpp"
 #include "model/prepared_scene.hpp"
@@ -37,6 +38,7 @@ namespace bempd::model {
 struct Growing;
 struct Grown;
 class ElementTips;
+class CrackLengthening;
 struct DrivenRun;
 
 // Model of a host: its scene and the state of the run. It prepares the scene, applies loads, grows cracks, and saves
@@ -107,6 +109,8 @@ class Model {
   Results& results() { return results_; }
   Pieces& pieces() { return pieces_; }
   EdgeResults& edges() { return edges_; }
+  Fatigue& fatigue() { return fatigue_; }
+  const Fatigue& fatigue() const { return fatigue_; }
   // Whether the body counts as separated although bonds still connect the held part and the loaded part, like a hinge.
   bool hangs();
 
@@ -132,6 +136,8 @@ class Model {
   void write_tips(const std::string& path) const;
 
  private:
+  friend class CrackLengthening;
+
   void restore_body(const SavedState& state);
   // Runs to a target. `on_way` are the values of loads and supports that act; null for those that the host has set.
   StepResult run(double target, fracture::Goal goal, const scene::SceneValues* on_way = nullptr);
@@ -238,6 +244,7 @@ class Model {
   Results results_{*this};
   Pieces pieces_{*this};
   EdgeResults edges_{*this};
+  Fatigue fatigue_{*this};
   results::Snapshots snapshots_;
   Progress progress_;
   Log log_;

@@ -1,0 +1,205 @@
+#include "crack/cycle_step.hpp"
+
+#include <algorithm>
+
+#include "cancellation.hpp"
+#include "error.hpp"
+
+namespace bempd::crack {
+
+namespace {
+
+// Parts into which the growth of a step is divided while cycles are counted: between two of them rates are integrated
+// by the rule of Runge and Kutta, whose error is far below that of the step itself.
+constexpr double parts_of_a_step = 24;
+
+double rate_of(const TipOnStep& tip, double grown, const CycleProgram::Levels& levels) {
+  const double rate = tip.law->rate(tip.cycle(grown, levels));
+  if (!(rate >= 0) || std::isinf(rate))
+    fail(Failure::argument, "the growth rate of crack ", tip.tip.crack, " is ", rate,
+         "; it must be a finite number >= 0");
+  return rate;
+}
+
+// Highest factor of a block over the one at which the tip breaks.
+double share_of_critical(const TipOnStep& tip, double grown, const CycleProgram::Levels& levels) {
+  return std::max(tip.at(grown, levels.high).equivalent, tip.at(grown, levels.low).equivalent) / tip.law->critical();
+}
+
+}  // namespace
+
+LevelFactors TipOnStep::at(double grown, std::size_t level) const {
+  const LevelFactors& first = before[level];
+  if (after.empty() || !(growth > 0)) return first;
+  const LevelFactors& last = after[level];
+  const double share = grown / growth, start = own_length();
+  if (!(first.equivalent > 0 && last.equivalent > 0))
+    return {(1 - share) * first.factors + share * last.factors,
+            (1 - share) * first.equivalent + share * last.equivalent};
+  const double power = std::log(last.equivalent / first.equivalent) / std::log1p(growth / start);
+  const double equivalent = first.equivalent * std::exp(power * std::log1p(grown / start));
+  const Point modes = (1 - share) / first.equivalent * first.factors + share / last.equivalent * last.factors;
+  return {equivalent * modes, equivalent};
+}
+
+TipCycle TipOnStep::cycle(double grown, const CycleProgram::Levels& levels) const {
+  LevelFactors high = at(grown, levels.high), low = at(grown, levels.low);
+  if (low.equivalent > high.equivalent) std::swap(high, low);
+  const double share = growth > 0 ? grown / growth : 0;
+  return {tip,
+          high.factors,
+          low.factors,
+          high.equivalent,
+          low.equivalent,
+          length + share * crack_growth,
+          from + share * (to - from)};
+}
+
+double mean_rate(const TipOnStep& tip, double grown, const CycleProgram& program) {
+  double sum = 0;
+  for (std::size_t b = 0; b < program.size(); ++b) {
+    const CycleProgram::Levels& levels = program.block(b);
+    if (share_of_critical(tip, grown, levels) >= 1) continue;
+    sum += rate_of(tip, grown, levels) * (program.size() == 1 ? 1 : levels.cycles / program.cycles());
+  }
+  return sum;
+}
+
+std::size_t CycleIntegration::critical_tip(const Growth& grown, std::size_t block) const {
+  std::size_t t = 0;
+  while (t < tips_.size() && share_of_critical(tips_[t], grown[t], program_.block(block)) < 1) ++t;
+  return t;
+}
+
+std::size_t CycleIntegration::most_loaded(const Growth& grown, std::size_t block) const {
+  std::size_t most = 0;
+  const auto share = [&](std::size_t t) { return share_of_critical(tips_[t], grown[t], program_.block(block)); };
+  for (std::size_t t = 1; t < tips_.size(); ++t)
+    if (share(t) > share(most)) most = t;
+  return most;
+}
+
+std::optional<std::vector<double>> CycleIntegration::rates(const Growth& grown, std::size_t block) const {
+  if (critical_tip(grown, block) < tips_.size()) return std::nullopt;
+  Growth rates;
+  for (std::size_t t = 0; t < tips_.size(); ++t) rates.push_back(rate_of(tips_[t], grown[t], program_.block(block)));
+  return rates;
+}
+
+std::optional<std::vector<double>> CycleIntegration::program_growth(const Growth& grown) const {
+  Growth sum(tips_.size(), 0.0);
+  for (std::size_t b = 0; b < program_.size(); ++b) {
+    const std::optional<Growth> of_block = rates(grown, b);
+    if (!of_block) return std::nullopt;
+    for (std::size_t t = 0; t < sum.size(); ++t) sum[t] += program_.block(b).cycles * (*of_block)[t];
+  }
+  return sum;
+}
+
+// Growth after `by` units of the independent variable, cycles or programs, by the classical rule of fourth order; none
+// where a tip would be critical.
+template <class Rates>
+std::optional<std::vector<double>> CycleIntegration::advanced(const Growth& grown, double by,
+                                                              const Rates& rates_at) const {
+  const auto moved = [&](const Growth& rates, double way) {
+    Growth there = grown;
+    for (std::size_t t = 0; t < there.size(); ++t) there[t] += way * rates[t];
+    return there;
+  };
+  const std::optional<Growth> a = rates_at(grown);
+  const std::optional<Growth> b = a ? rates_at(moved(*a, 0.5 * by)) : std::nullopt;
+  const std::optional<Growth> c = b ? rates_at(moved(*b, 0.5 * by)) : std::nullopt;
+  const std::optional<Growth> d = c ? rates_at(moved(*c, by)) : std::nullopt;
+  if (!d) return std::nullopt;
+  Growth mean = *a;
+  for (std::size_t t = 0; t < mean.size(); ++t) mean[t] = ((*a)[t] + 2 * ((*b)[t] + (*c)[t]) + (*d)[t]) / 6;
+  return moved(mean, by);
+}
+
+// Whole programs at once; false where they have to be passed block by block.
+bool CycleIntegration::pass_programs(CyclesOnStep& now, std::size_t goal, double growth, double most_cycles) const {
+  if (program_.size() == 1 || now.place.block != 0 || now.place.done > 0) return false;
+  const std::optional<Growth> by_one = program_growth(now.growth);
+  if (!by_one || !((*by_one)[goal] > 0)) return false;
+  const double part = std::min(growth / parts_of_a_step, growth - now.growth[goal]);
+  const double programs = std::floor(std::min(part / (*by_one)[goal], (most_cycles - now.cycles) / program_.cycles()));
+  if (programs < 4) return false;
+  const auto advanced_by_programs =
+      advanced(now.growth, programs, [&](const Growth& grown) { return program_growth(grown); });
+  if (!advanced_by_programs || (*advanced_by_programs)[goal] > growth || !program_growth(*advanced_by_programs))
+    return false;
+  now.growth = *advanced_by_programs;
+  now.cycles += programs * program_.cycles();
+  return true;
+}
+
+// A part of the present block; false where a tip reaches its critical factor in it, or the goal is reached.
+bool CycleIntegration::pass_block(CyclesOnStep& now, const Growth& at_start, std::size_t goal, double growth,
+                                  double most_cycles) const {
+  const auto after = [&](double cycles) {
+    return advanced(now.growth, cycles, [&](const Growth& grown) { return rates(grown, now.place.block); });
+  };
+  const auto arrive = [&](double cycles, Growth grown) {
+    now.cycles += cycles;
+    now.growth = std::move(grown);
+    program_.go_on(now.place, cycles);
+  };
+  double cycles = std::min(program_.left(now.place), most_cycles - now.cycles);
+  for (std::size_t t = 0; t < tips_.size(); ++t)
+    if (at_start[t] > 0 && tips_[t].growth > 0)
+      cycles = std::min(cycles, (t == goal ? growth : tips_[t].growth) / parts_of_a_step / at_start[t]);
+  std::optional<Growth> grown = after(cycles);
+  const bool breaks = !grown || critical_tip(*grown, now.place.block) < tips_.size();
+  if (!breaks && (*grown)[goal] < growth * (1 - 1e-12)) {
+    arrive(cycles, std::move(*grown));
+    return true;
+  }
+  double low = 0, high = cycles;
+  Growth last = now.growth;
+  for (int i = 0; i < 60 && high - low > 1e-13 * high; ++i) {
+    const double middle = 0.5 * (low + high);
+    std::optional<Growth> there = after(middle);
+    const bool beyond = !there || critical_tip(*there, now.place.block) < tips_.size() || (*there)[goal] > growth;
+    (beyond ? high : low) = middle;
+    if (!beyond) last = std::move(*there);
+  }
+  now.end = last[goal] >= growth * (1 - 1e-9) ? CyclesEnd::growth : CyclesEnd::critical;
+  if (now.end == CyclesEnd::critical) now.tip = most_loaded(last, now.place.block);
+  arrive(low, std::move(last));
+  return false;
+}
+
+CyclesOnStep CycleIntegration::run(const CycleProgram::Place& from, std::vector<double> grown, std::size_t goal,
+                                   double growth, double most_cycles) const {
+  CyclesOnStep now;
+  now.growth = std::move(grown);
+  now.place = from;
+  std::size_t idle_blocks = 0;
+  for (;;) {
+    check_cancelled();
+    if (now.cycles >= most_cycles * (1 - 1e-14)) {
+      now.end = CyclesEnd::cycles;
+      return now;
+    }
+    if (const std::size_t tip = critical_tip(now.growth, now.place.block); tip < tips_.size()) {
+      now.end = CyclesEnd::critical, now.tip = tip;
+      return now;
+    }
+    if (pass_programs(now, goal, growth, most_cycles)) continue;
+    const Growth present = *rates(now.growth, now.place.block);
+    if (std::all_of(present.begin(), present.end(), [](double rate) { return rate == 0; })) {
+      if (++idle_blocks > program_.size() || program_.size() == 1) {
+        now.end = CyclesEnd::none_grows;
+        return now;
+      }
+      const double cycles = std::min(program_.left(now.place), most_cycles - now.cycles);
+      now.cycles += cycles;
+      program_.go_on(now.place, cycles);
+      continue;
+    }
+    idle_blocks = 0;
+    if (!pass_block(now, present, goal, growth, most_cycles)) return now;
+  }
+}
+
+}  // namespace bempd::crack

@@ -1,0 +1,76 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "crack/cycle_program.hpp"
+#include "crack/laws/rate_law.hpp"
+
+namespace bempd::crack {
+
+// Factors of a tip at one load factor of a program.
+struct LevelFactors {
+  Point factors{0, 0};    // K_I and K_II [Pa m^(1/2)]
+  double equivalent = 0;  // factor of mode I in the direction in which the tip grows
+};
+
+// A tip on a step of its crack: factors are known before and after it, at each load factor of the program. Between the
+// two the equivalent factor is a power of the crack's length, and the shares of the modes change evenly.
+struct TipOnStep {
+  TipId tip;
+  const RateLaw* law = nullptr;
+  double length = 0;        // of the crack before the step [m]
+  double growth = 0;        // of this tip in the step [m]
+  double crack_growth = 0;  // of its crack, with that of the other end [m]
+  Point from{0, 0}, to{0, 0};
+  std::vector<LevelFactors> before, after;  // `after` is empty where nothing is known of it: as before
+
+  LevelFactors at(double grown, std::size_t level) const;
+  TipCycle cycle(double grown, const CycleProgram::Levels& levels) const;
+  // Length of the tip's own part of the crack: the power law counts from its other end.
+  double own_length() const { return crack_growth > 0 ? length * growth / crack_growth : length; }
+};
+
+// Why the way through a program ends.
+enum class CyclesEnd { growth, cycles, critical, none_grows };
+
+// A way through a program.
+struct CyclesOnStep {
+  CyclesEnd end = CyclesEnd::growth;
+  std::size_t tip = 0;         // that breaks, where one does
+  double cycles = 0;           // that have passed
+  std::vector<double> growth;  // of each tip [m]
+  CycleProgram::Place place;   // where the program has come to
+};
+
+// Goes through a program while the tips grow by their laws, until one of them has grown by a length, a number of cycles
+// has passed, or a tip reaches its critical factor. Blocks are passed one by one; where a whole program makes the tip
+// grow by much less than the step, several of them are passed at once, at their mean rate.
+class CycleIntegration {
+ public:
+  CycleIntegration(const CycleProgram& program, const std::vector<TipOnStep>& tips) : program_(program), tips_(tips) {}
+
+  // `grown`: by how much each tip is ahead of the step's beginning at first.
+  CyclesOnStep run(const CycleProgram::Place& from, std::vector<double> grown, std::size_t goal, double growth,
+                   double most_cycles) const;
+
+ private:
+  using Growth = std::vector<double>;
+
+  std::optional<Growth> rates(const Growth& grown, std::size_t block) const;  // none where a tip is critical
+  std::optional<Growth> program_growth(const Growth& grown) const;            // by the whole program; likewise
+  template <class Rates>
+  std::optional<Growth> advanced(const Growth& grown, double by, const Rates& rates) const;
+  std::size_t critical_tip(const Growth& grown, std::size_t block) const;
+  std::size_t most_loaded(const Growth& grown, std::size_t block) const;
+  bool pass_programs(CyclesOnStep& now, std::size_t goal, double growth, double most_cycles) const;
+  bool pass_block(CyclesOnStep& now, const Growth& rates, std::size_t goal, double growth, double most_cycles) const;
+
+  const CycleProgram& program_;
+  const std::vector<TipOnStep>& tips_;
+};
+
+// Growth of a tip in a cycle: the mean over the program. Blocks that break the tip are left out.
+double mean_rate(const TipOnStep& tip, double grown, const CycleProgram& program);
+
+}  // namespace bempd::crack

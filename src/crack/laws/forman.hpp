@@ -1,0 +1,23 @@
+#pragma once
+
+#include "crack/laws/rate_law.hpp"
+
+namespace bempd::crack {
+
+// Forman, Kearney and Engle, J. Basic Eng. 89, 1967: da/dN = C dK^m / ((1 - R) K_c - dK), which grows beyond all bounds
+// where K reaches K_c.
+class Forman final : public RateLaw {
+ public:
+  Forman(double coefficient, double exponent, double threshold, double critical)
+      : RateLaw(threshold, critical), coefficient_(coefficient), exponent_(exponent) {}
+
+ private:
+  double growth(const TipCycle& cycle) const override {
+    const double left = (1 - cycle.ratio()) * critical() - cycle.range();
+    return coefficient_ * std::pow(cycle.range(), exponent_) / left;
+  }
+
+  double coefficient_, exponent_;
+};
+
+}  // namespace bempd::crack

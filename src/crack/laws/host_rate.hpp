@@ -1,0 +1,23 @@
+#pragma once
+
+#include <functional>
+
+#include "crack/laws/rate_law.hpp"
+
+namespace bempd::crack {
+
+// Growth in a cycle by a function of the host.
+class HostRate final : public RateLaw {
+ public:
+  using Function = std::function<double(const TipCycle&)>;
+
+  HostRate(Function function, double threshold, double critical)
+      : RateLaw(threshold, critical), function_(std::move(function)) {}
+
+ private:
+  double growth(const TipCycle& cycle) const override { return function_(cycle); }
+
+  Function function_;
+};
+
+}  // namespace bempd::crack

@@ -1,0 +1,23 @@
+#pragma once
+
+#include "crack/laws/rate_law.hpp"
+
+namespace bempd::crack {
+
+// Paris and Erdogan, J. Basic Eng. 85, 1963, with the load ratio of Walker, ASTM STP 462, 1970:
+// da/dN = C [(1 - R)^(gamma - 1) dK]^m. With gamma = 1 the ratio has no effect.
+class ParisWalker final : public RateLaw {
+ public:
+  ParisWalker(double coefficient, double exponent, double walker, double threshold, double critical)
+      : RateLaw(threshold, critical), coefficient_(coefficient), exponent_(exponent), walker_(walker) {}
+
+ private:
+  double growth(const TipCycle& cycle) const override {
+    const double of_ratio = walker_ == 1 ? 1 : std::pow(1 - cycle.ratio(), walker_ - 1);
+    return coefficient_ * std::pow(of_ratio * cycle.range(), exponent_);
+  }
+
+  double coefficient_, exponent_, walker_;
+};
+
+}  // namespace bempd::crack

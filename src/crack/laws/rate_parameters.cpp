@@ -1,0 +1,32 @@
+#include "crack/laws/rate_parameters.hpp"
+
+#include "crack/laws/forman.hpp"
+#include "crack/laws/paris_walker.hpp"
+#include "crack/laws/sustained.hpp"
+#include "error.hpp"
+
+namespace bempd::crack {
+
+std::unique_ptr<RateLaw> make_rate_law(const RateParameters& parameters, double toughness) {
+  using Kind = RateParameters::Kind;
+  const RateParameters& p = parameters;
+  const double critical = p.critical > 0 ? p.critical : toughness;
+  const bool needs_toughness = p.kind == Kind::forman || (p.kind == Kind::nasgro && p.q > 0);
+  require(!needs_toughness || std::isfinite(critical), "the growth law needs the factor at which a tip breaks, and ",
+          "neither critical_intensity nor a fracture_energy of the material is given; give one of them");
+  switch (p.kind) {
+    case Kind::forman:
+      return std::make_unique<Forman>(p.coefficient, p.exponent, p.threshold, critical);
+    case Kind::nasgro:
+      return std::make_unique<Nasgro>(p.coefficient, p.exponent, p.p, p.q, p.closure, p.threshold, critical);
+    case Kind::sustained:
+      return std::make_unique<Sustained>(p.coefficient, p.exponent, p.threshold, critical);
+    case Kind::host:
+      return std::make_unique<HostRate>(p.function, p.threshold, critical);
+    case Kind::paris_walker:
+      break;
+  }
+  return std::make_unique<ParisWalker>(p.coefficient, p.exponent, p.walker, p.threshold, critical);
+}
+
+}  // namespace bempd::crack

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <memory>
+
+#include "crack/laws/host_rate.hpp"
+#include "crack/laws/nasgro.hpp"
+#include "crack/laws/rate_law.hpp"
+
+namespace bempd::crack {
+
+// A law of growth by rates as a host states it.
+struct RateParameters {
+  enum class Kind { paris_walker = 1, forman = 2, nasgro = 3, sustained = 4, host = 5 };
+
+  Kind kind = Kind::paris_walker;
+  double coefficient = 0, exponent = 0;
+  double walker = 1;
+  double p = 0, q = 0;
+  Nasgro::Closure closure;
+  double threshold = 0, critical = 0;  // [Pa m^(1/2)]; critical 0: the toughness of the material
+  HostRate::Function function;
+};
+
+// The law in a material with this toughness, infinite where nothing is known of it. Throws Error (argument) for a law
+// that needs one.
+std::unique_ptr<RateLaw> make_rate_law(const RateParameters& parameters, double toughness);
+
+}  // namespace bempd::crack

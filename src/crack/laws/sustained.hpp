@@ -1,0 +1,25 @@
+#pragma once
+
+#include "crack/laws/rate_law.hpp"
+
+namespace bempd::crack {
+
+// Growth in time under a sustained load, as in stress corrosion: v = C K^n while K exceeds a threshold. A cycle is a
+// unit of time, at its highest load.
+class Sustained final : public RateLaw {
+ public:
+  Sustained(double coefficient, double exponent, double threshold, double critical)
+      : RateLaw(-std::numeric_limits<double>::infinity(), critical),
+        coefficient_(coefficient),
+        exponent_(exponent),
+        least_(threshold) {}
+
+ private:
+  double growth(const TipCycle& cycle) const override {
+    return cycle.highest > least_ ? coefficient_ * std::pow(cycle.highest, exponent_) : 0;
+  }
+
+  double coefficient_, exponent_, least_;
+};
+
+}  // namespace bempd::crack

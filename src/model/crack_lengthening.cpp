@@ -1,0 +1,118 @@
+#include "model/crack_lengthening.hpp"
+
+#include "crack/cannot_grow.hpp"
+
+namespace bempd::model {
+
+void move_load(PreparedScene& scene, double load_factor, const std::set<crack::TipId>& frozen) {
+  if (scene.evolution->progress().load_factor == load_factor) return;
+  fracture::SteppingOptions stepping;
+  stepping.frozen = frozen;
+  scene.evolution->advance(load_factor, fracture::Goal::load_factor, stepping, {}, {});
+}
+
+CrackLengthening::CrackLengthening(Model& model) : model_(model) {
+  model_.prepare();
+  require(model_.has_crack_elements(),
+          "no crack in a BEM region has a tip; add one, or let cracks in peridynamic regions grow by steps");
+  if (model_.loads_.acting != Acting::values)
+    loads_ = model_.replace_loads(regions::apply_conditions(model_.scene_, model_.prepared_->discretization),
+                                  Acting::values);
+  cracks_ = model_.scene_.cracks();
+  present_ = cracks_;
+  state_ = model_.prepared_->evolution->state();
+  continuation_ = model_.prepared_->evolution->continuation();
+  recorded_ = static_cast<std::ptrdiff_t>(model_.tip_history_.size());
+  try {
+    model_.ensure_equilibrium();
+  } catch (...) {
+    take_back();
+    throw;
+  }
+}
+
+void CrackLengthening::go_to(double load_factor) {
+  move_load(*model_.prepared_, load_factor, model_.frozen_tips_);
+  ++model_.generation_;
+}
+
+// The books have each extension with the energy that the body released by it. Below the toughness all of that is taken
+// by what makes the crack grow: nothing moves.
+LongerCracks CrackLengthening::lengthened(const std::vector<Lengthened>& tips) {
+  Growing growing;
+  growing.load_factor = growing.critical_load_factor = model_.load_factor();
+  growing.ratio = 0;
+  std::vector<double> thickness;
+  for (const Lengthened& one : tips) {
+    const regions::TipValues& tip = one.tip;
+    const crack::GrowthLaw law = law_of(tip, model_.options_);
+    crack::Extension extension = crack::begin_extension({tip.crack, tip.end}, tip.place, one.angle, growing.load_factor,
+                                                        factors_of(tip), law.resistance());
+    const double factor = law.kink(factors_of(tip), growing.load_factor).equivalent_factor;
+    extension.rate_before = factor > 0 ? factor * factor / law.plane_modulus : 0;
+    growing.tips.push_back(tip);
+    growing.extensions.push_back(extension);
+    growing.lengths.push_back(one.length);
+    const int region = scene().discretization.cracks[static_cast<std::size_t>(tip.crack) - 1].region_at(tip.end);
+    thickness.push_back(model_.scene_.material_of(region).elasticity.thickness);
+    if (law.toughness > 0) growing.ratio = std::max(growing.ratio, factor / law.toughness);
+  }
+  LongerCracks longer;
+  Grown& result = longer.grown;
+  try {
+    result.scene = model_.extended_scene(present_, growing, nullptr);
+  } catch (...) {
+    model_.scene_.set_cracks(present_);
+    throw;
+  }
+  longer.cracks = model_.scene_.cracks();
+  model_.scene_.set_cracks(present_);
+  result.tips = model_.tips_of(*result.scene, regions::TipDetail::factors);
+  fracture::CrackEvolution& evolution = *result.scene->evolution;
+  const bool in_equilibrium = growing.is_in_equilibrium();
+  result.growth = booked(std::move(growing), result.tips, thickness, evolution.released_by_growth(), std::nullopt);
+  if (in_equilibrium) {
+    result.growth.surface_energy = evolution.released_by_growth();
+    for (crack::Extension& e : result.growth.extensions) e.surface_energy = e.released_energy;
+  }
+  evolution.book(result.growth);
+  return longer;
+}
+
+void CrackLengthening::go_on_in(LongerCracks longer) {
+  present_ = longer.cracks;
+  model_.scene_.set_cracks(std::move(longer.cracks));
+  std::unique_ptr<PreparedScene> before = std::exchange(model_.prepared_, std::move(longer.grown.scene));
+  ++model_.generation_;
+  if (!start_) start_ = std::move(before);
+  if (model_.records_tips()) model_.record_tips();
+}
+
+void CrackLengthening::report_progress() {
+  check_cancelled();
+  const fracture::EvolutionState& state = model_.prepared_->evolution->progress();
+  if (model_.progress_ && !model_.progress_(state.load_factor, state.events, state.broken_bonds))
+    fail(Failure::cancelled, "the progress callback asked to stop; the model is as it was before the call");
+  if (model_.cancel_requested_)
+    fail(Failure::cancelled, "cancelled on request; the model is as it was before the call");
+}
+
+void CrackLengthening::keep() noexcept {
+  Model::say([&] {
+    model_.loads_.in_force = model_.scene_.values();
+    for (const std::string& warning : model_.prepared_->discretization.warnings) model_.log(1, warning);
+    model_.warn_of_equilibrium();
+  });
+}
+
+void CrackLengthening::take_back() noexcept {
+  if (start_) model_.prepared_ = std::move(start_);
+  auto& tips = model_.tip_history_;
+  tips.erase(tips.begin() + recorded_, tips.end());
+  model_.scene_.set_cracks(std::move(cracks_));
+  model_.prepared_->evolution->restore(std::move(state_), std::move(continuation_));
+  if (loads_) model_.go_back_to(std::move(*loads_));
+  ++model_.generation_;
+}
+
+}  // namespace bempd::model

@@ -1,0 +1,82 @@
+#include "model/fatigue.hpp"
+
+#include <algorithm>
+
+#include "elasticity/kinked_tip.hpp"
+#include "model/crack_lengthening.hpp"
+#include "model/fatigue_run.hpp"
+#include "model/growth_options.hpp"
+
+namespace bempd::model {
+
+void Fatigue::set_rate(int material, crack::RateParameters parameters) {
+  model_.scene().material(material);  // throws without it
+  rates_[material] = std::move(parameters);
+}
+
+const crack::RateParameters* Fatigue::rate_of(int material) const {
+  const auto found = rates_.find(material);
+  return found == rates_.end() ? nullptr : &found->second;
+}
+
+FatigueReport Fatigue::grow(const FatigueOptions& options) {
+  CrackLengthening lengthening(model_);
+  try {
+    FatigueRun run(model_, lengthening, options);
+    const FatigueReport report = run.run();
+    lengthening.keep();
+    records_ = run.take_records();
+    return report;
+  } catch (...) {
+    lengthening.take_back();
+    throw;
+  }
+}
+
+namespace {
+
+const regions::TipValues& tip_with(const std::vector<regions::TipValues>& tips, const crack::TipId& id) {
+  const auto found = std::find_if(tips.begin(), tips.end(), [&](const auto& tip) {
+    return crack::TipId{tip.crack, tip.end} == id;
+  });
+  require(found != tips.end(), "the ", id.end == 0 ? "start" : "end", " of crack ", id.crack,
+          " is no tip with boundary elements that may grow: it has ended or stopped, is frozen, or lies in a "
+          "peridynamic region; bempd_tip() lists tips");
+  return *found;
+}
+
+}  // namespace
+
+GrowthResult Fatigue::extend(const std::vector<std::pair<crack::TipId, double>>& lengths) {
+  CrackLengthening lengthening(model_);
+  try {
+    const std::vector<regions::TipValues> tips = lengthening.tips();
+    const KinkCriterion criterion = growth_criterion(model_.options());
+    std::vector<Lengthened> grow;
+    for (const auto& [id, length] : lengths) {
+      const regions::TipValues& tip = tip_with(tips, id);
+      const Kink kink = kink_of(factors_of(tip).at(model_.load_factor()), criterion);
+      grow.push_back({tip, length, kink.equivalent_factor > 0 ? kink.angle : 0});
+    }
+    LongerCracks longer = lengthening.lengthened(grow);
+    if (model_.options().text_value("crack.direction") == "chord") {
+      for (Lengthened& one : grow)
+        for (const regions::TipValues& after : longer.grown.tips)
+          if (after.crack == one.tip.crack && after.end == one.tip.end)
+            one.angle += 0.5 * kink_of(factors_of(after).at(model_.load_factor()), criterion).angle;
+      longer = lengthening.lengthened(grow);
+    }
+    GrowthResult result = result_of(longer.grown.growth);
+    result.released_energy = longer.grown.scene->evolution->progress().released_energy -
+                             lengthening.scene().evolution->progress().released_energy;
+    lengthening.go_on_in(std::move(longer));
+    lengthening.report_progress();
+    lengthening.keep();
+    return result;
+  } catch (...) {
+    lengthening.take_back();
+    throw;
+  }
+}
+
+}  // namespace bempd::model

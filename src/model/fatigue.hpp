@@ -1,0 +1,88 @@
+#pragma once
+
+#include <cstdint>
+#include <limits>
+#include <map>
+#include <utility>
+#include <vector>
+
+#include "crack/cycle_program.hpp"
+#include "crack/laws/rate_parameters.hpp"
+#include "crack/tip.hpp"
+#include "geometry/point.hpp"
+#include "model/answers.hpp"
+
+namespace bempd::model {
+
+class Model;
+
+// What a host asks of growth by cycles.
+struct FatigueOptions {
+  static constexpr double unlimited = std::numeric_limits<double>::infinity();
+
+  std::vector<crack::Block> blocks;
+  double first_cycle = 0;          // cycles that have passed before
+  double most_cycles = unlimited;  // of the program, with those before
+  double most_length = unlimited;  // of a crack [m]
+  std::int64_t most_steps = 1000;
+  double tolerance = 1e-3;    // share of the number of cycles
+  double largest_step = 0.2;  // share of the crack's length
+};
+
+enum class FatigueEnd {
+  cycles = 1,
+  critical = 2,     // a tip has reached its critical factor
+  length = 3,       // a crack has come to the length that the host stated
+  none_grows = 4,   // all tips are below their thresholds, or their faces are closed
+  tip_ended = 5,    // a tip has reached an edge, a hole or another crack
+  tip_stopped = 6,  // a tip cannot grow on where it is
+  steps = 7,
+  requested = 8
+};
+
+struct FatigueReport {
+  FatigueEnd end = FatigueEnd::cycles;
+  crack::TipId tip{};  // that ended it; crack 0: none
+  std::int64_t steps = 0;
+  double cycles = 0;  // with those before
+  double growth = 0;  // of all tips [m]
+  double error = 0;   // estimate for the cycles of this call, as a share of them
+};
+
+// A tip after a step, 0 for the state at first. Factors belong to the highest and the lowest load of the program.
+struct FatigueRecord {
+  std::int64_t step = 0, event = 0;
+  crack::TipId tip{};
+  double cycles = 0;
+  double length = 0;  // of the crack [m]
+  double growth = 0;  // of the tip since the first record [m]
+  Point place{0, 0};
+  Point high{0, 0}, low{0, 0};
+  double highest = 0, lowest = 0;  // equivalent factors [Pa m^(1/2)]
+  double rate = 0;                 // mean over the program [m]
+};
+
+// Growth of cracks by cycles of the loads.
+class Fatigue {
+ public:
+  explicit Fatigue(Model& model) : model_(model) {}
+
+  // Law by which cracks grow in a material.
+  void set_rate(int material, crack::RateParameters parameters);
+  const crack::RateParameters* rate_of(int material) const;
+
+  // Throws Error; then the model is as it was.
+  FatigueReport grow(const FatigueOptions& options);
+  // Of the last call.
+  const std::vector<FatigueRecord>& records() const { return records_; }
+
+  // These tips grow by these lengths at the present load factor, as one event.
+  GrowthResult extend(const std::vector<std::pair<crack::TipId, double>>& lengths);
+
+ private:
+  Model& model_;
+  std::map<int, crack::RateParameters> rates_;
+  std::vector<FatigueRecord> records_;
+};
+
+}  // namespace bempd::model

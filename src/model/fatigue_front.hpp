@@ -1,0 +1,43 @@
+#pragma once
+
+#include <map>
+#include <memory>
+#include <set>
+#include <vector>
+
+#include "crack/cycle_step.hpp"
+#include "model/crack_lengthening.hpp"
+
+namespace bempd::model {
+
+// A tip under the loads of a program.
+struct FrontTip {
+  regions::TipValues values;
+  double angle = 0;                         // by which it turns as it grows [rad]
+  std::vector<crack::LevelFactors> levels;  // by load factor of the program
+  const crack::RateLaw* law = nullptr;      // null: it does not grow by cycles
+
+  crack::TipId id() const { return {values.crack, values.end}; }
+};
+
+using Front = std::vector<FrontTip>;
+
+// Laws of the materials of a model, made once they are asked for.
+class RateLaws {
+ public:
+  explicit RateLaws(Model& model) : model_(model) {}
+  const crack::RateLaw* of(const regions::TipValues& tip, const PreparedScene& scene);
+
+ private:
+  Model& model_;
+  std::map<int, std::unique_ptr<crack::RateLaw>> laws_;
+};
+
+// The tips in a scene under each load factor of a program. Where faces close or open between two load factors the scene
+// is brought to them, and back to the highest one; its books do not know of it.
+Front front_of(PreparedScene& scene, const std::vector<regions::TipValues>& tips, const crack::CycleProgram& program,
+               Model& model, RateLaws& laws);
+
+const FrontTip* tip_in(const Front& front, const crack::TipId& tip);
+
+}  // namespace bempd::model

@@ -1,0 +1,322 @@
+#include "model/fatigue_run.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "crack/cannot_grow.hpp"
+#include "model/crack_way.hpp"
+
+namespace bempd::model {
+
+namespace {
+
+// Steps towards an edge, a hole or another crack: a share of the way there, and at least a share of the tip's size, so
+// that the last one ends there.
+constexpr double step_over_clearance = 0.25, least_step = 0.02;
+
+// Share of its size that a tip has at least to grow by for its crack to become longer; less goes into later steps.
+constexpr double least_growth = 0.005;
+
+// Turns in a step: above the first the step is made again in the direction of its chord, above the second it is halved
+// [rad].
+constexpr double turns = 0.01, turns_too_much = 0.35;
+
+// Shares of the lengths by which they may be off: first, and once a step was made again.
+constexpr double off_at_first = 0.005, off_later = 0.03;
+
+constexpr int most_trials = 5;
+
+constexpr double rounding = 1e-9;
+
+}  // namespace
+
+FatigueRun::FatigueRun(Model& model, CrackLengthening& lengthening, const FatigueOptions& options)
+    : model_(model),
+      lengthening_(lengthening),
+      options_(options),
+      program_(options.blocks),
+      laws_(model),
+      step_(0.5 * options.largest_step) {}
+
+FatigueReport FatigueRun::run() {
+  lengthening_.go_to(program_.load_factors()[program_.highest()]);
+  place_ = program_.place_after(options_.first_cycle);
+  report_.cycles = options_.first_cycle;
+  find_front();
+  record();
+  while (step()) lengthening_.report_progress();
+  const double passed = report_.cycles - options_.first_cycle;
+  report_.error = passed > 0 ? error_ / passed : 0;
+  return report_;
+}
+
+void FatigueRun::find_front() {
+  const std::vector<regions::TipValues> tips = lengthening_.tips();
+  require(!tips.empty(),
+          "all tips are frozen, or have stopped before an interface; let one grow again with bempd_set_tip_frozen()");
+  front_ = front_of(lengthening_.scene(), tips, program_, model_, laws_);
+  std::erase_if(front_, [](const FrontTip& tip) { return tip.law == nullptr; });
+  require(!front_.empty(),
+          "no material with a tip has a law of growth by cycles; give it one with bempd_set_growth_rate()");
+  find_rates();
+}
+
+void FatigueRun::find_rates() {
+  rates_.clear();
+  for (std::size_t t = 0; t < front_.size(); ++t) rates_.push_back(crack::mean_rate(standing(t), 0, program_));
+}
+
+// A tip that does not grow.
+crack::TipOnStep FatigueRun::standing(std::size_t tip) const {
+  const FrontTip& of = front_[tip];
+  crack::TipOnStep one;
+  one.tip = of.id(), one.law = of.law, one.before = of.levels;
+  one.length = length_of_crack(tip);
+  one.from = one.to = of.values.place;
+  return one;
+}
+
+double FatigueRun::length_of_crack(std::size_t tip) const {
+  return length_of(model_.scene().crack(front_[tip].values.crack));
+}
+
+// Length of the part of the crack that is the tip's own: ends that grow share it by their rates.
+double FatigueRun::size_of(std::size_t tip) const {
+  double sum = 0;
+  for (std::size_t t = 0; t < front_.size(); ++t)
+    if (front_[t].values.crack == front_[tip].values.crack) sum += rates_[t];
+  return sum > 0 ? length_of_crack(tip) * rates_[tip] / sum : length_of_crack(tip);
+}
+
+double FatigueRun::longest(std::size_t tip) const {
+  const regions::TipValues& at = front_[tip].values;
+  const double size = size_of(tip);
+  const double clearance = clearance_of_tip(model_.scene(), model_.scene().cracks(), at.crack, at.end);
+  return std::min(step_ * size, std::max(step_over_clearance * clearance, least_step * size));
+}
+
+// Where few cycles are left the rates at first say how far the tips go, with room for rates that rise.
+std::optional<FatigueRun::Plan> FatigueRun::plan() const {
+  constexpr double room = 1.3;
+  Plan plan;
+  double cycles = FatigueOptions::unlimited;
+  for (std::size_t t = 0; t < front_.size(); ++t) {
+    if (!(rates_[t] > 0)) continue;
+    const double own = longest(t) / rates_[t];
+    if (own < cycles) cycles = own, plan.leader = t;
+  }
+  if (std::isinf(cycles)) return std::nullopt;
+  cycles = std::min(cycles, room * cycles_left());
+  for (std::size_t t = 0; t < front_.size(); ++t) {
+    const auto ahead = ahead_.find(front_[t].id());
+    plan.lengths.push_back(std::max(0.0, cycles * rates_[t] + (ahead == ahead_.end() ? 0 : ahead->second)));
+  }
+  keep_within_length(plan.lengths);
+  return plan;
+}
+
+void FatigueRun::keep_within_length(std::vector<double>& lengths) const {
+  double share = 1;
+  for (std::size_t t = 0; t < front_.size(); ++t) {
+    double growth = 0;
+    for (std::size_t other = 0; other < front_.size(); ++other)
+      if (front_[other].values.crack == front_[t].values.crack) growth += lengths[other];
+    if (growth > 0) share = std::min(share, (options_.most_length - length_of_crack(t)) / growth);
+  }
+  for (double& length : lengths) length *= std::max(0.0, share);
+}
+
+// A step that turns by too much, whose cycles are too uncertain, or that cannot be, is made shorter.
+bool FatigueRun::step() {
+  constexpr int most_halvings = 4;
+  if (report_.steps >= options_.most_steps) return end_by(FatigueEnd::steps);
+  if (lengthening_.stop_requested()) return end_by(FatigueEnd::requested);
+  for (std::size_t t = 0; t < front_.size(); ++t)
+    if (length_of_crack(t) >= options_.most_length * (1 - rounding)) return end_by(FatigueEnd::length, front_[t].id());
+  for (int halvings = 0;; ++halvings) {
+    const std::optional<Plan> plan = this->plan();
+    if (!plan) return pass_without_growth();
+    try {
+      Trial trial = made(*plan);
+      if (is_too_short(trial, plan->leader)) return pass(trial.cycles);
+      const bool is_good = largest_turn(trial) <= turns_too_much && choose_step(trial, plan->leader);
+      if (is_good || halvings == most_halvings) return accept(std::move(trial), plan->leader);
+    } catch (const crack::CannotGrow& error) {
+      if (halvings == most_halvings) return end_by(FatigueEnd::tip_stopped, front_[plan->leader].id());
+    }
+    step_ *= 0.5;
+  }
+}
+
+// A step with the lengths that belong to one number of cycles.
+FatigueRun::Trial FatigueRun::made(const Plan& plan) {
+  std::vector<double> angles;
+  for (const FrontTip& tip : front_) angles.push_back(tip.angle);
+  Trial now = trial(plan.lengths, std::move(angles), plan.leader);
+  for (int trials = 1; trials < most_trials && !is_too_short(now, plan.leader); ++trials) {
+    const bool turns_on = trials == 1 && largest_turn(now) > turns;
+    if (!turns_on && !is_off(now, plan.leader, trials == 1 ? off_at_first : off_later)) break;
+    std::vector<double> turned = now.angles;
+    for (std::size_t t = 0; turns_on && t < turned.size(); ++t) turned[t] += 0.5 * turn(now, t);
+    now = trial(now.cycles.growth, std::move(turned), plan.leader);
+  }
+  return now;
+}
+
+// Whether its cycles end before the crack has become longer by more than rounding.
+bool FatigueRun::is_too_short(const Trial& trial, std::size_t leader) const {
+  return trial.cycles.end != crack::CyclesEnd::growth && trial.cycles.growth[leader] < 1e-6 * size_of(leader);
+}
+
+FatigueRun::Trial FatigueRun::trial(std::vector<double> lengths, std::vector<double> angles, std::size_t leader) {
+  Trial trial;
+  trial.lengths = std::move(lengths), trial.angles = std::move(angles);
+  std::vector<Lengthened> grow;
+  for (std::size_t t = 0; t < front_.size(); ++t)
+    if (t == leader || trial.lengths[t] > least_growth * size_of(t))
+      grow.push_back({front_[t].values, trial.lengths[t], trial.angles[t]});
+  trial.longer = lengthening_.lengthened(grow);
+  std::vector<regions::TipValues> tips = trial.longer.grown.tips;
+  std::erase_if(tips, [&](const auto& tip) { return tip_in(front_, {tip.crack, tip.end}) == nullptr; });
+  trial.after = front_of(*trial.longer.grown.scene, tips, program_, model_, laws_);
+  trial.on_step = on_step(trial);
+  std::vector<double> ahead;
+  for (const FrontTip& tip : front_) ahead.push_back(ahead_[tip.id()]);
+  const crack::CycleIntegration integration(program_, trial.on_step);
+  trial.cycles = integration.run(place_, std::move(ahead), leader, trial.on_step[leader].growth, cycles_left());
+  return trial;
+}
+
+std::vector<crack::TipOnStep> FatigueRun::on_step(const Trial& trial) const {
+  const std::vector<crack::Extension>& extensions = trial.longer.grown.growth.extensions;
+  std::vector<crack::TipOnStep> all;
+  for (std::size_t t = 0; t < front_.size(); ++t) {
+    crack::TipOnStep one = standing(t);
+    for (const crack::Extension& e : extensions) {
+      if (e.crack == one.tip.crack) one.crack_growth += e.length;
+      if (e.tip() == one.tip) one.growth = e.length, one.to = Point(e.x, e.y);
+    }
+    if (const FrontTip* after = tip_in(trial.after, one.tip)) one.after = after->levels;
+    all.push_back(std::move(one));
+  }
+  return all;
+}
+
+double FatigueRun::turn(const Trial& trial, std::size_t tip) const {
+  const FrontTip* after = tip_in(trial.after, front_[tip].id());
+  return after && trial.on_step[tip].growth > 0 && rates_[tip] > 0 ? after->angle : 0;
+}
+
+double FatigueRun::largest_turn(const Trial& trial) const {
+  double largest = 0;
+  for (std::size_t t = 0; t < front_.size(); ++t) largest = std::max(largest, std::abs(turn(trial, t)));
+  return largest;
+}
+
+// Whether the lengths of a step differ by more than a share from those that belong to its cycles. A tip that has ended
+// can go no further.
+bool FatigueRun::is_off(const Trial& trial, std::size_t leader, double share) const {
+  for (std::size_t t = 0; t < front_.size(); ++t) {
+    const crack::TipOnStep& tip = trial.on_step[t];
+    const double difference = trial.cycles.growth[t] - tip.growth;
+    if (!(tip.growth > 0) || (tip.after.empty() && difference > 0)) continue;
+    const double allowed = t == leader ? off_at_first : share;
+    if (std::abs(difference) > allowed * tip.growth) return true;
+  }
+  return false;
+}
+
+// Length of the next step by the change of the rate's power of the length from step to step: a twelfth of it, times the
+// logarithm of the lengths, is the error of a step. False if that is much more than the tolerance.
+bool FatigueRun::choose_step(const Trial& trial, std::size_t leader) {
+  constexpr double much = 4, most_change = 2, least_change = 0.3;
+  const crack::TipOnStep& tip = trial.on_step[leader];
+  const double before = rates_[leader], after = crack::mean_rate(tip, tip.growth, program_);
+  if (!(before > 0 && after > 0) || tip.after.empty()) return true;
+  const double way = std::log1p(tip.growth / tip.own_length());
+  const double power = std::log(after / before) / way;
+  const auto known = powers_.find(tip.tip);
+  if (known == powers_.end()) {
+    powers_[tip.tip] = power;
+    return true;
+  }
+  const double error = std::abs(power - known->second) * way / 12;
+  if (error > much * options_.tolerance && step_ > 1e-3) return false;
+  const double change = error > 0 ? 0.9 * std::sqrt(options_.tolerance / error) : most_change;
+  step_ = std::min(options_.largest_step, step_ * std::clamp(change, least_change, most_change));
+  known->second = power;
+  error_ += error * trial.cycles.cycles;
+  return true;
+}
+
+bool FatigueRun::accept(Trial trial, std::size_t leader) {
+  const std::vector<crack::Extension> extensions = trial.longer.grown.growth.extensions;
+  lengthening_.go_on_in(std::move(trial.longer));
+  ++report_.steps;
+  for (std::size_t t = 0; t < front_.size(); ++t) {
+    const crack::TipOnStep& tip = trial.on_step[t];
+    ahead_[tip.tip] = t == leader ? 0 : trial.cycles.growth[t] - tip.growth;
+    grown_[tip.tip] += tip.growth;
+    report_.growth += tip.growth;
+  }
+  report_.cycles += trial.cycles.cycles;
+  place_ = trial.cycles.place;
+  front_ = std::move(trial.after);
+  find_rates();
+  record();
+  for (const crack::Extension& e : extensions) {
+    if (e.state == crack::TipState::at_interface) return end_by(FatigueEnd::tip_stopped, e.tip());
+    if (e.has_ended()) return end_by(FatigueEnd::tip_ended, e.tip());
+  }
+  return !is_over(trial.cycles);
+}
+
+bool FatigueRun::pass(const crack::CyclesOnStep& cycles) {
+  report_.cycles += cycles.cycles;
+  place_ = cycles.place;
+  return !is_over(cycles);
+}
+
+// Cycles while no tip grows.
+bool FatigueRun::pass_without_growth() {
+  std::vector<crack::TipOnStep> here;
+  for (std::size_t t = 0; t < front_.size(); ++t) here.push_back(standing(t));
+  const crack::CycleIntegration integration(program_, here);
+  return pass(
+      integration.run(place_, std::vector<double>(front_.size(), 0.0), 0, FatigueOptions::unlimited, cycles_left()));
+}
+
+bool FatigueRun::is_over(const crack::CyclesOnStep& cycles) {
+  using crack::CyclesEnd;
+  if (cycles.end == CyclesEnd::cycles) {
+    report_.cycles = options_.most_cycles;
+    return !end_by(FatigueEnd::cycles);
+  }
+  if (cycles.end == CyclesEnd::none_grows) return !end_by(FatigueEnd::none_grows);
+  if (cycles.end == CyclesEnd::critical) return !end_by(FatigueEnd::critical, front_[cycles.tip].id());
+  return false;
+}
+
+bool FatigueRun::end_by(FatigueEnd end, const crack::TipId& tip) {
+  report_.end = end, report_.tip = tip;
+  return false;
+}
+
+void FatigueRun::record() {
+  for (std::size_t t = 0; t < front_.size(); ++t) {
+    const FrontTip& tip = front_[t];
+    FatigueRecord record;
+    record.step = report_.steps,
+    record.event = report_.steps > 0 ? lengthening_.scene().evolution->progress().events : 0;
+    record.tip = tip.id(), record.cycles = report_.cycles;
+    record.length = length_of_crack(t), record.growth = grown_[tip.id()];
+    record.place = tip.values.place;
+    const crack::LevelFactors &high = tip.levels[program_.highest()], &low = tip.levels[program_.lowest()];
+    record.high = high.factors, record.low = low.factors;
+    record.highest = high.equivalent, record.lowest = low.equivalent;
+    record.rate = rates_[t];
+    records_.push_back(record);
+  }
+}
+
+}  // namespace bempd::model

@@ -1,0 +1,84 @@
+#pragma once
+
+#include <map>
+#include <optional>
+#include <vector>
+
+#include "model/fatigue.hpp"
+#include "model/fatigue_front.hpp"
+
+namespace bempd::model {
+
+// One call in which cracks grow by cycles.
+//
+// A step lets tips grow by lengths in proportion to their rates, so far that the tip that grows most for its size does
+// so by the length of the step. Then the cycles are counted on the step, with the factors before and behind it
+// (crack/cycle_step). Where lengths or directions turn out to be others than those assumed, the step is made again with
+// them, as by Heun's rule; what is left of a difference goes into the next step.
+class FatigueRun {
+ public:
+  FatigueRun(Model& model, CrackLengthening& lengthening, const FatigueOptions& options);
+
+  FatigueReport run();
+  std::vector<FatigueRecord> take_records() { return std::move(records_); }
+
+ private:
+  // A step that may be made, by tip of the front.
+  struct Trial {
+    std::vector<double> lengths;  // asked for
+    std::vector<double> angles;
+    LongerCracks longer;
+    Front after;
+    std::vector<crack::TipOnStep> on_step;
+    crack::CyclesOnStep cycles;
+  };
+  // How far the tips go, and the one that goes farthest for its size.
+  struct Plan {
+    std::vector<double> lengths;
+    std::size_t leader = 0;
+  };
+
+  void find_front();
+  void find_rates();
+  crack::TipOnStep standing(std::size_t tip) const;
+  std::optional<Plan> plan() const;
+  void keep_within_length(std::vector<double>& lengths) const;
+  double length_of_crack(std::size_t tip) const;
+  double size_of(std::size_t tip) const;
+  double longest(std::size_t tip) const;
+  double cycles_left() const { return options_.most_cycles - report_.cycles; }
+
+  bool step();  // false where the run is over
+  Trial made(const Plan& plan);
+  Trial trial(std::vector<double> lengths, std::vector<double> angles, std::size_t leader);
+  std::vector<crack::TipOnStep> on_step(const Trial& trial) const;
+  double turn(const Trial& trial, std::size_t tip) const;
+  double largest_turn(const Trial& trial) const;
+  bool is_too_short(const Trial& trial, std::size_t leader) const;
+  bool is_off(const Trial& trial, std::size_t leader, double share) const;
+  bool choose_step(const Trial& trial, std::size_t leader);
+  bool accept(Trial trial, std::size_t leader);
+  bool pass(const crack::CyclesOnStep& cycles);
+  bool pass_without_growth();
+  bool is_over(const crack::CyclesOnStep& cycles);
+  bool end_by(FatigueEnd end, const crack::TipId& tip = {});
+  void record();
+
+  Model& model_;
+  CrackLengthening& lengthening_;
+  const FatigueOptions& options_;
+  crack::CycleProgram program_;
+  RateLaws laws_;
+  Front front_;
+  std::vector<double> rates_;             // of the front, mean over the program
+  std::map<crack::TipId, double> ahead_;  // by how much a tip has grown more than its crack [m]
+  std::map<crack::TipId, double> grown_;
+  std::map<crack::TipId, double> powers_;  // of its rate in its length, in the last step that it led
+  crack::CycleProgram::Place place_;
+  double step_;       // share of the leader's size
+  double error_ = 0;  // [cycles]
+  FatigueReport report_;
+  std::vector<FatigueRecord> records_;
+};
+
+}  // namespace bempd::model
