@@ -1813,7 +1813,7 @@ typedef enum bempd_rate_kind {
    * cycles is time then. */
   BEMPD_RATE_SUSTAINED = 4,
   /** A function of the host. */
-  BEMPD_RATE_FUNCTION = 5
+  BEMPD_RATE_HOST = 5
 } bempd_rate_kind;
 
 /** @brief How far a tip grows in a cycle. It is called many times for each step, also at lengths between those at which
@@ -1848,7 +1848,7 @@ typedef struct bempd_growth_rate {
   double q;                  /**< of BEMPD_RATE_NASGRO, >= 0; default 0 [-] */
   double closure_alpha;      /**< of BEMPD_RATE_NASGRO: 1 plane stress to 3 plane strain; default 1 [-] */
   double closure_stress;     /**< of BEMPD_RATE_NASGRO: largest stress over the flow stress, >= 0, < 1; default 0 [-] */
-  bempd_rate_function function; /**< of BEMPD_RATE_FUNCTION; threshold and critical_intensity hold for it too */
+  bempd_rate_function function; /**< of BEMPD_RATE_HOST; threshold and critical_intensity hold for it too */
   void* user;                   /**< handed to the function; may be NULL */
 } bempd_growth_rate;
 
@@ -1871,7 +1871,7 @@ typedef struct bempd_fatigue {
   int64_t most_steps;  /**< steps after which to stop; default 1000 */
   double tolerance;    /**< error of the number of cycles in each step, as a share of these; default 1e-3 [-] */
   double
-      largest_step; /**< longest step, over the crack's length or the half of it that is the tip's; default 0.2 [-] */
+      largest_step; /**< longest step, over the crack's length or the half of it that is the tip's; default 0.25 [-] */
 } bempd_fatigue;
 
 /** @brief Set struct_size and the defaults. @param[out] options the struct to fill
@@ -1891,7 +1891,7 @@ typedef enum bempd_fatigue_stop {
   BEMPD_FATIGUE_NONE_GROWS = 4,
   /** A tip has ended at an edge, a hole or another crack; a further call goes on with those that are left. */
   BEMPD_FATIGUE_TIP_ENDED = 5,
-  /** A tip cannot grow on where it is, at an interface say. */
+  /** A tip cannot grow on where it is: at an interface, or before a ligament too thin to be solved; a warning tells. */
   BEMPD_FATIGUE_TIP_STOPPED = 6,
   /** The number of steps asked for was made. */
   BEMPD_FATIGUE_STEPS = 7,

@@ -32,7 +32,8 @@ module bempd
     BEMPD_CRACK_END, BEMPD_TIP_ELEMENTS, BEMPD_TIP_CONTOURS, BEMPD_TIP_STRESS, bempd_path_vertex, &
     BEMPD_TIP_GROWS, BEMPD_TIP_AT_EDGE, BEMPD_TIP_AT_HOLE, BEMPD_TIP_AT_CRACK, BEMPD_TIP_AT_INTERFACE, BEMPD_TIP_SEPARATED, &
     bempd_step_report, bempd_statistics, &
-    bempd_history_entry, bempd_crack_tip, bempd_growth, bempd_crack_extension, &
+    bempd_history_entry, bempd_crack_tip, bempd_growth, bempd_crack_extension, bempd_growth_rate, bempd_fatigue, &
+    bempd_fatigue_report, bempd_fatigue_record, &
     bempd_boundary_function, bempd_progress_function, bempd_phase_function, bempd_log_function
   implicit none
   private :: c_char, c_double, c_int, c_int8_t, c_int32_t, c_int64_t, c_null_ptr, c_ptr
@@ -58,6 +59,7 @@ module bempd
     procedure :: set_support_values
     procedure :: crack_count, crack_length, crack_path
     procedure :: add_crack_traction, tips, tip_history, write_tips, crack_opening, grow_cracks, set_tip_frozen, extensions
+    procedure :: extend_cracks, set_growth_rate, grow_fatigue, fatigue_records
     procedure :: set_progress, set_phase_progress, set_log, request_cancel, request_stop
     procedure :: prepare, step, step_to_next_event, run_to_separation, step_to_values, run_program
     procedure :: load_factor, admissible_load_factors, explain, generation, copy_field, fill_field, view_field
@@ -109,7 +111,7 @@ module bempd
     reaction_moment, evaluate, &
     get_statistics, &
     history, history_support, add_crack_traction, tips, tip_history, write_tips, crack_opening, grow_cracks, set_tip_frozen, &
-    extensions, crack_count, crack_length, crack_path, &
+    extensions, crack_count, crack_length, crack_path, extend_cracks, set_growth_rate, grow_fatigue, fatigue_records, &
     state_save, state_restore, write_snapshot, write_history, finalize_model, free_state, to_bytes, &
     from_bytes, write_state_file, read_state_file, refuse_copy_of_state, finalize_state
 
@@ -821,6 +823,41 @@ module bempd
       integer, intent(out), optional :: stat
       character(*), intent(inout), optional :: errmsg
     end subroutine grow_cracks
+    !> Tips grow by lengths at the present load factor, whatever their load.
+    module subroutine extend_cracks(self, cracks, ends, lengths, growth, stat, errmsg)
+      class(bempd_model), intent(inout) :: self
+      integer(c_int32_t), intent(in) :: cracks(:), ends(:)
+      real(c_double), intent(in) :: lengths(:)
+      type(bempd_growth), intent(out), optional :: growth
+      integer, intent(out), optional :: stat
+      character(*), intent(inout), optional :: errmsg
+    end subroutine extend_cracks
+    !> How far cracks in a material grow in a cycle of the loads; `rate` comes from bempd_growth_rate_init.
+    module subroutine set_growth_rate(self, material, rate, stat, errmsg)
+      class(bempd_model), intent(inout) :: self
+      integer(c_int32_t), intent(in) :: material
+      type(bempd_growth_rate), intent(in) :: rate
+      integer, intent(out), optional :: stat
+      character(*), intent(inout), optional :: errmsg
+    end subroutine set_growth_rate
+    !> Cracks grow by cycles of the loads; one block may go without its number of cycles. `options` comes from
+    !> bempd_fatigue_init.
+    module subroutine grow_fatigue(self, high, low, cycles, options, report, stat, errmsg)
+      class(bempd_model), intent(inout) :: self
+      real(c_double), intent(in), target, contiguous :: high(:), low(:)
+      real(c_double), intent(in), target, contiguous, optional :: cycles(:)
+      type(bempd_fatigue), intent(in), target, optional :: options
+      type(bempd_fatigue_report), intent(out), optional :: report
+      integer, intent(out), optional :: stat
+      character(*), intent(inout), optional :: errmsg
+    end subroutine grow_fatigue
+    !> Each tip at first and after every step of the last grow_fatigue.
+    module subroutine fatigue_records(self, found, stat, errmsg)
+      class(bempd_model), intent(inout) :: self
+      type(bempd_fatigue_record), allocatable, intent(out) :: found(:)
+      integer, intent(out), optional :: stat
+      character(*), intent(inout), optional :: errmsg
+    end subroutine fatigue_records
     module subroutine set_tip_frozen(self, crack, tip_end, frozen, stat, errmsg)
       class(bempd_model), intent(inout) :: self
       integer(c_int32_t), intent(in) :: crack, tip_end

@@ -250,6 +250,46 @@ module bempd_c
   !> The end has no ligament left ahead of it.
   integer(c_int), parameter :: BEMPD_TIP_SEPARATED = 5
 
+  !> Laws by which a tip grows in a cycle of the loads. K_max and K_min are the factors of mode I in the direction in
+  !> which the tip grows, at the highest and the lowest load of the cycle, with the faces of cracks closed where they
+  !> press on each other; dK = K_max - K_min and R = K_min / K_max. C, m, gamma, p and q are the members of
+  !> bempd_growth_rate.
+  !>
+  !> since: 0.3
+  integer, parameter :: bempd_rate_kind = c_int
+  !> Paris and Walker: da/dN = C [(1 - R)^(gamma - 1) dK]^m.
+  integer(c_int), parameter :: BEMPD_RATE_PARIS = 1
+  !> Forman: da/dN = C dK^m / ((1 - R) K_c - dK).
+  integer(c_int), parameter :: BEMPD_RATE_FORMAN = 2
+  !> NASGRO: da/dN = C [(1 - f) / (1 - R) dK]^m (1 - dK_th / dK)^p / (1 - K_max / K_c)^q, with Newman's closure f.
+  integer(c_int), parameter :: BEMPD_RATE_NASGRO = 3
+  !> In time under a sustained load, as by stress corrosion: da/dt = C K_max^m above the threshold. What is called
+  !> cycles is time then.
+  integer(c_int), parameter :: BEMPD_RATE_SUSTAINED = 4
+  !> A function of the host.
+  integer(c_int), parameter :: BEMPD_RATE_HOST = 5
+
+  !> Why bempd_grow_fatigue() came back.
+  !>
+  !> since: 0.3
+  integer, parameter :: bempd_fatigue_stop = c_int
+  !> The number of cycles asked for has passed.
+  integer(c_int), parameter :: BEMPD_FATIGUE_CYCLES = 1
+  !> A tip has reached its critical factor K_c: it breaks in the next cycle of the present block.
+  integer(c_int), parameter :: BEMPD_FATIGUE_CRITICAL = 2
+  !> A crack has the length asked for.
+  integer(c_int), parameter :: BEMPD_FATIGUE_LENGTH = 3
+  !> No tip grows: all are below their thresholds, or pressed together.
+  integer(c_int), parameter :: BEMPD_FATIGUE_NONE_GROWS = 4
+  !> A tip has ended at an edge, a hole or another crack; a further call goes on with those that are left.
+  integer(c_int), parameter :: BEMPD_FATIGUE_TIP_ENDED = 5
+  !> A tip cannot grow on where it is: at an interface, or before a ligament too thin to be solved; a warning tells.
+  integer(c_int), parameter :: BEMPD_FATIGUE_TIP_STOPPED = 6
+  !> The number of steps asked for was made.
+  integer(c_int), parameter :: BEMPD_FATIGUE_STEPS = 7
+  !> bempd_request_stop() was called.
+  integer(c_int), parameter :: BEMPD_FATIGUE_REQUESTED = 8
+
   !> What a saved state contains.
   !>
   !> since: 0.3
@@ -688,6 +728,131 @@ module bempd_c
     real(c_double) :: surface_energy
   end type bempd_crack_extension
 
+  !> A law of growth by cycles. Fill it with bempd_growth_rate_init().
+  !>
+  !> since: 0.3
+  type, bind(c) :: bempd_growth_rate
+    !> sizeof(bempd_growth_rate), set by bempd_growth_rate_init()
+    integer(c_int64_t) :: struct_size
+    !> a bempd_rate_kind; default BEMPD_RATE_PARIS
+    integer(c_int32_t) :: kind
+    !> 0
+    integer(c_int32_t) :: reserved
+    !> C, > 0, growth in [m] for factors over unit_intensity; with unit_intensity = 1e6 it is that of tables in MPa
+    !> m^(1/2) and m
+    real(c_double) :: coefficient
+    !> m, >= 0 [-]
+    real(c_double) :: exponent
+    !> the unit of all factors in this struct; default 1 [Pa m^(1/2)]
+    real(c_double) :: unit_intensity
+    !> dK_th, or of BEMPD_RATE_SUSTAINED K_th: up to it the tip does not grow, >= 0; default 0 [unit_intensity]
+    real(c_double) :: threshold
+    !> K_c, at which the tip breaks; default 0: the toughness that belongs to the material's fracture_energy, or none
+    !> without that [unit_intensity]
+    real(c_double) :: critical_intensity
+    !> gamma of BEMPD_RATE_PARIS, >= 0; default 1: R has no effect [-]
+    real(c_double) :: walker
+    !> of BEMPD_RATE_NASGRO, >= 0; default 0 [-]
+    real(c_double) :: p
+    !> of BEMPD_RATE_NASGRO, >= 0; default 0 [-]
+    real(c_double) :: q
+    !> of BEMPD_RATE_NASGRO: 1 plane stress to 3 plane strain; default 1 [-]
+    real(c_double) :: closure_alpha
+    !> of BEMPD_RATE_NASGRO: largest stress over the flow stress, >= 0, < 1; default 0 [-]
+    real(c_double) :: closure_stress
+    !> of BEMPD_RATE_HOST; threshold and critical_intensity hold for it too
+    type(c_funptr) :: function
+    !> handed to the function; may be NULL
+    type(c_ptr) :: user
+  end type bempd_growth_rate
+
+  !> Options of bempd_grow_fatigue(). Fill it with bempd_fatigue_init().
+  !>
+  !> since: 0.3
+  type, bind(c) :: bempd_fatigue
+    !> sizeof(bempd_fatigue), set by bempd_fatigue_init()
+    integer(c_int64_t) :: struct_size
+    !> cycles that have passed before, to go on in the middle of the blocks; default 0 [-]
+    real(c_double) :: first_cycle
+    !> where to stop, counted with those before; default 0: nowhere [-]
+    real(c_double) :: most_cycles
+    !> length of a crack at which to stop; default 0: none [m]
+    real(c_double) :: most_length
+    !> steps after which to stop; default 1000
+    integer(c_int64_t) :: most_steps
+    !> error of the number of cycles in each step, as a share of these; default 1e-3 [-]
+    real(c_double) :: tolerance
+    !> longest step, over the crack's length or the half of it that is the tip's; default 0.25 [-]
+    real(c_double) :: largest_step
+  end type bempd_fatigue
+
+  !> What bempd_grow_fatigue() did. Fill it with bempd_fatigue_report_init().
+  !>
+  !> since: 0.3
+  type, bind(c) :: bempd_fatigue_report
+    !> sizeof(bempd_fatigue_report), set by bempd_fatigue_report_init()
+    integer(c_int64_t) :: struct_size
+    !> a bempd_fatigue_stop
+    integer(c_int32_t) :: stop_reason
+    !> crack whose tip is the reason; 0: none
+    integer(c_int32_t) :: crack
+    !> its end, a bempd_tip_end; 0: none
+    integer(c_int32_t) :: end
+    !> 0
+    integer(c_int32_t) :: reserved
+    !> steps made
+    integer(c_int64_t) :: steps
+    !> cycles that have passed, with those before [-]
+    real(c_double) :: cycles
+    !> sum of the growth of all tips [m]
+    real(c_double) :: growth
+    !> estimated error of the cycles of this call, as a share of them; 0 after fewer than two steps [-]
+    real(c_double) :: error
+  end type bempd_fatigue_report
+
+  !> A tip after a step of bempd_grow_fatigue(), or as it was at first. High and low are the highest and the lowest load
+  !> factor of all blocks. Fill it with bempd_fatigue_record_init().
+  !>
+  !> since: 0.3
+  type, bind(c) :: bempd_fatigue_record
+    !> sizeof(bempd_fatigue_record), set by bempd_fatigue_record_init()
+    integer(c_int64_t) :: struct_size
+    !> number of the step; 0: as it was at first
+    integer(c_int64_t) :: step
+    !> event of the history; 0: as it was at first
+    integer(c_int64_t) :: event
+    !> id of the crack
+    integer(c_int32_t) :: crack
+    !> a bempd_tip_end
+    integer(c_int32_t) :: end
+    !> that have passed, with those before [-]
+    real(c_double) :: cycles
+    !> length of the crack [m]
+    real(c_double) :: length
+    !> growth of this tip in the call [m]
+    real(c_double) :: growth
+    !> place of the tip [m]
+    real(c_double) :: x
+    !> [m]
+    real(c_double) :: y
+    !> K_I at the high load [Pa m^(1/2)]
+    real(c_double) :: stress_intensity_1
+    !> K_II at the high load [Pa m^(1/2)]
+    real(c_double) :: stress_intensity_2
+    !> K_I at the low load [Pa m^(1/2)]
+    real(c_double) :: stress_intensity_1_low
+    !> K_II at the low load [Pa m^(1/2)]
+    real(c_double) :: stress_intensity_2_low
+    !> K_max, factor of mode I in the direction of growth at the high load [Pa m^(1/2)]
+    real(c_double) :: highest
+    !> dK, highest less the same at the low load [Pa m^(1/2)]
+    real(c_double) :: range
+    !> R = K_min / K_max; NaN where K_max is not positive [-]
+    real(c_double) :: ratio
+    !> da/dN, mean over all blocks that do not break the tip [m]
+    real(c_double) :: rate
+  end type bempd_fatigue_record
+
   !> Sizes, counters and times since the model was created. Fill it with bempd_statistics_init().
   !>
   !> since: 0.1
@@ -862,6 +1027,37 @@ module bempd_c
       type(c_ptr), value :: user
       integer(c_int32_t) :: bempd_phase_function
     end function bempd_phase_function
+
+    !> How far a tip grows in a cycle. It is called many times for each step, also at lengths between those at which the
+    !> body is solved, and may call bempd_request_cancel() on the model and nothing else.
+    !>
+    !> crack [in]: id of the crack
+    !> end [in]: a bempd_tip_end
+    !> highest [in]: K_max, the factor of mode I in the direction of growth at the highest load [Pa m^(1/2)]
+    !> lowest [in]: K_min, the same at the lowest load [Pa m^(1/2)]
+    !> stress_intensity_1 [in]: K_I at the highest load [Pa m^(1/2)]
+    !> stress_intensity_2 [in]: K_II at the highest load [Pa m^(1/2)]
+    !> length [in]: length of the crack [m]
+    !> x [in]: place of the tip [m]
+    !> y [in]: place of the tip [m]
+    !> user [in]: the pointer given with the function
+    !> return: growth [m], >= 0; NaN, infinity and negative numbers end the call with BEMPD_ERROR_ARGUMENT
+    !> since: 0.3
+    function bempd_rate_function(crack, end, highest, lowest, stress_intensity_1, stress_intensity_2, length, x, y, &
+        user) bind(c)
+      import :: c_double, c_int32_t, c_ptr
+      integer(c_int32_t), value :: crack
+      integer(c_int32_t), value :: end
+      real(c_double), value :: highest
+      real(c_double), value :: lowest
+      real(c_double), value :: stress_intensity_1
+      real(c_double), value :: stress_intensity_2
+      real(c_double), value :: length
+      real(c_double), value :: x
+      real(c_double), value :: y
+      type(c_ptr), value :: user
+      real(c_double) :: bempd_rate_function
+    end function bempd_rate_function
   end interface
 
   interface
@@ -3271,6 +3467,32 @@ module bempd_c
       integer(c_int) :: bempd_grow_cracks
     end function bempd_grow_cracks
 
+    !> Let tips of BEM regions grow by given lengths, as one event, at the present load factor and whatever their load:
+    !> for hosts with a law of growth of their own.
+    !>
+    !> Each tip turns as bempd_grow_cracks() would have it turn at this load factor; one whose faces are pressed
+    !> together goes straight on. Edges, holes and other cracks on the way, and the option crack.direction, act as
+    !> there. The energy that the body releases is booked as taken by the new area where no tip exceeds its toughness.
+    !>
+    !> model [in]: the model
+    !> count [in]: number of tips, >= 1
+    !> cracks [in]: shape [count], ids of cracks
+    !> ends [in]: shape [count], a bempd_tip_end each
+    !> lengths [in]: shape [count], how far each tip grows [m], > 0
+    !> growth [in,out]: struct_size in, the rest out; may be NULL
+    !> return: status
+    !> since: 0.3
+    function bempd_extend_cracks(model, count, cracks, ends, lengths, growth) bind(c, name="bempd_extend_cracks")
+      import :: c_double, c_int, c_int32_t, c_int64_t, c_ptr
+      type(c_ptr), value :: model
+      integer(c_int64_t), value :: count
+      integer(c_int32_t), intent(in) :: cracks(*)
+      integer(c_int32_t), intent(in) :: ends(*)
+      real(c_double), intent(in) :: lengths(*)
+      type(c_ptr), value :: growth
+      integer(c_int) :: bempd_extend_cracks
+    end function bempd_extend_cracks
+
     !> Keep the tip at an end of a crack from growing, or let it grow again.
     !>
     !> A frozen tip stays where it is in boundary elements and in a lattice in which cracks grow as lines, where no bond
@@ -3333,6 +3555,139 @@ module bempd_c
       type(bempd_crack_extension), intent(inout) :: extension
       integer(c_int) :: bempd_extension
     end function bempd_extension
+
+    !> Set struct_size and the defaults.
+    !>
+    !> rate [out]: the struct to fill
+    !> struct_size [in]: sizeof(bempd_growth_rate) as the caller was compiled: older programs keep working when it grows
+    !> return: status
+    !> since: 0.3
+    function bempd_growth_rate_init(rate, struct_size) bind(c, name="bempd_growth_rate_init")
+      import :: bempd_growth_rate, c_int, c_int64_t
+      type(bempd_growth_rate), intent(inout) :: rate
+      integer(c_int64_t), value :: struct_size
+      integer(c_int) :: bempd_growth_rate_init
+    end function bempd_growth_rate_init
+
+    !> Say by which law cracks grow in a material under bempd_grow_fatigue(). It may be changed at any time; states do
+    !> not have it.
+    !>
+    !> model [in]: the model
+    !> material [in]: id of a material
+    !> rate [in]: copied
+    !> return: status
+    !> since: 0.3
+    function bempd_set_growth_rate(model, material, rate) bind(c, name="bempd_set_growth_rate")
+      import :: bempd_growth_rate, c_int, c_int32_t, c_ptr
+      type(c_ptr), value :: model
+      integer(c_int32_t), value :: material
+      type(bempd_growth_rate), intent(in) :: rate
+      integer(c_int) :: bempd_set_growth_rate
+    end function bempd_set_growth_rate
+
+    !> Set struct_size and the defaults.
+    !>
+    !> options [out]: the struct to fill
+    !> struct_size [in]: sizeof(bempd_fatigue) as the caller was compiled: older programs keep working when it grows
+    !> return: status
+    !> since: 0.3
+    function bempd_fatigue_init(options, struct_size) bind(c, name="bempd_fatigue_init")
+      import :: bempd_fatigue, c_int, c_int64_t
+      type(bempd_fatigue), intent(inout) :: options
+      integer(c_int64_t), value :: struct_size
+      integer(c_int) :: bempd_fatigue_init
+    end function bempd_fatigue_init
+
+    !> Set struct_size and zeros.
+    !>
+    !> report [out]: the struct to fill
+    !> struct_size [in]: sizeof(bempd_fatigue_report) as the caller was compiled: older programs keep working when it
+    !>   grows
+    !> return: status
+    !> since: 0.3
+    function bempd_fatigue_report_init(report, struct_size) bind(c, name="bempd_fatigue_report_init")
+      import :: bempd_fatigue_report, c_int, c_int64_t
+      type(bempd_fatigue_report), intent(inout) :: report
+      integer(c_int64_t), value :: struct_size
+      integer(c_int) :: bempd_fatigue_report_init
+    end function bempd_fatigue_report_init
+
+    !> Let the cracks of BEM regions grow by cycles of the loads, and count the cycles.
+    !>
+    !> A block is a number of cycles between two load factors; blocks follow each other and are repeated. Each tip grows
+    !> by the law of its material, in the direction in which bempd_grow_cracks() would have it grow at the load at which
+    !> its factor is largest; tips in materials without a law stay where they are. Every step is an event of the
+    !> history, at the highest load factor of all blocks, where the model is afterwards. All cracks grow in it, by
+    !> lengths that follow their rates. Between two steps the factor of a tip is taken as a power of its crack's length,
+    !> and the cycles are counted block by block. Steps are so long that the estimated error of their cycles is below
+    !> the tolerance, and at most a quarter of the way to the nearest edge, hole or crack.
+    !>
+    !> Cracks stop at their critical factor; K_c is that of the law, or the toughness of the material. The progress
+    !> callback is called after every step. After a failure, and where a callback cancels, the model is as it was.
+    !>
+    !> model [in]: the model
+    !> block_count [in]: number of blocks, >= 1; 1 is a constant amplitude
+    !> high [in]: shape [block_count], high load factor of each block [-]
+    !> low [in]: shape [block_count], low load factor, at most the high one [-]
+    !> cycles [in]: shape [block_count], cycles of each block, > 0; NULL for one block [-]
+    !> options [in]: NULL for the defaults
+    !> report [in,out]: struct_size in, the rest out; may be NULL
+    !> return: status
+    !> since: 0.3
+    function bempd_grow_fatigue(model, block_count, high, low, cycles, options, report) &
+        bind(c, name="bempd_grow_fatigue")
+      import :: c_double, c_int, c_int64_t, c_ptr
+      type(c_ptr), value :: model
+      integer(c_int64_t), value :: block_count
+      real(c_double), intent(in) :: high(*)
+      real(c_double), intent(in) :: low(*)
+      type(c_ptr), value :: cycles
+      type(c_ptr), value :: options
+      type(c_ptr), value :: report
+      integer(c_int) :: bempd_grow_fatigue
+    end function bempd_grow_fatigue
+
+    !> Set struct_size and zeros.
+    !>
+    !> record [out]: the struct to fill
+    !> struct_size [in]: sizeof(bempd_fatigue_record) as the caller was compiled: older programs keep working when it
+    !>   grows
+    !> return: status
+    !> since: 0.3
+    function bempd_fatigue_record_init(record, struct_size) bind(c, name="bempd_fatigue_record_init")
+      import :: bempd_fatigue_record, c_int, c_int64_t
+      type(bempd_fatigue_record), intent(inout) :: record
+      integer(c_int64_t), value :: struct_size
+      integer(c_int) :: bempd_fatigue_record_init
+    end function bempd_fatigue_record_init
+
+    !> Number of records of the last call of bempd_grow_fatigue(), one for each tip and step.
+    !>
+    !> model [in]: the model
+    !> count [out]: number of records
+    !> return: status
+    !> since: 0.3
+    function bempd_fatigue_record_count(model, count) bind(c, name="bempd_fatigue_record_count")
+      import :: c_int, c_int64_t, c_ptr
+      type(c_ptr), value :: model
+      integer(c_int64_t), intent(inout) :: count
+      integer(c_int) :: bempd_fatigue_record_count
+    end function bempd_fatigue_record_count
+
+    !> A record, in the order of steps, then by crack and end.
+    !>
+    !> model [in]: the model
+    !> index [in]: 0 .. count-1
+    !> record [in,out]: struct_size in, the rest out
+    !> return: status
+    !> since: 0.3
+    function bempd_get_fatigue_record(model, index, record) bind(c, name="bempd_get_fatigue_record")
+      import :: bempd_fatigue_record, c_int, c_int64_t, c_ptr
+      type(c_ptr), value :: model
+      integer(c_int64_t), value :: index
+      type(bempd_fatigue_record), intent(inout) :: record
+      integer(c_int) :: bempd_get_fatigue_record
+    end function bempd_get_fatigue_record
 
     !> Set struct_size and zeros.
     !>

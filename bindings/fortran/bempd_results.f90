@@ -419,6 +419,50 @@ contains
     if (present(growth)) growth = done
   end procedure grow_cracks
 
+  module procedure extend_cracks
+    type(bempd_growth), target :: done
+    integer(c_int) :: status
+
+    status = bempd_growth_init(done, c_sizeof(done))
+    call finish(self, bempd_extend_cracks(self%handle, size(lengths, kind=c_int64_t), cracks, ends, lengths, &
+      c_loc(done)), stat, errmsg)
+    if (present(growth)) growth = done
+  end procedure extend_cracks
+
+  module procedure set_growth_rate
+    call finish(self, bempd_set_growth_rate(self%handle, material, rate), stat, errmsg)
+  end procedure set_growth_rate
+
+  module procedure grow_fatigue
+    type(bempd_fatigue_report), target :: done
+    type(c_ptr) :: counts, asked
+    integer(c_int) :: status
+
+    status = bempd_fatigue_report_init(done, c_sizeof(done))
+    counts = c_null_ptr
+    if (present(cycles)) counts = c_loc(cycles)
+    asked = c_null_ptr
+    if (present(options)) asked = c_loc(options)
+    call finish(self, bempd_grow_fatigue(self%handle, size(high, kind=c_int64_t), high, low, counts, asked, &
+      c_loc(done)), stat, errmsg)
+    if (present(report)) report = done
+  end procedure grow_fatigue
+
+  module procedure fatigue_records
+    integer(c_int64_t) :: count, k
+    integer(c_int) :: status
+
+    count = 0
+    status = bempd_fatigue_record_count(self%handle, count)
+    allocate (found(count))
+    do k = 1, count
+      status = bempd_fatigue_record_init(found(k), c_sizeof(found(k)))
+      status = bempd_get_fatigue_record(self%handle, k - 1, found(k))
+      if (status /= BEMPD_OK) exit
+    end do
+    call finish(self, status, stat, errmsg)
+  end procedure fatigue_records
+
   module procedure set_tip_frozen
     call finish(self, bempd_set_tip_frozen(self%handle, crack, tip_end, merge(1_c_int32_t, 0_c_int32_t, frozen)), stat, &
       errmsg)

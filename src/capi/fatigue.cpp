@@ -32,7 +32,7 @@ constexpr bempd_fatigue fatigue_defaults{.struct_size = sizeof(bempd_fatigue),
                                          .most_length = 0,
                                          .most_steps = 1000,
                                          .tolerance = 1e-3,
-                                         .largest_step = 0.2};
+                                         .largest_step = 0.25};
 
 // A caller's struct of its size, the rest at the defaults. A longer one of a newer program says nothing more.
 template <class T>
@@ -71,12 +71,12 @@ double coefficient_of(const bempd_growth_rate& rate) {
 
 crack::RateParameters parameters_of(const bempd_growth_rate* given) {
   const bempd_growth_rate rate = given_struct(given, "rate", rate_defaults);
-  require(rate.kind >= BEMPD_RATE_PARIS && rate.kind <= BEMPD_RATE_FUNCTION, "kind is ", rate.kind,
+  require(rate.kind >= BEMPD_RATE_PARIS && rate.kind <= BEMPD_RATE_HOST, "kind is ", rate.kind,
           "; it must be BEMPD_RATE_PARIS (1), BEMPD_RATE_FORMAN (2), BEMPD_RATE_NASGRO (3), BEMPD_RATE_SUSTAINED (4) "
-          "or BEMPD_RATE_FUNCTION (5)");
+          "or BEMPD_RATE_HOST (5)");
   require(rate.reserved == 0, "reserved is ", rate.reserved, "; it must be 0");
-  const bool by_function = rate.kind == BEMPD_RATE_FUNCTION;
-  require(!by_function || rate.function != nullptr, "function is NULL; BEMPD_RATE_FUNCTION needs one");
+  const bool by_function = rate.kind == BEMPD_RATE_HOST;
+  require(!by_function || rate.function != nullptr, "function is NULL; BEMPD_RATE_HOST needs one");
   if (!by_function) {
     require(std::isfinite(rate.coefficient) && rate.coefficient > 0, "coefficient is ", rate.coefficient,
             "; it must be > 0");
@@ -112,11 +112,11 @@ std::vector<crack::Block> blocks_of(std::int64_t count, const double* high, cons
   std::vector<crack::Block> blocks;
   for (std::int64_t b = 0; b < count; ++b) {
     const double number = cycles ? cycles[b] : 1;
-    require(std::isfinite(high[b]) && std::isfinite(low[b]), "block ", b, " goes from ", low[b], " to ", high[b],
+    require(std::isfinite(high[b]) && std::isfinite(low[b]), "block ", b + 1, " goes from ", low[b], " to ", high[b],
             "; load factors must be finite numbers");
-    require(high[b] >= low[b], "the high load factor of block ", b, " is ", high[b], ", below the low one, ", low[b],
+    require(high[b] >= low[b], "the high load factor of block ", b + 1, " is ", high[b], ", below the low one, ", low[b],
             "; it must be higher: R = low / high lies below 1");
-    require(std::isfinite(number) && number > 0, "block ", b, " has ", number, " cycles; it must have more than 0");
+    require(std::isfinite(number) && number > 0, "block ", b + 1, " has ", number, " cycles; it must have more than 0");
     blocks.push_back({high[b], low[b], number});
   }
   return blocks;

@@ -122,15 +122,17 @@ bool CycleIntegration::pass_programs(CyclesOnStep& now, std::size_t goal, double
   const std::optional<Growth> by_one = program_growth(now.growth);
   if (!by_one || !((*by_one)[goal] > 0)) return false;
   const double part = std::min(growth / parts_of_a_step, growth - now.growth[goal]);
-  const double programs = std::floor(std::min(part / (*by_one)[goal], (most_cycles - now.cycles) / program_.cycles()));
-  if (programs < 4) return false;
-  const auto advanced_by_programs =
-      advanced(now.growth, programs, [&](const Growth& grown) { return program_growth(grown); });
-  if (!advanced_by_programs || (*advanced_by_programs)[goal] > growth || !program_growth(*advanced_by_programs))
-    return false;
-  now.growth = *advanced_by_programs;
-  now.cycles += programs * program_.cycles();
-  return true;
+  const auto rates_at = [&](const Growth& grown) { return program_growth(grown); };
+  double programs = std::min(part / (*by_one)[goal], (most_cycles - now.cycles) / program_.cycles());
+  for (; programs >= 4; programs /= 2) {
+    const double whole = std::floor(programs);
+    const std::optional<Growth> there = advanced(now.growth, whole, rates_at);
+    if (!there || (*there)[goal] > growth || !program_growth(*there)) continue;
+    now.growth = *there;
+    now.cycles += whole * program_.cycles();
+    return true;
+  }
+  return false;
 }
 
 // A part of the present block; false where a tip reaches its critical factor in it, or the goal is reached.

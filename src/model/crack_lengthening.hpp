@@ -44,6 +44,9 @@ class CrackLengthening {
   void go_on_in(LongerCracks longer);
   // The host's progress callback hears of it; throws Error (cancelled).
   void report_progress();
+  void tell(const std::string& warning) const {
+    Model::say([&] { model_.log(1, warning); });
+  }
   bool stop_requested() const { return model_.stop_requested_; }
 
   // Ends the call: for good, or back at its start.

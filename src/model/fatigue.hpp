@@ -25,8 +25,8 @@ struct FatigueOptions {
   double most_cycles = unlimited;  // of the program, with those before
   double most_length = unlimited;  // of a crack [m]
   std::int64_t most_steps = 1000;
-  double tolerance = 1e-3;    // share of the number of cycles
-  double largest_step = 0.2;  // share of the crack's length
+  double tolerance = 1e-3;     // share of the number of cycles
+  double largest_step = 0.25;  // share of the crack's length
 };
 
 enum class FatigueEnd {

@@ -141,8 +141,14 @@ bool FatigueRun::step() {
       if (is_too_short(trial, plan->leader)) return pass(trial.cycles);
       const bool is_good = largest_turn(trial) <= turns_too_much && choose_step(trial, plan->leader);
       if (is_good || halvings == most_halvings) return accept(std::move(trial), plan->leader);
-    } catch (const crack::CannotGrow& error) {
-      if (halvings == most_halvings) return end_by(FatigueEnd::tip_stopped, front_[plan->leader].id());
+    } catch (const Error& error) {
+      // A ligament that is too thin to be solved is where this crack ends, and so is a place without a scene.
+      const bool has_no_scene = dynamic_cast<const crack::CannotGrow*>(&error) != nullptr;
+      if (!has_no_scene && error.failure() != Failure::unsolvable) throw;
+      if (halvings == most_halvings) {
+        lengthening_.tell(error.what());
+        return end_by(FatigueEnd::tip_stopped, front_[plan->leader].id());
+      }
     }
     step_ *= 0.5;
   }
@@ -227,9 +233,10 @@ bool FatigueRun::is_off(const Trial& trial, std::size_t leader, double share) co
 }
 
 // Length of the next step by the change of the rate's power of the length from step to step: a twelfth of it, times the
-// logarithm of the lengths, is the error of a step. False if that is much more than the tolerance.
+// logarithm of the lengths, is the error of a step. False if that is much more than the tolerance, which is wider for a
+// step that takes few of the cycles so far.
 bool FatigueRun::choose_step(const Trial& trial, std::size_t leader) {
-  constexpr double much = 4, most_change = 2, least_change = 0.3;
+  constexpr double much = 4, most_change = 2, least_change = 0.3, few = 0.1;
   const crack::TipOnStep& tip = trial.on_step[leader];
   const double before = rates_[leader], after = crack::mean_rate(tip, tip.growth, program_);
   if (!(before > 0 && after > 0) || tip.after.empty()) return true;
@@ -241,8 +248,10 @@ bool FatigueRun::choose_step(const Trial& trial, std::size_t leader) {
     return true;
   }
   const double error = std::abs(power - known->second) * way / 12;
-  if (error > much * options_.tolerance && step_ > 1e-3) return false;
-  const double change = error > 0 ? 0.9 * std::sqrt(options_.tolerance / error) : most_change;
+  const double so_far = report_.cycles - options_.first_cycle + trial.cycles.cycles;
+  const double allowed = options_.tolerance * std::max(1.0, few * so_far / std::max(trial.cycles.cycles, 1e-300));
+  if (error > much * allowed && step_ > 1e-3) return false;
+  const double change = error > 0 ? 0.9 * std::sqrt(allowed / error) : most_change;
   step_ = std::min(options_.largest_step, step_ * std::clamp(change, least_change, most_change));
   known->second = power;
   error_ += error * trial.cycles.cycles;

@@ -1,6 +1,6 @@
 !> What the library calls during the runs below.
 module fortran_listener
-  use, intrinsic :: iso_c_binding, only: c_char, c_double, c_int32_t, c_int64_t, c_f_pointer, c_ptr
+  use, intrinsic :: iso_c_binding, only: c_char, c_double, c_int32_t, c_int64_t, c_f_pointer, c_ptr, c_sizeof
   use fortran_checks
   implicit none
 
@@ -69,7 +69,7 @@ end module fortran_listener
 
 !> Runs through the Fortran module: views, callbacks, repeated steps, options, results.
 program fortran_runs
-  use, intrinsic :: iso_c_binding, only: c_int8_t, c_int32_t, c_int64_t, c_loc
+  use, intrinsic :: iso_c_binding, only: c_int8_t, c_int32_t, c_int64_t, c_loc, c_sizeof
   use fortran_listener
   implicit none
 
@@ -87,6 +87,7 @@ program fortran_runs
   call indices_count_from_one()
   call pressure_in_a_crack_has_its_factor_and_opening()
   call cracks_grow_where_they_are_not_frozen()
+  call cracks_grow_by_cycles_and_by_lengths()
   call reactions_and_evaluation_agree_with_a_uniform_bar()
   call pressure_and_moments_balance()
   call edges_sides_arcs_and_singular_places()
@@ -419,6 +420,41 @@ contains
     call model%add_crack_traction(crack, 7, constant=[3.0_dp], stat=stat, errmsg=message)
     call check_error(stat, BEMPD_ERROR_ORDER, message, "bempd_add_crack_traction: ")
   end subroutine pressure_in_a_crack_has_its_factor_and_opening
+
+  subroutine cracks_grow_by_cycles_and_by_lengths()
+    type(bempd_model) :: model
+    type(bempd_growth) :: growth
+    type(bempd_growth_rate) :: rate
+    type(bempd_fatigue) :: options
+    type(bempd_fatigue_report) :: report
+    type(bempd_fatigue_record), allocatable :: found(:)
+    integer(c_int32_t) :: material, crack
+    integer :: stat
+    character(200) :: message
+
+    call model%create()
+    call model%add_material(1.0_dp, .3_dp, material)
+    call model%add_bem_region(material, reshape([-1, -1, 1, -1, 1, 1, -1, 1] * 1.0_dp, [2, 4]), .5_dp)
+    call model%add_crack(reshape([-.3_dp, 0.0_dp, .3_dp, 0.0_dp], [2, 2]), crack)
+    call model%fix_point(-1.0_dp, -1.0_dp, BEMPD_BOTH)
+    call model%fix_point(1.0_dp, -1.0_dp, BEMPD_Y)
+    call model%add_crack_traction(crack, BEMPD_PRESSURE, proportional=[1.0_dp])
+    call model%grow_fatigue([1.0_dp], [0.0_dp], stat=stat, errmsg=message)
+    call check_error(stat, BEMPD_ERROR_ARGUMENT, message, "bempd_grow_fatigue: ")
+    stat = bempd_growth_rate_init(rate, c_sizeof(rate))
+    rate%coefficient = 1e-6_dp
+    rate%exponent = 3
+    call model%set_growth_rate(material, rate)
+    stat = bempd_fatigue_init(options, c_sizeof(options))
+    options%most_length = .7_dp
+    call model%grow_fatigue([1.0_dp], [0.0_dp], options=options, report=report)
+    call model%fatigue_records(found)
+    call check(report%stop_reason == BEMPD_FATIGUE_LENGTH .and. abs(report%growth - .1_dp) < 1e-9_dp, "grown by cycles")
+    call check(size(found) == 2 * (report%steps + 1), "a record for each tip and step")
+    call check(abs(found(size(found))%cycles - report%cycles) <= 0, "the last record has the cycles of the report")
+    call model%extend_cracks([crack], [int(BEMPD_CRACK_END, c_int32_t)], [.05_dp], growth)
+    call check(growth%tips == 1 .and. abs(growth%length - .05_dp) < 1e-9_dp, "a tip has grown by a length")
+  end subroutine cracks_grow_by_cycles_and_by_lengths
 
   subroutine cracks_grow_where_they_are_not_frozen()
     type(bempd_model) :: model

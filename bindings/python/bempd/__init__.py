@@ -33,6 +33,7 @@ from .errors import (
     UnsolvableError,
     Warning,
 )
+from .fatigue import FatigueLife, FatigueStop
 from .model import Model
 from .options import OptionInfo, Options, describe_options
 from .reports import (
@@ -68,7 +69,7 @@ __version__ = version()
 
 __all__ = [
     "ArgumentError", "BondState", "Bonds", "CancelledError", "Convergence", "ConvergenceError", "ConvergenceTable", "CrackExtension", "CrackOpening",
-    "CrackTip", "EdgeNodes", "EdgePlaces", "EdgeReaction", "Ensemble", "Error", "Explanation", "FileError", "Growth", "InternalError", "Model", "NextEvent", "OptionInfo", "Options", "OrderError",
+    "CrackTip", "EdgeNodes", "EdgePlaces", "EdgeReaction", "Ensemble", "Error", "Explanation", "FatigueLife", "FatigueStop", "FileError", "Growth", "InternalError", "Model", "NextEvent", "OptionInfo", "Options", "OrderError",
     "OutOfMemoryError", "PathVertex", "Piece", "PointValues", "ProgressBar", "Rows", "Singularity", "SingularityKind", "State", "Statistics",
     "StepReport", "StopReason", "SupportHistory", "Table", "TipEnd", "TipMethod", "TipRecord", "TipState", "UnknownOptionError", "UnsolvableError",
     "build_info", "converge", "describe_options", "ensemble", "library_path", "outline", "progress_bar", "read_ensemble", "read_history", "rectangle", "table", "version",

@@ -452,6 +452,8 @@ typedef struct bempd_growth {
 } bempd_growth;
 bempd_status bempd_growth_init(bempd_growth *growth, int64_t struct_size);
 bempd_status bempd_grow_cracks(bempd_model *model, double length, bempd_growth *growth);
+bempd_status bempd_extend_cracks(bempd_model *model, int64_t count, const int32_t *cracks,
+    const int32_t *ends, const double *lengths, bempd_growth *growth);
 bempd_status bempd_set_tip_frozen(bempd_model *model, int32_t crack, int32_t end, int32_t frozen);
 typedef enum bempd_tip_state {
   BEMPD_TIP_GROWS = 0,
@@ -490,6 +492,95 @@ bempd_status bempd_crack_extension_init(bempd_crack_extension *extension, int64_
 bempd_status bempd_extension_count(const bempd_model *model, int64_t *count);
 bempd_status bempd_extension(const bempd_model *model, int64_t index,
     bempd_crack_extension *extension);
+typedef enum bempd_rate_kind {
+  BEMPD_RATE_PARIS = 1,
+  BEMPD_RATE_FORMAN = 2,
+  BEMPD_RATE_NASGRO = 3,
+  BEMPD_RATE_SUSTAINED = 4,
+  BEMPD_RATE_HOST = 5
+} bempd_rate_kind;
+typedef double (*bempd_rate_function)(int32_t crack, int32_t end, double highest, double lowest,
+    double stress_intensity_1, double stress_intensity_2, double length, double x, double y,
+    void *user);
+typedef struct bempd_growth_rate {
+  int64_t struct_size;
+  int32_t kind;
+  int32_t reserved;
+  double coefficient;
+  double exponent;
+  double unit_intensity;
+  double threshold;
+  double critical_intensity;
+  double walker;
+  double p;
+  double q;
+  double closure_alpha;
+  double closure_stress;
+  bempd_rate_function function;
+  void *user;
+} bempd_growth_rate;
+bempd_status bempd_growth_rate_init(bempd_growth_rate *rate, int64_t struct_size);
+bempd_status bempd_set_growth_rate(bempd_model *model, int32_t material,
+    const bempd_growth_rate *rate);
+typedef struct bempd_fatigue {
+  int64_t struct_size;
+  double first_cycle;
+  double most_cycles;
+  double most_length;
+  int64_t most_steps;
+  double tolerance;
+  double largest_step;
+} bempd_fatigue;
+bempd_status bempd_fatigue_init(bempd_fatigue *options, int64_t struct_size);
+typedef enum bempd_fatigue_stop {
+  BEMPD_FATIGUE_CYCLES = 1,
+  BEMPD_FATIGUE_CRITICAL = 2,
+  BEMPD_FATIGUE_LENGTH = 3,
+  BEMPD_FATIGUE_NONE_GROWS = 4,
+  BEMPD_FATIGUE_TIP_ENDED = 5,
+  BEMPD_FATIGUE_TIP_STOPPED = 6,
+  BEMPD_FATIGUE_STEPS = 7,
+  BEMPD_FATIGUE_REQUESTED = 8
+} bempd_fatigue_stop;
+typedef struct bempd_fatigue_report {
+  int64_t struct_size;
+  int32_t stop_reason;
+  int32_t crack;
+  int32_t end;
+  int32_t reserved;
+  int64_t steps;
+  double cycles;
+  double growth;
+  double error;
+} bempd_fatigue_report;
+bempd_status bempd_fatigue_report_init(bempd_fatigue_report *report, int64_t struct_size);
+bempd_status bempd_grow_fatigue(bempd_model *model, int64_t block_count, const double *high,
+    const double *low, const double *cycles, const bempd_fatigue *options,
+    bempd_fatigue_report *report);
+typedef struct bempd_fatigue_record {
+  int64_t struct_size;
+  int64_t step;
+  int64_t event;
+  int32_t crack;
+  int32_t end;
+  double cycles;
+  double length;
+  double growth;
+  double x;
+  double y;
+  double stress_intensity_1;
+  double stress_intensity_2;
+  double stress_intensity_1_low;
+  double stress_intensity_2_low;
+  double highest;
+  double range;
+  double ratio;
+  double rate;
+} bempd_fatigue_record;
+bempd_status bempd_fatigue_record_init(bempd_fatigue_record *record, int64_t struct_size);
+bempd_status bempd_fatigue_record_count(const bempd_model *model, int64_t *count);
+bempd_status bempd_get_fatigue_record(const bempd_model *model, int64_t index,
+    bempd_fatigue_record *record);
 typedef struct bempd_statistics {
   int64_t struct_size;
   int64_t boundary_nodes;
@@ -2440,6 +2531,23 @@ length [in]: how far tips grow [m], > 0
 growth [in,out]: struct_size in, the rest out; may be NULL
 return: status; BEMPD_ERROR_UNSOLVABLE if no tip grows at any load factor
 since: 0.3""",
+    "bempd_extend_cracks": """\
+Let tips of BEM regions grow by given lengths, as one event, at the present load factor and whatever
+their load: for hosts with a law of growth of their own.
+
+Each tip turns as bempd_grow_cracks() would have it turn at this load factor; one whose faces are
+pressed together goes straight on. Edges, holes and other cracks on the way, and the option
+crack.direction, act as there. The energy that the body releases is booked as taken by the new area
+where no tip exceeds its toughness.
+
+model [in]: the model
+count [in]: number of tips, >= 1
+cracks [in]: shape [count], ids of cracks
+ends [in]: shape [count], a bempd_tip_end each
+lengths [in]: shape [count], how far each tip grows [m], > 0
+growth [in,out]: struct_size in, the rest out; may be NULL
+return: status
+since: 0.3""",
     "bempd_set_tip_frozen": """\
 Keep the tip at an end of a crack from growing, or let it grow again.
 
@@ -2520,6 +2628,212 @@ An extension, in the order in which they happened.
 model [in]: the model
 index [in]: 0 .. count-1
 extension [in,out]: struct_size in, the rest out
+return: status
+since: 0.3""",
+    "bempd_rate_kind": """\
+Laws by which a tip grows in a cycle of the loads. K_max and K_min are the factors of mode I in the
+direction in which the tip grows, at the highest and the lowest load of the cycle, with the faces of
+cracks closed where they press on each other; dK = K_max - K_min and R = K_min / K_max. C, m, gamma,
+p and q are the members of bempd_growth_rate.
+
+since: 0.3""",
+    "BEMPD_RATE_PARIS": """Paris and Walker: da/dN = C [(1 - R)^(gamma - 1) dK]^m.""",
+    "BEMPD_RATE_FORMAN": """Forman: da/dN = C dK^m / ((1 - R) K_c - dK).""",
+    "BEMPD_RATE_NASGRO": """\
+NASGRO: da/dN = C [(1 - f) / (1 - R) dK]^m (1 - dK_th / dK)^p / (1 - K_max / K_c)^q, with Newman's
+closure f.""",
+    "BEMPD_RATE_SUSTAINED": """\
+In time under a sustained load, as by stress corrosion: da/dt = C K_max^m above the threshold. What
+is called cycles is time then.""",
+    "BEMPD_RATE_HOST": """A function of the host.""",
+    "bempd_rate_function": """\
+How far a tip grows in a cycle. It is called many times for each step, also at lengths between those
+at which the body is solved, and may call bempd_request_cancel() on the model and nothing else.
+
+crack [in]: id of the crack
+end [in]: a bempd_tip_end
+highest [in]: K_max, the factor of mode I in the direction of growth at the highest load [Pa
+  m^(1/2)]
+lowest [in]: K_min, the same at the lowest load [Pa m^(1/2)]
+stress_intensity_1 [in]: K_I at the highest load [Pa m^(1/2)]
+stress_intensity_2 [in]: K_II at the highest load [Pa m^(1/2)]
+length [in]: length of the crack [m]
+x [in]: place of the tip [m]
+y [in]: place of the tip [m]
+user [in]: the pointer given with the function
+return: growth [m], >= 0; NaN, infinity and negative numbers end the call with BEMPD_ERROR_ARGUMENT
+since: 0.3""",
+    "bempd_growth_rate": """A law of growth by cycles. Fill it with bempd_growth_rate_init().
+
+since: 0.3""",
+    "bempd_growth_rate.struct_size": """sizeof(bempd_growth_rate), set by bempd_growth_rate_init()""",
+    "bempd_growth_rate.kind": """a bempd_rate_kind; default BEMPD_RATE_PARIS""",
+    "bempd_growth_rate.reserved": """0""",
+    "bempd_growth_rate.coefficient": """\
+C, > 0, growth in [m] for factors over unit_intensity; with unit_intensity = 1e6 it is that of
+tables in MPa m^(1/2) and m""",
+    "bempd_growth_rate.exponent": """m, >= 0 [-]""",
+    "bempd_growth_rate.unit_intensity": """the unit of all factors in this struct; default 1 [Pa m^(1/2)]""",
+    "bempd_growth_rate.threshold": """\
+dK_th, or of BEMPD_RATE_SUSTAINED K_th: up to it the tip does not grow, >= 0; default 0
+[unit_intensity]""",
+    "bempd_growth_rate.critical_intensity": """\
+K_c, at which the tip breaks; default 0: the toughness that belongs to the material's
+fracture_energy, or none without that [unit_intensity]""",
+    "bempd_growth_rate.walker": """gamma of BEMPD_RATE_PARIS, >= 0; default 1: R has no effect [-]""",
+    "bempd_growth_rate.p": """of BEMPD_RATE_NASGRO, >= 0; default 0 [-]""",
+    "bempd_growth_rate.q": """of BEMPD_RATE_NASGRO, >= 0; default 0 [-]""",
+    "bempd_growth_rate.closure_alpha": """of BEMPD_RATE_NASGRO: 1 plane stress to 3 plane strain; default 1 [-]""",
+    "bempd_growth_rate.closure_stress": """\
+of BEMPD_RATE_NASGRO: largest stress over the flow stress, >= 0, < 1; default 0 [-]""",
+    "bempd_growth_rate.function": """of BEMPD_RATE_HOST; threshold and critical_intensity hold for it too""",
+    "bempd_growth_rate.user": """handed to the function; may be NULL""",
+    "bempd_growth_rate_init": """\
+Set struct_size and the defaults.
+
+rate [out]: the struct to fill
+struct_size [in]: sizeof(bempd_growth_rate) as the caller was compiled: older programs keep working
+  when it grows
+return: status
+since: 0.3""",
+    "bempd_set_growth_rate": """\
+Say by which law cracks grow in a material under bempd_grow_fatigue(). It may be changed at any
+time; states do not have it.
+
+model [in]: the model
+material [in]: id of a material
+rate [in]: copied
+return: status
+since: 0.3""",
+    "bempd_fatigue": """Options of bempd_grow_fatigue(). Fill it with bempd_fatigue_init().
+
+since: 0.3""",
+    "bempd_fatigue.struct_size": """sizeof(bempd_fatigue), set by bempd_fatigue_init()""",
+    "bempd_fatigue.first_cycle": """\
+cycles that have passed before, to go on in the middle of the blocks; default 0 [-]""",
+    "bempd_fatigue.most_cycles": """where to stop, counted with those before; default 0: nowhere [-]""",
+    "bempd_fatigue.most_length": """length of a crack at which to stop; default 0: none [m]""",
+    "bempd_fatigue.most_steps": """steps after which to stop; default 1000""",
+    "bempd_fatigue.tolerance": """\
+error of the number of cycles in each step, as a share of these; default 1e-3 [-]""",
+    "bempd_fatigue.largest_step": """\
+longest step, over the crack's length or the half of it that is the tip's; default 0.25 [-]""",
+    "bempd_fatigue_init": """\
+Set struct_size and the defaults.
+
+options [out]: the struct to fill
+struct_size [in]: sizeof(bempd_fatigue) as the caller was compiled: older programs keep working when
+  it grows
+return: status
+since: 0.3""",
+    "bempd_fatigue_stop": """Why bempd_grow_fatigue() came back.
+
+since: 0.3""",
+    "BEMPD_FATIGUE_CYCLES": """The number of cycles asked for has passed.""",
+    "BEMPD_FATIGUE_CRITICAL": """\
+A tip has reached its critical factor K_c: it breaks in the next cycle of the present block.""",
+    "BEMPD_FATIGUE_LENGTH": """A crack has the length asked for.""",
+    "BEMPD_FATIGUE_NONE_GROWS": """No tip grows: all are below their thresholds, or pressed together.""",
+    "BEMPD_FATIGUE_TIP_ENDED": """\
+A tip has ended at an edge, a hole or another crack; a further call goes on with those that are
+left.""",
+    "BEMPD_FATIGUE_TIP_STOPPED": """\
+A tip cannot grow on where it is: at an interface, or before a ligament too thin to be solved; a
+warning tells.""",
+    "BEMPD_FATIGUE_STEPS": """The number of steps asked for was made.""",
+    "BEMPD_FATIGUE_REQUESTED": """bempd_request_stop() was called.""",
+    "bempd_fatigue_report": """\
+What bempd_grow_fatigue() did. Fill it with bempd_fatigue_report_init().
+
+since: 0.3""",
+    "bempd_fatigue_report.struct_size": """sizeof(bempd_fatigue_report), set by bempd_fatigue_report_init()""",
+    "bempd_fatigue_report.stop_reason": """a bempd_fatigue_stop""",
+    "bempd_fatigue_report.crack": """crack whose tip is the reason; 0: none""",
+    "bempd_fatigue_report.end": """its end, a bempd_tip_end; 0: none""",
+    "bempd_fatigue_report.reserved": """0""",
+    "bempd_fatigue_report.steps": """steps made""",
+    "bempd_fatigue_report.cycles": """cycles that have passed, with those before [-]""",
+    "bempd_fatigue_report.growth": """sum of the growth of all tips [m]""",
+    "bempd_fatigue_report.error": """\
+estimated error of the cycles of this call, as a share of them; 0 after fewer than two steps [-]""",
+    "bempd_fatigue_report_init": """\
+Set struct_size and zeros.
+
+report [out]: the struct to fill
+struct_size [in]: sizeof(bempd_fatigue_report) as the caller was compiled: older programs keep
+  working when it grows
+return: status
+since: 0.3""",
+    "bempd_grow_fatigue": """\
+Let the cracks of BEM regions grow by cycles of the loads, and count the cycles.
+
+A block is a number of cycles between two load factors; blocks follow each other and are repeated.
+Each tip grows by the law of its material, in the direction in which bempd_grow_cracks() would have
+it grow at the load at which its factor is largest; tips in materials without a law stay where they
+are. Every step is an event of the history, at the highest load factor of all blocks, where the
+model is afterwards. All cracks grow in it, by lengths that follow their rates. Between two steps
+the factor of a tip is taken as a power of its crack's length, and the cycles are counted block by
+block. Steps are so long that the estimated error of their cycles is below the tolerance, and at
+most a quarter of the way to the nearest edge, hole or crack.
+
+Cracks stop at their critical factor; K_c is that of the law, or the toughness of the material. The
+progress callback is called after every step. After a failure, and where a callback cancels, the
+model is as it was.
+
+model [in]: the model
+block_count [in]: number of blocks, >= 1; 1 is a constant amplitude
+high [in]: shape [block_count], high load factor of each block [-]
+low [in]: shape [block_count], low load factor, at most the high one [-]
+cycles [in]: shape [block_count], cycles of each block, > 0; NULL for one block [-]
+options [in]: NULL for the defaults
+report [in,out]: struct_size in, the rest out; may be NULL
+return: status
+since: 0.3""",
+    "bempd_fatigue_record": """\
+A tip after a step of bempd_grow_fatigue(), or as it was at first. High and low are the highest and
+the lowest load factor of all blocks. Fill it with bempd_fatigue_record_init().
+
+since: 0.3""",
+    "bempd_fatigue_record.struct_size": """sizeof(bempd_fatigue_record), set by bempd_fatigue_record_init()""",
+    "bempd_fatigue_record.step": """number of the step; 0: as it was at first""",
+    "bempd_fatigue_record.event": """event of the history; 0: as it was at first""",
+    "bempd_fatigue_record.crack": """id of the crack""",
+    "bempd_fatigue_record.end": """a bempd_tip_end""",
+    "bempd_fatigue_record.cycles": """that have passed, with those before [-]""",
+    "bempd_fatigue_record.length": """length of the crack [m]""",
+    "bempd_fatigue_record.growth": """growth of this tip in the call [m]""",
+    "bempd_fatigue_record.x": """place of the tip [m]""",
+    "bempd_fatigue_record.y": """[m]""",
+    "bempd_fatigue_record.stress_intensity_1": """K_I at the high load [Pa m^(1/2)]""",
+    "bempd_fatigue_record.stress_intensity_2": """K_II at the high load [Pa m^(1/2)]""",
+    "bempd_fatigue_record.stress_intensity_1_low": """K_I at the low load [Pa m^(1/2)]""",
+    "bempd_fatigue_record.stress_intensity_2_low": """K_II at the low load [Pa m^(1/2)]""",
+    "bempd_fatigue_record.highest": """\
+K_max, factor of mode I in the direction of growth at the high load [Pa m^(1/2)]""",
+    "bempd_fatigue_record.range": """dK, highest less the same at the low load [Pa m^(1/2)]""",
+    "bempd_fatigue_record.ratio": """R = K_min / K_max; NaN where K_max is not positive [-]""",
+    "bempd_fatigue_record.rate": """da/dN, mean over all blocks that do not break the tip [m]""",
+    "bempd_fatigue_record_init": """\
+Set struct_size and zeros.
+
+record [out]: the struct to fill
+struct_size [in]: sizeof(bempd_fatigue_record) as the caller was compiled: older programs keep
+  working when it grows
+return: status
+since: 0.3""",
+    "bempd_fatigue_record_count": """\
+Number of records of the last call of bempd_grow_fatigue(), one for each tip and step.
+
+model [in]: the model
+count [out]: number of records
+return: status
+since: 0.3""",
+    "bempd_get_fatigue_record": """\
+A record, in the order of steps, then by crack and end.
+
+model [in]: the model
+index [in]: 0 .. count-1
+record [in,out]: struct_size in, the rest out
 return: status
 since: 0.3""",
     "bempd_statistics": """\

@@ -15,6 +15,7 @@ from . import _arguments as arguments
 from ._arguments import real_array
 from ._edges import Edges
 from ._ensemble_worker import model_options
+from ._fatigue import Fatigue
 from ._handle import Handle
 from ._help import complete
 from ._library import check, ffi, invoke, lib, new_struct
@@ -32,7 +33,7 @@ from .state import State
 UNTIL = {"values": lib.BEMPD_UNTIL_VALUES, "event": lib.BEMPD_UNTIL_EVENT, "separated": lib.BEMPD_UNTIL_SEPARATED}
 
 
-class Model(Scene, Edges, Results):
+class Model(Scene, Edges, Results, Fatigue):
     """Cracks in a two-dimensional elastic body: build it, step, ask, close.
 
     One thread at a time, except request_cancel(); other threads run on while the library works. Used in a `with`

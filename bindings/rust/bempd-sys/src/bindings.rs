@@ -2942,6 +2942,32 @@ extern "C" {
     ) -> bempd_status;
 }
 extern "C" {
+    /// Let tips of BEM regions grow by given lengths, as one event, at the present load factor and
+    /// whatever their load: for hosts with a law of growth of their own.
+    ///
+    /// Each tip turns as bempd_grow_cracks() would have it turn at this load factor; one whose
+    /// faces are pressed together goes straight on. Edges, holes and other cracks on the way, and
+    /// the option crack.direction, act as there. The energy that the body releases is booked as
+    /// taken by the new area where no tip exceeds its toughness.
+    ///
+    /// * model \[in\]: the model
+    /// * count \[in\]: number of tips, \>= 1
+    /// * cracks \[in\]: shape \[count\], ids of cracks
+    /// * ends \[in\]: shape \[count\], a bempd_tip_end each
+    /// * lengths \[in\]: shape \[count\], how far each tip grows \[m\], \> 0
+    /// * growth \[in,out\]: struct_size in, the rest out; may be NULL
+    /// * return: status
+    /// * since: 0.3
+    pub fn bempd_extend_cracks(
+        model: *mut bempd_model,
+        count: i64,
+        cracks: *const i32,
+        ends: *const i32,
+        lengths: *const f64,
+        growth: *mut bempd_growth,
+    ) -> bempd_status;
+}
+extern "C" {
     /// Keep the tip at an end of a crack from growing, or let it grow again.
     ///
     /// A frozen tip stays where it is in boundary elements and in a lattice in which cracks grow as
@@ -3070,6 +3096,330 @@ extern "C" {
         model: *const bempd_model,
         index: i64,
         extension: *mut bempd_crack_extension,
+    ) -> bempd_status;
+}
+/// Paris and Walker: da/dN = C \[(1 - R)^(gamma - 1) dK\]^m.
+pub const BEMPD_RATE_PARIS: bempd_rate_kind = 1;
+/// Forman: da/dN = C dK^m / ((1 - R) K_c - dK).
+pub const BEMPD_RATE_FORMAN: bempd_rate_kind = 2;
+/// NASGRO: da/dN = C \[(1 - f) / (1 - R) dK\]^m (1 - dK_th / dK)^p / (1 - K_max / K_c)^q, with
+/// Newman's closure f.
+pub const BEMPD_RATE_NASGRO: bempd_rate_kind = 3;
+/// In time under a sustained load, as by stress corrosion: da/dt = C K_max^m above the threshold.
+/// What is called cycles is time then.
+pub const BEMPD_RATE_SUSTAINED: bempd_rate_kind = 4;
+/// A function of the host.
+pub const BEMPD_RATE_HOST: bempd_rate_kind = 5;
+/// Laws by which a tip grows in a cycle of the loads. K_max and K_min are the factors of mode I in
+/// the direction in which the tip grows, at the highest and the lowest load of the cycle, with the
+/// faces of cracks closed where they press on each other; dK = K_max - K_min and R = K_min / K_max.
+/// C, m, gamma, p and q are the members of bempd_growth_rate.
+///
+/// * since: 0.3
+pub type bempd_rate_kind = ::std::os::raw::c_uint;
+/// How far a tip grows in a cycle. It is called many times for each step, also at lengths between
+/// those at which the body is solved, and may call bempd_request_cancel() on the model and nothing
+/// else.
+///
+/// * crack \[in\]: id of the crack
+/// * end \[in\]: a bempd_tip_end
+/// * highest \[in\]: K_max, the factor of mode I in the direction of growth at the highest load \[Pa
+///   m^(1/2)\]
+/// * lowest \[in\]: K_min, the same at the lowest load \[Pa m^(1/2)\]
+/// * stress_intensity_1 \[in\]: K_I at the highest load \[Pa m^(1/2)\]
+/// * stress_intensity_2 \[in\]: K_II at the highest load \[Pa m^(1/2)\]
+/// * length \[in\]: length of the crack \[m\]
+/// * x \[in\]: place of the tip \[m\]
+/// * y \[in\]: place of the tip \[m\]
+/// * user \[in\]: the pointer given with the function
+/// * return: growth \[m\], \>= 0; NaN, infinity and negative numbers end the call with
+///   BEMPD_ERROR_ARGUMENT
+/// * since: 0.3
+pub type bempd_rate_function = ::std::option::Option<
+    unsafe extern "C" fn(
+        crack: i32,
+        end: i32,
+        highest: f64,
+        lowest: f64,
+        stress_intensity_1: f64,
+        stress_intensity_2: f64,
+        length: f64,
+        x: f64,
+        y: f64,
+        user: *mut ::std::os::raw::c_void,
+    ) -> f64,
+>;
+/// A law of growth by cycles. Fill it with bempd_growth_rate_init().
+///
+/// * since: 0.3
+#[repr(C)]
+#[derive(Debug, Copy, Clone)]
+pub struct bempd_growth_rate {
+    /// sizeof(bempd_growth_rate), set by bempd_growth_rate_init()
+    pub struct_size: i64,
+    /// a bempd_rate_kind; default BEMPD_RATE_PARIS
+    pub kind: i32,
+    /// 0
+    pub reserved: i32,
+    /// C, \> 0, growth in \[m\] for factors over unit_intensity; with unit_intensity = 1e6 it is that
+    /// of tables in MPa m^(1/2) and m
+    pub coefficient: f64,
+    /// m, \>= 0 \[-\]
+    pub exponent: f64,
+    /// the unit of all factors in this struct; default 1 \[Pa m^(1/2)\]
+    pub unit_intensity: f64,
+    /// dK_th, or of BEMPD_RATE_SUSTAINED K_th: up to it the tip does not grow, \>= 0; default 0
+    /// \[unit_intensity\]
+    pub threshold: f64,
+    /// K_c, at which the tip breaks; default 0: the toughness that belongs to the material's
+    /// fracture_energy, or none without that \[unit_intensity\]
+    pub critical_intensity: f64,
+    /// gamma of BEMPD_RATE_PARIS, \>= 0; default 1: R has no effect \[-\]
+    pub walker: f64,
+    /// of BEMPD_RATE_NASGRO, \>= 0; default 0 \[-\]
+    pub p: f64,
+    /// of BEMPD_RATE_NASGRO, \>= 0; default 0 \[-\]
+    pub q: f64,
+    /// of BEMPD_RATE_NASGRO: 1 plane stress to 3 plane strain; default 1 \[-\]
+    pub closure_alpha: f64,
+    /// of BEMPD_RATE_NASGRO: largest stress over the flow stress, \>= 0, \< 1; default 0 \[-\]
+    pub closure_stress: f64,
+    /// of BEMPD_RATE_HOST; threshold and critical_intensity hold for it too
+    pub function: bempd_rate_function,
+    /// handed to the function; may be NULL
+    pub user: *mut ::std::os::raw::c_void,
+}
+extern "C" {
+    /// Set struct_size and the defaults.
+    ///
+    /// * rate \[out\]: the struct to fill
+    /// * struct_size \[in\]: sizeof(bempd_growth_rate) as the caller was compiled: older programs keep
+    ///   working when it grows
+    /// * return: status
+    /// * since: 0.3
+    pub fn bempd_growth_rate_init(rate: *mut bempd_growth_rate, struct_size: i64) -> bempd_status;
+}
+extern "C" {
+    /// Say by which law cracks grow in a material under bempd_grow_fatigue(). It may be changed at
+    /// any time; states do not have it.
+    ///
+    /// * model \[in\]: the model
+    /// * material \[in\]: id of a material
+    /// * rate \[in\]: copied
+    /// * return: status
+    /// * since: 0.3
+    pub fn bempd_set_growth_rate(
+        model: *mut bempd_model,
+        material: i32,
+        rate: *const bempd_growth_rate,
+    ) -> bempd_status;
+}
+/// Options of bempd_grow_fatigue(). Fill it with bempd_fatigue_init().
+///
+/// * since: 0.3
+#[repr(C)]
+#[derive(Debug, Copy, Clone)]
+pub struct bempd_fatigue {
+    /// sizeof(bempd_fatigue), set by bempd_fatigue_init()
+    pub struct_size: i64,
+    /// cycles that have passed before, to go on in the middle of the blocks; default 0 \[-\]
+    pub first_cycle: f64,
+    /// where to stop, counted with those before; default 0: nowhere \[-\]
+    pub most_cycles: f64,
+    /// length of a crack at which to stop; default 0: none \[m\]
+    pub most_length: f64,
+    /// steps after which to stop; default 1000
+    pub most_steps: i64,
+    /// error of the number of cycles in each step, as a share of these; default 1e-3 \[-\]
+    pub tolerance: f64,
+    /// longest step, over the crack's length or the half of it that is the tip's; default 0.25 \[-\]
+    pub largest_step: f64,
+}
+extern "C" {
+    /// Set struct_size and the defaults.
+    ///
+    /// * options \[out\]: the struct to fill
+    /// * struct_size \[in\]: sizeof(bempd_fatigue) as the caller was compiled: older programs keep
+    ///   working when it grows
+    /// * return: status
+    /// * since: 0.3
+    pub fn bempd_fatigue_init(options: *mut bempd_fatigue, struct_size: i64) -> bempd_status;
+}
+/// The number of cycles asked for has passed.
+pub const BEMPD_FATIGUE_CYCLES: bempd_fatigue_stop = 1;
+/// A tip has reached its critical factor K_c: it breaks in the next cycle of the present block.
+pub const BEMPD_FATIGUE_CRITICAL: bempd_fatigue_stop = 2;
+/// A crack has the length asked for.
+pub const BEMPD_FATIGUE_LENGTH: bempd_fatigue_stop = 3;
+/// No tip grows: all are below their thresholds, or pressed together.
+pub const BEMPD_FATIGUE_NONE_GROWS: bempd_fatigue_stop = 4;
+/// A tip has ended at an edge, a hole or another crack; a further call goes on with those that are
+/// left.
+pub const BEMPD_FATIGUE_TIP_ENDED: bempd_fatigue_stop = 5;
+/// A tip cannot grow on where it is: at an interface, or before a ligament too thin to be solved; a
+/// warning tells.
+pub const BEMPD_FATIGUE_TIP_STOPPED: bempd_fatigue_stop = 6;
+/// The number of steps asked for was made.
+pub const BEMPD_FATIGUE_STEPS: bempd_fatigue_stop = 7;
+/// bempd_request_stop() was called.
+pub const BEMPD_FATIGUE_REQUESTED: bempd_fatigue_stop = 8;
+/// Why bempd_grow_fatigue() came back.
+///
+/// * since: 0.3
+pub type bempd_fatigue_stop = ::std::os::raw::c_uint;
+/// What bempd_grow_fatigue() did. Fill it with bempd_fatigue_report_init().
+///
+/// * since: 0.3
+#[repr(C)]
+#[derive(Debug, Copy, Clone)]
+pub struct bempd_fatigue_report {
+    /// sizeof(bempd_fatigue_report), set by bempd_fatigue_report_init()
+    pub struct_size: i64,
+    /// a bempd_fatigue_stop
+    pub stop_reason: i32,
+    /// crack whose tip is the reason; 0: none
+    pub crack: i32,
+    /// its end, a bempd_tip_end; 0: none
+    pub end: i32,
+    /// 0
+    pub reserved: i32,
+    /// steps made
+    pub steps: i64,
+    /// cycles that have passed, with those before \[-\]
+    pub cycles: f64,
+    /// sum of the growth of all tips \[m\]
+    pub growth: f64,
+    /// estimated error of the cycles of this call, as a share of them; 0 after fewer than two steps
+    /// \[-\]
+    pub error: f64,
+}
+extern "C" {
+    /// Set struct_size and zeros.
+    ///
+    /// * report \[out\]: the struct to fill
+    /// * struct_size \[in\]: sizeof(bempd_fatigue_report) as the caller was compiled: older programs
+    ///   keep working when it grows
+    /// * return: status
+    /// * since: 0.3
+    pub fn bempd_fatigue_report_init(
+        report: *mut bempd_fatigue_report,
+        struct_size: i64,
+    ) -> bempd_status;
+}
+extern "C" {
+    /// Let the cracks of BEM regions grow by cycles of the loads, and count the cycles.
+    ///
+    /// A block is a number of cycles between two load factors; blocks follow each other and are
+    /// repeated. Each tip grows by the law of its material, in the direction in which
+    /// bempd_grow_cracks() would have it grow at the load at which its factor is largest; tips in
+    /// materials without a law stay where they are. Every step is an event of the history, at the
+    /// highest load factor of all blocks, where the model is afterwards. All cracks grow in it, by
+    /// lengths that follow their rates. Between two steps the factor of a tip is taken as a power
+    /// of its crack's length, and the cycles are counted block by block. Steps are so long that the
+    /// estimated error of their cycles is below the tolerance, and at most a quarter of the way to
+    /// the nearest edge, hole or crack.
+    ///
+    /// Cracks stop at their critical factor; K_c is that of the law, or the toughness of the
+    /// material. The progress callback is called after every step. After a failure, and where a
+    /// callback cancels, the model is as it was.
+    ///
+    /// * model \[in\]: the model
+    /// * block_count \[in\]: number of blocks, \>= 1; 1 is a constant amplitude
+    /// * high \[in\]: shape \[block_count\], high load factor of each block \[-\]
+    /// * low \[in\]: shape \[block_count\], low load factor, at most the high one \[-\]
+    /// * cycles \[in\]: shape \[block_count\], cycles of each block, \> 0; NULL for one block \[-\]
+    /// * options \[in\]: NULL for the defaults
+    /// * report \[in,out\]: struct_size in, the rest out; may be NULL
+    /// * return: status
+    /// * since: 0.3
+    pub fn bempd_grow_fatigue(
+        model: *mut bempd_model,
+        block_count: i64,
+        high: *const f64,
+        low: *const f64,
+        cycles: *const f64,
+        options: *const bempd_fatigue,
+        report: *mut bempd_fatigue_report,
+    ) -> bempd_status;
+}
+/// A tip after a step of bempd_grow_fatigue(), or as it was at first. High and low are the highest
+/// and the lowest load factor of all blocks. Fill it with bempd_fatigue_record_init().
+///
+/// * since: 0.3
+#[repr(C)]
+#[derive(Debug, Copy, Clone)]
+pub struct bempd_fatigue_record {
+    /// sizeof(bempd_fatigue_record), set by bempd_fatigue_record_init()
+    pub struct_size: i64,
+    /// number of the step; 0: as it was at first
+    pub step: i64,
+    /// event of the history; 0: as it was at first
+    pub event: i64,
+    /// id of the crack
+    pub crack: i32,
+    /// a bempd_tip_end
+    pub end: i32,
+    /// that have passed, with those before \[-\]
+    pub cycles: f64,
+    /// length of the crack \[m\]
+    pub length: f64,
+    /// growth of this tip in the call \[m\]
+    pub growth: f64,
+    /// place of the tip \[m\]
+    pub x: f64,
+    /// \[m\]
+    pub y: f64,
+    /// K_I at the high load \[Pa m^(1/2)\]
+    pub stress_intensity_1: f64,
+    /// K_II at the high load \[Pa m^(1/2)\]
+    pub stress_intensity_2: f64,
+    /// K_I at the low load \[Pa m^(1/2)\]
+    pub stress_intensity_1_low: f64,
+    /// K_II at the low load \[Pa m^(1/2)\]
+    pub stress_intensity_2_low: f64,
+    /// K_max, factor of mode I in the direction of growth at the high load \[Pa m^(1/2)\]
+    pub highest: f64,
+    /// dK, highest less the same at the low load \[Pa m^(1/2)\]
+    pub range: f64,
+    /// R = K_min / K_max; NaN where K_max is not positive \[-\]
+    pub ratio: f64,
+    /// da/dN, mean over all blocks that do not break the tip \[m\]
+    pub rate: f64,
+}
+extern "C" {
+    /// Set struct_size and zeros.
+    ///
+    /// * record \[out\]: the struct to fill
+    /// * struct_size \[in\]: sizeof(bempd_fatigue_record) as the caller was compiled: older programs
+    ///   keep working when it grows
+    /// * return: status
+    /// * since: 0.3
+    pub fn bempd_fatigue_record_init(
+        record: *mut bempd_fatigue_record,
+        struct_size: i64,
+    ) -> bempd_status;
+}
+extern "C" {
+    /// Number of records of the last call of bempd_grow_fatigue(), one for each tip and step.
+    ///
+    /// * model \[in\]: the model
+    /// * count \[out\]: number of records
+    /// * return: status
+    /// * since: 0.3
+    pub fn bempd_fatigue_record_count(model: *const bempd_model, count: *mut i64) -> bempd_status;
+}
+extern "C" {
+    /// A record, in the order of steps, then by crack and end.
+    ///
+    /// * model \[in\]: the model
+    /// * index \[in\]: 0 .. count-1
+    /// * record \[in,out\]: struct_size in, the rest out
+    /// * return: status
+    /// * since: 0.3
+    pub fn bempd_get_fatigue_record(
+        model: *const bempd_model,
+        index: i64,
+        record: *mut bempd_fatigue_record,
     ) -> bempd_status;
 }
 /// Sizes, counters and times since the model was created. Fill it with bempd_statistics_init().

@@ -42,6 +42,7 @@ mod cancel;
 mod conditions;
 mod edges;
 mod error;
+mod fatigue;
 mod ids;
 mod kinds;
 mod material;
@@ -55,6 +56,7 @@ pub use cancel::CancelToken;
 pub use conditions::{BoundaryValue, Values};
 pub use edges::{EdgeNode, EdgePlace, NodalValues};
 pub use error::{Error, Result};
+pub use fatigue::{Block, FatigueOptions, GrowthRate, RateLaw};
 pub use ids::{CrackId, LoadId, MaterialId, RegionId, SupportId};
 pub use kinds::{
     BondState, Component, Face, FaceComponent, Field, LogLevel, NextEvent, Plane, ProgramColumn, SingularityKind,
@@ -65,8 +67,8 @@ pub use model::Model;
 pub use options::{options, OptionInfo, OptionKind};
 pub use raw::{State, View};
 pub use reports::{
-    CrackExtension, CrackTip, Explanation, Growth, HistoryEntry, PathVertex, PhaseProgress, Piece, Progress,
-    Singularity, Statistics, StepReport, TipRecord,
+    CrackExtension, CrackTip, Explanation, FatigueRecord, FatigueReport, Growth, HistoryEntry, PathVertex,
+    PhaseProgress, Piece, Progress, Singularity, Statistics, StepReport, TipRecord,
 };
 pub use results::{Bond, CrackOpening, EdgeReaction, Elements, HistorySupport, PointValues};
 

@@ -221,6 +221,67 @@ mirror! {
 }
 
 mirror! {
+    /// What growth by cycles did.
+    FatigueReport of bempd_fatigue_report {
+        /// Why it ended: a `bempd_fatigue_stop`, 1 cycles, 2 critical, 3 length, 4 none grows, 5 a tip ended, 6 a tip
+        /// stopped, 7 steps, 8 on request.
+        stop_reason: i32,
+        /// Crack whose tip is the reason; 0: none.
+        crack: i32,
+        /// Its end, 1 the start and 2 the end; 0: none.
+        end: i32,
+        /// Steps made.
+        steps: i64,
+        /// Cycles that have passed, with those before.
+        cycles: f64,
+        /// Sum of the growth of all tips [m].
+        growth: f64,
+        /// Estimated error of the cycles, as a share of them.
+        error: f64,
+    }
+}
+
+mirror! {
+    /// A tip after a step of growth by cycles.
+    FatigueRecord of bempd_fatigue_record {
+        /// Step; 0: as it was at first.
+        step: i64,
+        /// Event of the history; 0: as it was at first.
+        event: i64,
+        /// Id of the crack.
+        crack: CrackId,
+        /// Its end.
+        end: TipEnd,
+        /// Cycles that have passed, with those before.
+        cycles: f64,
+        /// Length of the crack [m].
+        length: f64,
+        /// Growth of the tip in the call [m].
+        growth: f64,
+        /// Place of the tip [m].
+        x: f64,
+        /// Place of the tip [m].
+        y: f64,
+        /// K_I at the high load [Pa m^(1/2)].
+        stress_intensity_1: f64,
+        /// K_II at the high load [Pa m^(1/2)].
+        stress_intensity_2: f64,
+        /// K_I at the low load [Pa m^(1/2)].
+        stress_intensity_1_low: f64,
+        /// K_II at the low load [Pa m^(1/2)].
+        stress_intensity_2_low: f64,
+        /// Factor of mode I in the direction of growth at the high load [Pa m^(1/2)].
+        highest: f64,
+        /// The same less that at the low load [Pa m^(1/2)].
+        range: f64,
+        /// Load ratio R [-].
+        ratio: f64,
+        /// Growth in a cycle, mean over all blocks [m].
+        rate: f64,
+    }
+}
+
+mirror! {
     /// A vertex of a crack's path; what is not known of one that was described, or where the crack began, is NaN.
     PathVertex of bempd_path_vertex {
         /// Event of the history at which the crack grew to here; 0: it was described.

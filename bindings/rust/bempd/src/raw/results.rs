@@ -273,6 +273,62 @@ impl Handle {
         Ok(growth)
     }
 
+    pub(crate) fn extend_cracks(&mut self, cracks: &[i32], ends: &[i32], lengths: &[f64]) -> Result<sys::bempd_growth> {
+        let mut growth = filled(sys::bempd_growth_init)?;
+        self.call(|model| unsafe {
+            sys::bempd_extend_cracks(
+                model,
+                cracks.len() as i64,
+                cracks.as_ptr(),
+                ends.as_ptr(),
+                lengths.as_ptr(),
+                &mut growth,
+            )
+        })?;
+        Ok(growth)
+    }
+
+    pub(crate) fn set_growth_rate(&mut self, material: i32, fill: impl Fn(&mut sys::bempd_growth_rate)) -> Result<()> {
+        let mut rate = filled(sys::bempd_growth_rate_init)?;
+        fill(&mut rate);
+        self.call(|model| unsafe { sys::bempd_set_growth_rate(model, material, &rate) })
+    }
+
+    /// `blocks`: high and low load factors, and cycles.
+    pub(crate) fn grow_fatigue(
+        &mut self,
+        blocks: &[[f64; 3]],
+        fill: impl Fn(&mut sys::bempd_fatigue),
+    ) -> Result<sys::bempd_fatigue_report> {
+        let column = |k: usize| blocks.iter().map(|block| block[k]).collect::<Vec<f64>>();
+        let (high, low, cycles) = (column(0), column(1), column(2));
+        let mut options = filled(sys::bempd_fatigue_init)?;
+        fill(&mut options);
+        let mut report = filled(sys::bempd_fatigue_report_init)?;
+        self.call(|model| unsafe {
+            sys::bempd_grow_fatigue(
+                model,
+                blocks.len() as i64,
+                high.as_ptr(),
+                low.as_ptr(),
+                cycles.as_ptr(),
+                &options,
+                &mut report,
+            )
+        })?;
+        Ok(report)
+    }
+
+    pub(crate) fn fatigue_record_count(&self) -> Result<i64> {
+        self.output(|model, count| unsafe { sys::bempd_fatigue_record_count(model, count) })
+    }
+
+    pub(crate) fn fatigue_record(&self, index: i64) -> Result<sys::bempd_fatigue_record> {
+        let mut record = filled(sys::bempd_fatigue_record_init)?;
+        self.call(|model| unsafe { sys::bempd_get_fatigue_record(model, index, &mut record) })?;
+        Ok(record)
+    }
+
     pub(crate) fn set_tip_frozen(&mut self, crack: i32, end: i32, frozen: bool) -> Result<()> {
         self.call(|model| unsafe { sys::bempd_set_tip_frozen(model, crack, end, frozen.into()) })
     }

@@ -1,0 +1,130 @@
+"""The part of a Model in which cracks grow by cycles of the loads."""
+
+from __future__ import annotations
+
+from typing import Any, Callable, Mapping, Optional, Union
+
+import numpy as np
+import numpy.typing as npt
+
+from . import _arguments as arguments
+from ._handle import Handle
+from ._library import call, ffi, lib, new_struct
+from .errors import ArgumentError
+from .fatigue import FatigueLife, FatigueStop
+from .reports import Growth, TipEnd, rows, values_of
+
+KINDS = {
+    "paris": lib.BEMPD_RATE_PARIS,
+    "forman": lib.BEMPD_RATE_FORMAN,
+    "nasgro": lib.BEMPD_RATE_NASGRO,
+    "sustained": lib.BEMPD_RATE_SUSTAINED,
+}
+#: Called as f(crack, end, highest, lowest, stress_intensity_1, stress_intensity_2, length, x, y); gives the growth in a
+#: cycle [m]. An exception ends the call, which leaves the model as it was, and is raised again.
+RateFunction = Callable[[int, int, float, float, float, float, float, float, float], float]
+
+
+class Fatigue:
+    """Growth of cracks in BEM regions by cycles, and by given lengths."""
+
+    _handle: Optional[Handle]
+
+    def _open(self) -> Handle:
+        raise NotImplementedError
+
+    def set_growth_rate(self, material: int, law: Union[str, RateFunction] = "paris", *, coefficient: float = 0.0,
+                        exponent: float = 0.0, unit_intensity: float = 1.0, threshold: float = 0.0,
+                        critical_intensity: float = 0.0, walker: float = 1.0, p: float = 0.0, q: float = 0.0,
+                        closure_alpha: float = 1.0, closure_stress: float = 0.0) -> None:
+        """Say how far a crack in a material grows in a cycle: da/dN = C dK^m by default.
+
+        `law` is "paris" (with `walker` for the effect of R), "forman", "nasgro", "sustained" (growth in time), or a
+        function. Factors are over `unit_intensity`: with 1e6 coefficients are those of tables in MPa m^(1/2) and m.
+        """
+        handle = self._open()
+        struct = new_struct("bempd_growth_rate", "bempd_growth_rate_init")
+        numbers = dict(coefficient=coefficient, exponent=exponent, unit_intensity=unit_intensity, threshold=threshold,
+                       critical_intensity=critical_intensity, walker=walker, p=p, q=q, closure_alpha=closure_alpha,
+                       closure_stress=closure_stress)
+        for name, value in numbers.items():
+            setattr(struct, name, arguments.real(f"set_growth_rate: {name}", value))
+        if callable(law):
+            struct.kind, struct.function = lib.BEMPD_RATE_HOST, _rate_callback(handle, law)
+        elif law in KINDS:
+            struct.kind = KINDS[law]
+        else:
+            raise ArgumentError(f"set_growth_rate: law is {law!r}; give one of {', '.join(KINDS)}, or a function")
+        handle.call("bempd_set_growth_rate", material, struct)
+
+    def grow_fatigue(self, high: npt.ArrayLike = 1.0, low: npt.ArrayLike = 0.0, cycles: Optional[npt.ArrayLike] = None, *,
+                     first_cycle: float = 0.0, most_cycles: Optional[float] = None, most_length: Optional[float] = None,
+                     most_steps: int = 1000, tolerance: float = 1e-3, largest_step: float = 0.25) -> FatigueLife:
+        """Let cracks grow by cycles of the loads, and count the cycles.
+
+        A block is a number of `cycles` between the load factors `high` and `low`; several blocks follow each other and are
+        repeated. One block without cycles is a constant amplitude. The model is at the highest load factor afterwards,
+        with the longer cracks.
+
+        >>> import bempd
+        >>> model = bempd.Model()
+        >>> steel = model.add_material(young_modulus=210e9, poisson_ratio=0.3)
+        >>> plate = model.add_bem_region(steel, bempd.rectangle(-0.1, -0.3, 0.1, 0.3), element_length=0.05)
+        >>> crack = model.add_crack([(-0.005, 0), (0.005, 0)])
+        >>> support = model.fix_point((-0.1, -0.3)), model.fix_point((0.1, -0.3), "y")
+        >>> loads = model.add_traction(plate, 3, "y", 100e6), model.add_traction(plate, 1, "y", -100e6)
+        >>> model.set_growth_rate(steel, coefficient=1e-11, exponent=3, unit_intensity=1e6)
+        >>> life = model.grow_fatigue(high=1, low=0, most_length=0.05)
+        >>> print(f"{life.cycles:.3g} cycles, {life.stop_reason.name}")
+        1.39e+05 cycles, LENGTH
+        """
+        blocks = np.broadcast_arrays(*(np.atleast_1d(np.asarray(values, dtype=np.float64)) for values in (high, low)))
+        tops, bottoms = (np.ascontiguousarray(values) for values in blocks)
+        counts: Any = None if cycles is None else np.ascontiguousarray(
+            np.broadcast_to(np.atleast_1d(np.asarray(cycles, dtype=np.float64)), tops.shape))
+        if tops.ndim != 1:
+            raise ArgumentError(f"grow_fatigue: high and low have shape {tops.shape}; give a number or a row for each")
+        options = new_struct("bempd_fatigue", "bempd_fatigue_init")
+        options.first_cycle, options.most_cycles = first_cycle, most_cycles or 0.0
+        options.most_length, options.most_steps = most_length or 0.0, most_steps
+        options.tolerance, options.largest_step = tolerance, largest_step
+        report = new_struct("bempd_fatigue_report", "bempd_fatigue_report_init")
+        self._open().call("bempd_grow_fatigue", len(tops), arguments.doubles(tops), arguments.doubles(bottoms),
+                          ffi.NULL if counts is None else arguments.doubles(counts), options, report, changes=True)
+        return FatigueLife(stop_reason=FatigueStop(report.stop_reason), crack=report.crack,
+                           end=TipEnd(report.end) if report.end else None, steps=report.steps, cycles=report.cycles,
+                           growth=report.growth, error=report.error, table=self._fatigue_table())
+
+    def _fatigue_table(self) -> npt.NDArray[Any]:
+        count = ffi.new("int64_t *")
+        self._open().call("bempd_fatigue_record_count", count)
+        records = ffi.new("bempd_fatigue_record[]", max(count[0], 1))
+        for index in range(count[0]):
+            call("bempd_fatigue_record_init", records + index, ffi.sizeof("bempd_fatigue_record"))
+            self._open().call("bempd_get_fatigue_record", index, records + index)
+        return rows(records, "bempd_fatigue_record")[:count[0]]
+
+    def extend_cracks(self, lengths: Mapping[tuple[int, Union[TipEnd, int]], float]) -> Growth:
+        """Let tips of BEM regions grow by lengths [m], whatever their load: `{(crack, bempd.TipEnd.END): 0.001}`."""
+        count = len(lengths)
+        cracks = ffi.new("int32_t[]", [crack for crack, _ in lengths])
+        ends = ffi.new("int32_t[]", [int(end) for _, end in lengths])
+        growths = ffi.new("double[]", [arguments.real("extend_cracks: length", length) for length in lengths.values()])
+        struct = new_struct("bempd_growth", "bempd_growth_init")
+        self._open().call("bempd_extend_cracks", count, cracks, ends, growths, struct, changes=True)
+        return Growth(**values_of(struct, "bempd_growth", Growth))
+
+
+def _rate_callback(handle: Handle, function: RateFunction) -> Any:
+    """What the library calls for the growth in a cycle; it lives as long as the model."""
+
+    def asked(crack: int, end: int, highest: float, lowest: float, first: float, second: float, length: float, x: float,
+              y: float, _: Any) -> float:
+        return float(function(crack, end, highest, lowest, first, second, length, x, y))
+
+    def failed(kind: Any, error: BaseException, traceback: Any) -> None:
+        handle.raised.append(error)
+
+    callback = ffi.callback("bempd_rate_function", asked, error=float("nan"), onerror=failed)
+    handle.callbacks.append(callback)
+    return callback

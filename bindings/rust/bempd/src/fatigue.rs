@@ -1,0 +1,188 @@
+use bempd_sys as sys;
+
+use crate::{CrackId, FatigueRecord, FatigueReport, Growth, MaterialId, Model, Result, TipEnd};
+
+/// Law by which a crack grows in a cycle of the loads; K_max and K_min are factors of mode I in the direction of growth.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
+pub enum RateLaw {
+    /// Paris and Walker: C [(1 - R)^(gamma - 1) dK]^m; gamma = 1 lets R have no effect.
+    Paris {
+        /// Exponent of the load ratio.
+        walker: f64,
+    },
+    /// Forman: C dK^m / ((1 - R) K_c - dK).
+    Forman,
+    /// NASGRO, with Newman's closure.
+    Nasgro {
+        /// Exponent towards the threshold.
+        p: f64,
+        /// Exponent towards the critical factor.
+        q: f64,
+        /// 1 plane stress to 3 plane strain.
+        closure_alpha: f64,
+        /// Largest stress over the flow stress.
+        closure_stress: f64,
+    },
+    /// In time under a sustained load: C K_max^m.
+    Sustained,
+}
+
+/// A law of growth with its numbers.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct GrowthRate {
+    law: RateLaw,
+    coefficient: f64,
+    exponent: f64,
+    unit_intensity: f64,
+    threshold: f64,
+    critical_intensity: f64,
+}
+
+impl GrowthRate {
+    /// da/dN = C dK^m, for factors over a unit: 1e6 for tables in MPa m^(1/2) and m.
+    pub fn paris(coefficient: f64, exponent: f64, unit_intensity: f64) -> GrowthRate {
+        GrowthRate {
+            law: RateLaw::Paris { walker: 1.0 },
+            coefficient,
+            exponent,
+            unit_intensity,
+            threshold: 0.0,
+            critical_intensity: 0.0,
+        }
+    }
+
+    /// Takes another law with the same numbers.
+    pub fn law(self, law: RateLaw) -> GrowthRate {
+        GrowthRate { law, ..self }
+    }
+
+    /// Sets the range up to which a tip does not grow, in the unit.
+    pub fn threshold(self, threshold: f64) -> GrowthRate {
+        GrowthRate { threshold, ..self }
+    }
+
+    /// Sets the factor at which a tip breaks, in the unit; without it that of the material's fracture energy.
+    pub fn critical_intensity(self, critical_intensity: f64) -> GrowthRate {
+        GrowthRate { critical_intensity, ..self }
+    }
+
+    fn fill(&self, rate: &mut sys::bempd_growth_rate) {
+        rate.coefficient = self.coefficient;
+        rate.exponent = self.exponent;
+        rate.unit_intensity = self.unit_intensity;
+        rate.threshold = self.threshold;
+        rate.critical_intensity = self.critical_intensity;
+        rate.kind = match self.law {
+            RateLaw::Paris { walker } => {
+                rate.walker = walker;
+                sys::BEMPD_RATE_PARIS
+            }
+            RateLaw::Forman => sys::BEMPD_RATE_FORMAN,
+            RateLaw::Nasgro { p, q, closure_alpha, closure_stress } => {
+                (rate.p, rate.q) = (p, q);
+                (rate.closure_alpha, rate.closure_stress) = (closure_alpha, closure_stress);
+                sys::BEMPD_RATE_NASGRO
+            }
+            RateLaw::Sustained => sys::BEMPD_RATE_SUSTAINED,
+        } as i32;
+    }
+}
+
+/// Cycles between two load factors.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Block {
+    /// High load factor [-].
+    pub high: f64,
+    /// Low load factor [-].
+    pub low: f64,
+    /// Cycles; of one block alone any number.
+    pub cycles: f64,
+}
+
+/// What `Model::grow_fatigue` is asked for; 0 stands for no limit.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct FatigueOptions {
+    /// Cycles that have passed before.
+    pub first_cycle: f64,
+    /// Where to stop, counted with those before.
+    pub most_cycles: f64,
+    /// Length of a crack at which to stop [m].
+    pub most_length: f64,
+    /// Steps after which to stop.
+    pub most_steps: i64,
+    /// Error of the cycles in each step, as a share of these.
+    pub tolerance: f64,
+    /// Longest step over the crack's length.
+    pub largest_step: f64,
+}
+
+impl Default for FatigueOptions {
+    fn default() -> FatigueOptions {
+        FatigueOptions {
+            first_cycle: 0.0,
+            most_cycles: 0.0,
+            most_length: 0.0,
+            most_steps: 1000,
+            tolerance: 1e-3,
+            largest_step: 0.25,
+        }
+    }
+}
+
+impl Model {
+    /// Says how far cracks in a material grow in a cycle of the loads. A law of one's own takes `extend_cracks`.
+    pub fn set_growth_rate(&mut self, material: MaterialId, rate: &GrowthRate) -> Result<()> {
+        self.handle.set_growth_rate(material.0, |raw| rate.fill(raw))
+    }
+
+    /// Lets cracks grow by cycles of the loads and counts the cycles; blocks follow each other and are repeated.
+    ///
+    /// ```
+    /// use bempd::{Block, Component, FaceComponent, FatigueOptions, GrowthRate, Material, Model, Values};
+    ///
+    /// # fn main() -> bempd::Result<()> {
+    /// let mut model = Model::new()?;
+    /// let glass = model.add_material(&Material::new(1.0, 0.3))?;
+    /// model.add_bem_region(glass, &[[-1.0, -1.0], [1.0, -1.0], [1.0, 1.0], [-1.0, 1.0]], 0.5)?;
+    /// let crack = model.add_crack(&[[-0.3, 0.0], [0.3, 0.0]])?;
+    /// model.fix_point([-1.0, -1.0], Component::Both)?;
+    /// model.fix_point([1.0, -1.0], Component::Y)?;
+    /// model.add_crack_traction(crack, FaceComponent::Pressure, Values::proportional(&[1.0]))?;
+    /// model.set_growth_rate(glass, &GrowthRate::paris(1e-6, 3.0, 1.0))?;
+    /// let block = Block { high: 1.0, low: 0.0, cycles: 1.0 };
+    /// let report = model.grow_fatigue(&[block], &FatigueOptions { most_length: 0.9, ..Default::default() })?;
+    /// let records = model.fatigue_records()?;
+    /// assert!((records.last().unwrap().length - 0.9).abs() < 1e-9);
+    /// assert_eq!(records.last().unwrap().cycles, report.cycles);
+    /// # Ok(())
+    /// # }
+    /// ```
+    pub fn grow_fatigue(&mut self, blocks: &[Block], options: &FatigueOptions) -> Result<FatigueReport> {
+        let rows: Vec<[f64; 3]> = blocks.iter().map(|block| [block.high, block.low, block.cycles]).collect();
+        let report = self.handle.grow_fatigue(&rows, |raw| {
+            raw.first_cycle = options.first_cycle;
+            raw.most_cycles = options.most_cycles;
+            raw.most_length = options.most_length;
+            raw.most_steps = options.most_steps;
+            raw.tolerance = options.tolerance;
+            raw.largest_step = options.largest_step;
+        })?;
+        Ok(FatigueReport::from_raw(&report))
+    }
+
+    /// Each tip at first and after every step of the last `grow_fatigue`.
+    pub fn fatigue_records(&self) -> Result<Vec<FatigueRecord>> {
+        (0..self.handle.fatigue_record_count()?)
+            .map(|index| Ok(FatigueRecord::from_raw(&self.handle.fatigue_record(index)?)))
+            .collect()
+    }
+
+    /// Lets tips in boundary element regions grow by lengths [m] at the present load factor, whatever their load.
+    pub fn extend_cracks(&mut self, tips: &[(CrackId, TipEnd, f64)]) -> Result<Growth> {
+        let cracks: Vec<i32> = tips.iter().map(|tip| tip.0 .0).collect();
+        let ends: Vec<i32> = tips.iter().map(|tip| tip.1.raw()).collect();
+        let lengths: Vec<f64> = tips.iter().map(|tip| tip.2).collect();
+        Ok(Growth::from_raw(&self.handle.extend_cracks(&cracks, &ends, &lengths)?))
+    }
+}

@@ -1,0 +1,108 @@
+"""Growth by cycles: lives against closed forms and integrations, laws, blocks, callbacks."""
+
+from __future__ import annotations
+
+import csv
+import pathlib
+
+import numpy as np
+import pytest
+
+import bempd
+
+
+def plate(half_length: float = 0.05, *, width: float = 1.0, height: float = 3.0, **rate: float) -> bempd.Model:
+    """A plate 2 * width with a crack in its centre, pulled by 1 MPa; da/dN = 1e-11 dK^3 in MPa m^(1/2) and m."""
+    model = bempd.Model(log=None)
+    steel = model.add_material(young_modulus=210e9, poisson_ratio=0.3)
+    region = model.add_bem_region(steel, bempd.rectangle(-width, -height, width, height), element_length=0.25 * width)
+    model.add_crack([(-half_length, 0), (half_length, 0)])
+    model.fix_point((-width, -height))
+    model.fix_point((width, -height), "y")
+    model.add_traction(region, 3, "y", 1e6)
+    model.add_traction(region, 1, "y", -1e6)
+    model.set_growth_rate(steel, **{"coefficient": 1e-11, "exponent": 3.0, "unit_intensity": 1e6, **rate})
+    return model
+
+
+def test_wide_plate_has_the_life_of_the_closed_form() -> None:
+    life = plate(0.01, width=8.0, height=8.0).grow_fatigue(most_length=0.1)
+    exact = (0.01**-0.5 - 0.05**-0.5) / (0.5 * 1e-11 * np.pi**1.5)
+    print(f"cycles {life.cycles:.6g}, closed form {exact:.6g}, relative difference {life.cycles / exact - 1:.1e}")
+    assert life.cycles == pytest.approx(exact, rel=1e-3)
+
+
+def test_walker_and_sustained_rates_follow_from_the_range() -> None:
+    amplitude = plate(0.01).grow_fatigue(most_length=0.1)
+    walker = plate(0.01, walker=0.5).grow_fatigue(1.0, 0.5, most_length=0.1)
+    assert walker.cycles == pytest.approx(amplitude.cycles / (0.5 * 0.5**-0.5) ** 3, rel=1e-4)
+    model = plate(0.01)
+    model.set_growth_rate(1, "sustained", coefficient=1e-11, exponent=3, unit_intensity=1e6)
+    assert model.grow_fatigue(1.0, 1.0, most_length=0.1).cycles == pytest.approx(amplitude.cycles, rel=1e-4)
+
+
+def test_order_of_blocks_matters_as_in_an_integration_cycle_by_cycle() -> None:
+    blocks = {"high": np.array([1.0, 0.5]), "low": np.array([0.0, 0.1]), "cycles": np.array([30000.0, 400000.0])}
+    lengths = []
+    for order in ([0, 1], [1, 0]):
+        model = plate(0.01, width=8.0, height=8.0, coefficient=1e-10)
+        life = model.grow_fatigue(blocks["high"][order] * 10, blocks["low"][order] * 10, blocks["cycles"][order],
+                                  most_cycles=100000.0)
+        lengths.append(model.crack_length(1) / 2)
+        # a^(1 - m/2) is linear in the cycles of a block.
+        a, left = 0.01, 100000.0
+        for high, low, cycles in zip(*(blocks[name][order] for name in ("high", "low", "cycles"))):
+            n = min(left, cycles)
+            a, left = (a**-0.5 - 0.5 * 1e-10 * n * (10 * (high - low)) ** 3 * np.pi**1.5) ** -2, left - n
+        print(f"half length {lengths[-1]:.6f}, closed form {a:.6f}")
+        assert lengths[-1] - 0.01 == pytest.approx(a - 0.01, rel=2e-3)
+        assert life.stop_reason == bempd.FatigueStop.CYCLES
+    assert abs(lengths[0] - lengths[1]) > 0.01 * lengths[0]
+
+
+def test_life_tells_of_lengths_inspections_and_writes_its_table(tmp_path: pathlib.Path) -> None:
+    life = plate(critical_intensity=0.8).grow_fatigue()
+    assert life.stop_reason == bempd.FatigueStop.CRITICAL and life.crack == 1
+    assert life.cycles_at(0.1) == 0 and np.isnan(life.cycles_at(0.09))
+    half = life.cycles_at(0.2)
+    assert 0 < half < life.cycles
+    assert life.cycles_at(life.table["length"][-1]) == pytest.approx(life.cycles)
+    assert life.inspection_interval(0.2, inspections=3) == pytest.approx((life.cycles - half) / 3)
+    with pytest.raises(bempd.ArgumentError, match="never"):
+        life.inspection_interval(5.0)
+    with pytest.raises(bempd.ArgumentError, match="crack 7"):
+        life.tip(7)
+    tip = life.tip(1, bempd.TipEnd.START)
+    assert np.all(np.diff(tip["cycles"]) > 0) and tip["rate"] == pytest.approx(1e-11 * (tip["range"] / 1e6) ** 3)
+    life.write_csv(tmp_path / "life.csv")
+    with open(tmp_path / "life.csv", encoding="utf-8") as file:
+        rows = list(csv.DictReader(file))
+    assert len(rows) == len(life.table) and float(rows[-1]["cycles"]) == life.cycles
+
+
+def test_laws_of_the_user_may_fail() -> None:
+    calls = []
+
+    def rate(crack: int, end: int, highest: float, lowest: float, first: float, second: float, length: float, x: float,
+             y: float) -> float:
+        calls.append(length)
+        if len(calls) > 50:
+            raise RuntimeError("no data")
+        return 1e-11
+
+    model = plate()
+    model.set_growth_rate(1, rate)
+    with pytest.raises(RuntimeError, match="no data"):
+        model.grow_fatigue(most_length=0.2)
+    assert model.crack_length(1) == pytest.approx(0.1) and len(model.extensions()) == 0
+    with pytest.raises(bempd.ArgumentError, match="law is 'pariss'"):
+        model.set_growth_rate(1, "pariss")
+    with pytest.raises(bempd.ArgumentError, match="R = low / high"):
+        model.grow_fatigue(1.0, 2.0)
+
+
+def test_tips_grow_by_lengths() -> None:
+    model = plate()
+    growth = model.extend_cracks({(1, bempd.TipEnd.START): 0.01, (1, bempd.TipEnd.END): 0.02})
+    assert growth.tips == 2 and growth.length == pytest.approx(0.03)
+    assert [round(vertex.x, 6) for vertex in model.crack_path(1)] == [-0.06, -0.05, 0.05, 0.07]
