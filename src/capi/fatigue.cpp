@@ -114,8 +114,8 @@ std::vector<crack::Block> blocks_of(std::int64_t count, const double* high, cons
     const double number = cycles ? cycles[b] : 1;
     require(std::isfinite(high[b]) && std::isfinite(low[b]), "block ", b + 1, " goes from ", low[b], " to ", high[b],
             "; load factors must be finite numbers");
-    require(high[b] >= low[b], "the high load factor of block ", b + 1, " is ", high[b], ", below the low one, ", low[b],
-            "; it must be higher: R = low / high lies below 1");
+    require(high[b] >= low[b], "the high load factor of block ", b + 1, " is ", high[b], ", below the low one, ",
+            low[b], "; it must be higher: R = low / high lies below 1");
     require(std::isfinite(number) && number > 0, "block ", b + 1, " has ", number, " cycles; it must have more than 0");
     blocks.push_back({high[b], low[b], number});
   }
