@@ -20,7 +20,7 @@ class CycleProgram {
     std::size_t high, low;
     double cycles;
   };
-  // Where a run through the program has come to.
+  // Place in the program to which a run has come.
   struct Place {
     std::size_t block = 0;
     double done = 0;  // cycles of this block

@@ -36,10 +36,22 @@ LevelFactors TipOnStep::at(double grown, std::size_t level) const {
   if (!(first.equivalent > 0 && last.equivalent > 0))
     return {(1 - share) * first.factors + share * last.factors,
             (1 - share) * first.equivalent + share * last.equivalent};
-  const double power = std::log(last.equivalent / first.equivalent) / std::log1p(growth / start);
-  const double equivalent = first.equivalent * std::exp(power * std::log1p(grown / start));
+  const double whole = std::log1p(growth / start), way = std::log1p(grown / start);
+  const double power = std::log(last.equivalent / first.equivalent) / whole;
+  const double equivalent = first.equivalent * std::exp(way * (power + (way - whole) * bend(level)));
   const Point modes = (1 - share) / first.equivalent * first.factors + share / last.equivalent * last.factors;
   return {equivalent * modes, equivalent};
+}
+
+// A step before that was much longer, or in which the tip took much more of its crack's growth, says nothing.
+double TipOnStep::bend(std::size_t level) const {
+  constexpr double longest = 0.7;
+  const double start = own_length();
+  if (past.empty() || !(past_growth > 0 && past_growth < longest * start) || !(past[level].equivalent > 0)) return 0;
+  const double whole = std::log1p(growth / start), back = -std::log1p(-past_growth / start);
+  const double power = std::log(after[level].equivalent / before[level].equivalent) / whole;
+  const double power_before = std::log(before[level].equivalent / past[level].equivalent) / back;
+  return (power - power_before) / (whole + back);
 }
 
 TipCycle TipOnStep::cycle(double grown, const CycleProgram::Levels& levels) const {

@@ -15,7 +15,8 @@ struct LevelFactors {
 };
 
 // A tip on a step of its crack: factors are known before and after it, at each load factor of the program. Between the
-// two the equivalent factor is a power of the crack's length, and the shares of the modes change evenly.
+// two the logarithm of the equivalent factor is that of a power of the crack's length, bent as through the step before
+// where that is known, and the shares of the modes change evenly.
 struct TipOnStep {
   TipId tip;
   const RateLaw* law = nullptr;
@@ -25,9 +26,14 @@ struct TipOnStep {
   Point from{0, 0}, to{0, 0};
   std::vector<LevelFactors> before, after;  // `after` is empty where nothing is known of it: as before
 
+  // What is known of the step before: the growth of the tip in it, and its factors before it; 0 without [m].
+  double past_growth = 0;
+  std::vector<LevelFactors> past;
+
   LevelFactors at(double grown, std::size_t level) const;
   TipCycle cycle(double grown, const CycleProgram::Levels& levels) const;
   // Length of the tip's own part of the crack: the power law counts from its other end.
+  double bend(std::size_t level) const;  // second divided difference of logarithms over those of lengths
   double own_length() const { return crack_growth > 0 ? length * growth / crack_growth : length; }
 };
 

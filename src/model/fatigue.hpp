@@ -73,10 +73,10 @@ class Fatigue {
 
   // Throws Error; then the model is as it was.
   FatigueReport grow(const FatigueOptions& options);
-  // Of the last call.
+  // Records of the last call.
   const std::vector<FatigueRecord>& records() const { return records_; }
 
-  // These tips grow by these lengths at the present load factor, as one event.
+  // Lets tips grow by lengths at the present load factor, as one event.
   GrowthResult extend(const std::vector<std::pair<crack::TipId, double>>& lengths);
 
  private:

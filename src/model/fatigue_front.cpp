@@ -40,7 +40,7 @@ class FactorsByLevel {
             factors_[t][level] = factors_of(tip).at(program_.load_factors()[level]);
   }
 
-  // From the highest load on, downwards or upwards, until the same faces are closed at a load factor as at all others
+  // Goes on from the highest load, downwards or upwards, until the same faces are closed at a load factor as at all others
   // that are left: gaps and pressures are affine, so that they are closed in between as well.
   void follow(bool downwards) {
     const std::vector<double>& loads = program_.load_factors();

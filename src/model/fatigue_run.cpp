@@ -10,12 +10,9 @@ namespace bempd::model {
 
 namespace {
 
-// Steps towards an edge, a hole or another crack: a share of the way there, and at least a share of the tip's size, so
-// that the last one ends there.
-constexpr double step_over_clearance = 0.25, least_step = 0.02;
-
-// Share of its size that a tip has at least to grow by for its crack to become longer; less goes into later steps.
-constexpr double least_growth = 0.005;
+// Shares of its size, or of the growth of the tip that grows most for its size, by which a tip has to grow for its crack
+// to become longer; less goes into later steps.
+constexpr double least_growth = 0.005, slow = 0.05;
 
 // Turns in a step: above the first the step is made again in the direction of its chord, above the second it is halved
 // [rad].
@@ -59,71 +56,6 @@ void FatigueRun::find_front() {
   require(!front_.empty(),
           "no material with a tip has a law of growth by cycles; give it one with bempd_set_growth_rate()");
   find_rates();
-}
-
-void FatigueRun::find_rates() {
-  rates_.clear();
-  for (std::size_t t = 0; t < front_.size(); ++t) rates_.push_back(crack::mean_rate(standing(t), 0, program_));
-}
-
-// A tip that does not grow.
-crack::TipOnStep FatigueRun::standing(std::size_t tip) const {
-  const FrontTip& of = front_[tip];
-  crack::TipOnStep one;
-  one.tip = of.id(), one.law = of.law, one.before = of.levels;
-  one.length = length_of_crack(tip);
-  one.from = one.to = of.values.place;
-  return one;
-}
-
-double FatigueRun::length_of_crack(std::size_t tip) const {
-  return length_of(model_.scene().crack(front_[tip].values.crack));
-}
-
-// Length of the part of the crack that is the tip's own: ends that grow share it by their rates.
-double FatigueRun::size_of(std::size_t tip) const {
-  double sum = 0;
-  for (std::size_t t = 0; t < front_.size(); ++t)
-    if (front_[t].values.crack == front_[tip].values.crack) sum += rates_[t];
-  return sum > 0 ? length_of_crack(tip) * rates_[tip] / sum : length_of_crack(tip);
-}
-
-double FatigueRun::longest(std::size_t tip) const {
-  const regions::TipValues& at = front_[tip].values;
-  const double size = size_of(tip);
-  const double clearance = clearance_of_tip(model_.scene(), model_.scene().cracks(), at.crack, at.end);
-  return std::min(step_ * size, std::max(step_over_clearance * clearance, least_step * size));
-}
-
-// Where few cycles are left the rates at first say how far the tips go, with room for rates that rise.
-std::optional<FatigueRun::Plan> FatigueRun::plan() const {
-  constexpr double room = 1.3;
-  Plan plan;
-  double cycles = FatigueOptions::unlimited;
-  for (std::size_t t = 0; t < front_.size(); ++t) {
-    if (!(rates_[t] > 0)) continue;
-    const double own = longest(t) / rates_[t];
-    if (own < cycles) cycles = own, plan.leader = t;
-  }
-  if (std::isinf(cycles)) return std::nullopt;
-  cycles = std::min(cycles, room * cycles_left());
-  for (std::size_t t = 0; t < front_.size(); ++t) {
-    const auto ahead = ahead_.find(front_[t].id());
-    plan.lengths.push_back(std::max(0.0, cycles * rates_[t] + (ahead == ahead_.end() ? 0 : ahead->second)));
-  }
-  keep_within_length(plan.lengths);
-  return plan;
-}
-
-void FatigueRun::keep_within_length(std::vector<double>& lengths) const {
-  double share = 1;
-  for (std::size_t t = 0; t < front_.size(); ++t) {
-    double growth = 0;
-    for (std::size_t other = 0; other < front_.size(); ++other)
-      if (front_[other].values.crack == front_[t].values.crack) growth += lengths[other];
-    if (growth > 0) share = std::min(share, (options_.most_length - length_of_crack(t)) / growth);
-  }
-  for (double& length : lengths) length *= std::max(0.0, share);
 }
 
 // A step that turns by too much, whose cycles are too uncertain, or that cannot be, is made shorter.
@@ -179,7 +111,7 @@ FatigueRun::Trial FatigueRun::trial(std::vector<double> lengths, std::vector<dou
   trial.lengths = std::move(lengths), trial.angles = std::move(angles);
   std::vector<Lengthened> grow;
   for (std::size_t t = 0; t < front_.size(); ++t)
-    if (t == leader || trial.lengths[t] > least_growth * size_of(t))
+    if (t == leader || trial.lengths[t] > std::min(least_growth * size_of(t), slow * trial.lengths[leader]))
       grow.push_back({front_[t].values, trial.lengths[t], trial.angles[t]});
   trial.longer = lengthening_.lengthened(grow);
   std::vector<regions::TipValues> tips = trial.longer.grown.tips;
@@ -203,6 +135,8 @@ std::vector<crack::TipOnStep> FatigueRun::on_step(const Trial& trial) const {
       if (e.tip() == one.tip) one.growth = e.length, one.to = Point(e.x, e.y);
     }
     if (const FrontTip* after = tip_in(trial.after, one.tip)) one.after = after->levels;
+    if (const auto last = last_growth_.find(one.tip); last != last_growth_.end())
+      one.past_growth = last->second, one.past = last_levels_.at(one.tip);
     all.push_back(std::move(one));
   }
   return all;
@@ -266,6 +200,7 @@ bool FatigueRun::accept(Trial trial, std::size_t leader) {
     const crack::TipOnStep& tip = trial.on_step[t];
     ahead_[tip.tip] = t == leader ? 0 : trial.cycles.growth[t] - tip.growth;
     grown_[tip.tip] += tip.growth;
+    last_growth_[tip.tip] = tip.growth, last_levels_[tip.tip] = tip.before;
     report_.growth += tip.growth;
   }
   report_.cycles += trial.cycles.cycles;

@@ -42,7 +42,7 @@ class FatigueRun {
   void find_rates();
   crack::TipOnStep standing(std::size_t tip) const;
   std::optional<Plan> plan() const;
-  void keep_within_length(std::vector<double>& lengths) const;
+  void keep_within_length(Plan& plan) const;
   double length_of_crack(std::size_t tip) const;
   double size_of(std::size_t tip) const;
   double longest(std::size_t tip) const;
@@ -73,6 +73,8 @@ class FatigueRun {
   std::vector<double> rates_;             // of the front, mean over the program
   std::map<crack::TipId, double> ahead_;  // by how much a tip has grown more than its crack [m]
   std::map<crack::TipId, double> grown_;
+  std::map<crack::TipId, double> last_growth_;  // in the step before [m]
+  std::map<crack::TipId, std::vector<crack::LevelFactors>> last_levels_;  // before that
   std::map<crack::TipId, double> powers_;  // of its rate in its length, in the last step that it led
   crack::CycleProgram::Place place_;
   double step_;       // share of the leader's size

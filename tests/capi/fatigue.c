@@ -65,7 +65,7 @@ static int64_t record_count(const bempd_model* model) {
   return count;
 }
 
-/** Both tips grow alike; the records say by how much, and the history has an event for each step. */
+/** Tips of a centre crack grow alike; the records say by how much, and the history has an event for each step. */
 static void records_belong_to_steps(void) {
   const plate p = new_plate(0.0, 0.0);
   const bempd_growth_rate rate = paris();

@@ -57,6 +57,7 @@ class Scene {
   // Cracks (scene_cracks.cpp).
   void add_curved();
   void grow();
+  void grow_by_cycles();
   void read_tips();
   void read_paths();
   void read_pieces();

@@ -69,6 +69,7 @@ void Scene::build_cracked() {
     ++loads_, load_values_.push_back(1);
   advance();
   if (bytes_.pick(2) == 0) grow();
+  if (bytes_.pick(3) == 1) grow_by_cycles();
 }
 
 void Scene::grow() {
@@ -84,6 +85,41 @@ void Scene::grow() {
     require_true(growth.tips > 0 && growth.ended <= growth.tips, "bempd_grow_cracks", "no tip has grown");
   }
   read_tips();
+}
+
+void Scene::grow_by_cycles() {
+  const Marks before = marks();
+  bempd_growth_rate rate;
+  good("bempd_growth_rate_init", nullptr, bempd_growth_rate_init(&rate, sizeof rate));
+  rate.kind = 1 + bytes_.pick(4);
+  rate.coefficient = bytes_.mostly(1.0), rate.exponent = bytes_.mostly(2.0);
+  rate.critical_intensity = bytes_.mostly(10.0), rate.threshold = bytes_.mostly(0.0);
+  FUZZ_CALL(bempd_set_growth_rate, model_, 1, &rate);
+  bempd_fatigue options;
+  good("bempd_fatigue_init", nullptr, bempd_fatigue_init(&options, sizeof options));
+  options.most_steps = 1 + bytes_.pick(3);
+  bempd_fatigue_report report;
+  good("bempd_fatigue_report_init", nullptr, bempd_fatigue_report_init(&report, sizeof report));
+  const std::array high = {bytes_.mostly(1.0), 0.5}, low = {bytes_.mostly(-0.5), 0.0}, cycles = {bytes_.mostly(10.0), 3.0};
+  if (!FUZZ_CALL(bempd_grow_fatigue, model_, 1 + bytes_.pick(2), high.data(), low.data(), cycles.data(), &options,
+                 &report)) {
+    require_same("bempd_grow_fatigue", before, marks());
+  } else {
+    const std::array numbers = {report.cycles, report.growth, report.error};
+    require_finite("bempd_grow_fatigue", numbers.data(), numbers.size());
+    require_true(report.steps <= options.most_steps, "bempd_grow_fatigue", "too many steps");
+  }
+  std::int64_t count = 0;
+  bempd_fatigue_record record;
+  good("bempd_fatigue_record_init", nullptr, bempd_fatigue_record_init(&record, sizeof record));
+  if (FUZZ_CALL(bempd_fatigue_record_count, model_, &count) && count > 0 &&
+      FUZZ_CALL(bempd_get_fatigue_record, model_, count - 1, &record)) {
+    const std::array numbers = {record.cycles, record.length, record.highest, record.range, record.rate};
+    require_finite("bempd_get_fatigue_record", numbers.data(), numbers.size());
+  }
+  const std::int32_t crack = 1 + bytes_.pick(2), end = 1 + bytes_.pick(2);
+  const double length = bytes_.mostly(0.1 * scale_);
+  FUZZ_CALL(bempd_extend_cracks, model_, 1, &crack, &end, &length, nullptr);
 }
 
 void Scene::read_tips() {

@@ -43,7 +43,7 @@ class FatigueLife:
 
     def tip(self, crack: int, end: Union[TipEnd, int] = TipEnd.END) -> npt.NDArray[Any]:
         """The rows of one tip."""
-        found = self.table[(self.table["crack"] == crack) & (self.table["end"] == int(end))]
+        found: npt.NDArray[Any] = self.table[(self.table["crack"] == crack) & (self.table["end"] == int(end))]
         if len(found) == 0:
             raise ArgumentError(f"tip: crack {crack} has no tip at its {TipEnd(end).name.lower()} that grew by cycles")
         return found
@@ -83,7 +83,7 @@ class FatigueLife:
     def plot(self, axes: Any = None) -> Any:
         """Draw a-N curves on the left, and da/dN over dK on the right; returns the pair of axes of matplotlib."""
         if axes is None:
-            import matplotlib.pyplot as plt  # type: ignore[import-not-found,unused-ignore]
+            import matplotlib.pyplot as plt
 
             axes = plt.subplots(1, 2, figsize=(9, 3.6), layout="constrained")[1]
         growth, rates = axes

@@ -42,15 +42,15 @@ def test_walker_and_sustained_rates_follow_from_the_range() -> None:
 
 
 def test_order_of_blocks_matters_as_in_an_integration_cycle_by_cycle() -> None:
-    blocks = {"high": np.array([1.0, 0.5]), "low": np.array([0.0, 0.1]), "cycles": np.array([30000.0, 400000.0])}
+    blocks = {"high": np.array([1.0, 0.5]), "low": np.array([0.0, 0.1]), "cycles": np.array([3e6, 4e7])}
     lengths = []
     for order in ([0, 1], [1, 0]):
         model = plate(0.01, width=8.0, height=8.0, coefficient=1e-10)
         life = model.grow_fatigue(blocks["high"][order] * 10, blocks["low"][order] * 10, blocks["cycles"][order],
-                                  most_cycles=100000.0)
+                                  most_cycles=1e7)
         lengths.append(model.crack_length(1) / 2)
         # a^(1 - m/2) is linear in the cycles of a block.
-        a, left = 0.01, 100000.0
+        a, left = 0.01, 1e7
         for high, low, cycles in zip(*(blocks[name][order] for name in ("high", "low", "cycles"))):
             n = min(left, cycles)
             a, left = (a**-0.5 - 0.5 * 1e-10 * n * (10 * (high - low)) ** 3 * np.pi**1.5) ** -2, left - n

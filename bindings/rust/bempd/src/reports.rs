@@ -228,7 +228,7 @@ mirror! {
         stop_reason: i32,
         /// Crack whose tip is the reason; 0: none.
         crack: i32,
-        /// Its end, 1 the start and 2 the end; 0: none.
+        /// End of the crack, 1 the start and 2 the end; 0: none.
         end: i32,
         /// Steps made.
         steps: i64,
@@ -250,7 +250,7 @@ mirror! {
         event: i64,
         /// Id of the crack.
         crack: CrackId,
-        /// Its end.
+        /// End of the crack.
         end: TipEnd,
         /// Cycles that have passed, with those before.
         cycles: f64,
@@ -272,7 +272,7 @@ mirror! {
         stress_intensity_2_low: f64,
         /// Factor of mode I in the direction of growth at the high load [Pa m^(1/2)].
         highest: f64,
-        /// The same less that at the low load [Pa m^(1/2)].
+        /// Range: `highest` less the factor at the low load [Pa m^(1/2)].
         range: f64,
         /// Load ratio R [-].
         ratio: f64,

@@ -1,0 +1,86 @@
+#include <algorithm>
+#include <cmath>
+
+#include "model/crack_way.hpp"
+#include "model/fatigue_run.hpp"
+
+// How far tips go in a step of growth by cycles.
+namespace bempd::model {
+
+namespace {
+
+// Steps towards an edge, a hole or another crack: a share of the way there, and at least a share of the tip's size, so
+// that the last one ends there.
+constexpr double step_over_clearance = 0.25, least_step = 0.02;
+
+}  // namespace
+
+void FatigueRun::find_rates() {
+  rates_.clear();
+  for (std::size_t t = 0; t < front_.size(); ++t) rates_.push_back(crack::mean_rate(standing(t), 0, program_));
+}
+
+// A tip that does not grow.
+crack::TipOnStep FatigueRun::standing(std::size_t tip) const {
+  const FrontTip& of = front_[tip];
+  crack::TipOnStep one;
+  one.tip = of.id(), one.law = of.law, one.before = of.levels;
+  one.length = length_of_crack(tip);
+  one.from = one.to = of.values.place;
+  return one;
+}
+
+double FatigueRun::length_of_crack(std::size_t tip) const {
+  return length_of(model_.scene().crack(front_[tip].values.crack));
+}
+
+// Length of the part of the crack that is the tip's own: ends that grow share it by their rates.
+double FatigueRun::size_of(std::size_t tip) const {
+  double sum = 0;
+  for (std::size_t t = 0; t < front_.size(); ++t)
+    if (front_[t].values.crack == front_[tip].values.crack) sum += rates_[t];
+  return sum > 0 ? length_of_crack(tip) * rates_[tip] / sum : length_of_crack(tip);
+}
+
+double FatigueRun::longest(std::size_t tip) const {
+  const regions::TipValues& at = front_[tip].values;
+  const double size = size_of(tip);
+  const double clearance = clearance_of_tip(model_.scene(), model_.scene().cracks(), at.crack, at.end);
+  return std::min(step_ * size, std::max(step_over_clearance * clearance, least_step * size));
+}
+
+// The plan of a step. Where few cycles are left the rates at first say how far the tips go, with room for rates that
+// rise.
+std::optional<FatigueRun::Plan> FatigueRun::plan() const {
+  constexpr double room = 1.3;
+  Plan plan;
+  double cycles = FatigueOptions::unlimited;
+  for (std::size_t t = 0; t < front_.size(); ++t) {
+    if (!(rates_[t] > 0)) continue;
+    const double own = longest(t) / rates_[t];
+    if (own < cycles) cycles = own, plan.leader = t;
+  }
+  if (std::isinf(cycles)) return std::nullopt;
+  cycles = std::min(cycles, room * cycles_left());
+  for (std::size_t t = 0; t < front_.size(); ++t) {
+    const auto ahead = ahead_.find(front_[t].id());
+    plan.lengths.push_back(std::max(0.0, cycles * rates_[t] + (ahead == ahead_.end() ? 0 : ahead->second)));
+  }
+  keep_within_length(plan);
+  return plan;
+}
+
+// The tip whose crack comes to the length asked for leads then: its length is met exactly.
+void FatigueRun::keep_within_length(Plan& plan) const {
+  double share = 1;
+  for (std::size_t t = 0; t < front_.size(); ++t) {
+    double growth = 0;
+    for (std::size_t other = 0; other < front_.size(); ++other)
+      if (front_[other].values.crack == front_[t].values.crack) growth += plan.lengths[other];
+    const double own = growth > 0 ? (options_.most_length - length_of_crack(t)) / growth : 1;
+    if (own < share && plan.lengths[t] > 0) share = own, plan.leader = t;
+  }
+  for (double& length : plan.lengths) length *= std::max(0.0, share);
+}
+
+}  // namespace bempd::model
