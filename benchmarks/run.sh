@@ -11,6 +11,7 @@
 #   benchmarks/run.sh materials       lattices of any Poisson's ratio, into docs/research/tables
 #   benchmarks/run.sh outlines        networks, accuracy and cost of any outline, into docs/research/tables with --write
 #   benchmarks/run.sh mixed_cracks    cracks across borders of elements and lattices, into docs/mixed_cracks.md with --write
+#   benchmarks/run.sh fatigue         lives of cracks under cycles against closed forms, into docs/fatigue.md with --write
 #   benchmarks/run.sh line_loads      loads of lines against boundary elements on the same paths, into docs/cracks.md with --write
 #   --with-peers, last, installs the peers first: FreeFem++, dolfinx and CalculiX; LAMMPS and dolfinx; or dolfinx
 set -euo pipefail
@@ -32,7 +33,8 @@ case "$name" in
   outlines) programs=(bempd_outlines) peers=() ;;
   mixed_cracks) programs=() peers=() ;;
   line_loads) programs=() peers=() ;;
-  *) sed -n '2,15s/^# *//p' "$0" >&2; exit 2 ;;
+  fatigue) programs=() peers=() ;;
+  *) sed -n '2,16s/^# *//p' "$0" >&2; exit 2 ;;
 esac
 shift
 if [ "${*: -1}" = --with-peers ]; then set -- "${@:1:$#-1}"; else peers=(); fi

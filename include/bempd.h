@@ -1809,8 +1809,8 @@ typedef enum bempd_rate_kind {
   BEMPD_RATE_FORMAN = 2,
   /** NASGRO: da/dN = C [(1 - f) / (1 - R) dK]^m (1 - dK_th / dK)^p / (1 - K_max / K_c)^q, with Newman's closure f. */
   BEMPD_RATE_NASGRO = 3,
-  /** Growth in time under a sustained load, as by stress corrosion: da/dt = C K_max^m above the threshold. What is called
-   * cycles is time then. */
+  /** Growth in time under a sustained load, as by stress corrosion: da/dt = C K_max^m above the threshold. What is
+   * called cycles is time then. */
   BEMPD_RATE_SUSTAINED = 4,
   /** A function of the host. */
   BEMPD_RATE_HOST = 5

@@ -33,7 +33,10 @@ module bempd
     BEMPD_TIP_GROWS, BEMPD_TIP_AT_EDGE, BEMPD_TIP_AT_HOLE, BEMPD_TIP_AT_CRACK, BEMPD_TIP_AT_INTERFACE, BEMPD_TIP_SEPARATED, &
     bempd_step_report, bempd_statistics, &
     bempd_history_entry, bempd_crack_tip, bempd_growth, bempd_crack_extension, bempd_growth_rate, bempd_fatigue, &
-    bempd_fatigue_report, bempd_fatigue_record, &
+    bempd_fatigue_report, bempd_fatigue_record, bempd_growth_rate_init, bempd_fatigue_init, BEMPD_RATE_PARIS, &
+    BEMPD_RATE_FORMAN, BEMPD_RATE_NASGRO, BEMPD_RATE_SUSTAINED, BEMPD_RATE_HOST, BEMPD_FATIGUE_CYCLES, &
+    BEMPD_FATIGUE_CRITICAL, BEMPD_FATIGUE_LENGTH, BEMPD_FATIGUE_NONE_GROWS, BEMPD_FATIGUE_TIP_ENDED, &
+    BEMPD_FATIGUE_TIP_STOPPED, BEMPD_FATIGUE_STEPS, BEMPD_FATIGUE_REQUESTED, &
     bempd_boundary_function, bempd_progress_function, bempd_phase_function, bempd_log_function
   implicit none
   private :: c_char, c_double, c_int, c_int8_t, c_int32_t, c_int64_t, c_null_ptr, c_ptr

@@ -263,8 +263,8 @@ module bempd_c
   integer(c_int), parameter :: BEMPD_RATE_FORMAN = 2
   !> NASGRO: da/dN = C [(1 - f) / (1 - R) dK]^m (1 - dK_th / dK)^p / (1 - K_max / K_c)^q, with Newman's closure f.
   integer(c_int), parameter :: BEMPD_RATE_NASGRO = 3
-  !> In time under a sustained load, as by stress corrosion: da/dt = C K_max^m above the threshold. What is called
-  !> cycles is time then.
+  !> Growth in time under a sustained load, as by stress corrosion: da/dt = C K_max^m above the threshold. What is
+  !> called cycles is time then.
   integer(c_int), parameter :: BEMPD_RATE_SUSTAINED = 4
   !> A function of the host.
   integer(c_int), parameter :: BEMPD_RATE_HOST = 5

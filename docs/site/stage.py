@@ -37,7 +37,7 @@ def copy(source: pathlib.Path, target: pathlib.Path) -> None:
 
 
 CHAPTERS = {
-    "Learn": ["docs/first_path", "docs/tutorial", "docs/cookbook", "docs/cracks", "docs/mixed_cracks", "docs/import",
+    "Learn": ["docs/first_path", "docs/tutorial", "docs/cookbook", "docs/cracks", "docs/mixed_cracks", "docs/fatigue", "docs/import",
               "docs/converge", "docs/coupling", "docs/checkpoints", "docs/ensembles", "docs/paraview", "docs/theory"],
     "Look up": ["README", "docs/troubleshooting", "docs/limits", "docs/glossary", "docs/units", "docs/options", "docs/linking"],
     "Languages": ["docs/languages", "docs/reference/index", "docs/python_reference", "docs/cpp", "bindings/python/README",
@@ -95,7 +95,7 @@ def contents(target: pathlib.Path) -> str:
     listed = {name for names in CHAPTERS.values() for name in names} | {"docs/index"}
     others = sorted(name for page in target.glob("docs/*.md") if (name := f"docs/{page.stem}") not in listed)
     titles = {"README": "Read me", "docs/languages": "Languages and reference", "docs/reference/index": "Reference: C, Fortran, Rust",
-              "docs/cracks": "Cracks", "docs/mixed_cracks": "Cracks across regions", "docs/import": "Drawings and meshes",
+              "docs/cracks": "Cracks", "docs/mixed_cracks": "Cracks across regions", "docs/fatigue": "Fatigue", "docs/import": "Drawings and meshes",
               "docs/converge": "Convergence", "docs/coupling": "Coupling", "docs/measured": "What is measured"}
     text = ""
     for title, names in CHAPTERS.items():

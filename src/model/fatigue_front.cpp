@@ -40,8 +40,8 @@ class FactorsByLevel {
             factors_[t][level] = factors_of(tip).at(program_.load_factors()[level]);
   }
 
-  // Goes on from the highest load, downwards or upwards, until the same faces are closed at a load factor as at all others
-  // that are left: gaps and pressures are affine, so that they are closed in between as well.
+  // Goes on from the highest load, downwards or upwards, until the same faces are closed at a load factor as at all
+  // others that are left: gaps and pressures are affine, so that they are closed in between as well.
   void follow(bool downwards) {
     const std::vector<double>& loads = program_.load_factors();
     const std::size_t last = downwards ? 0 : loads.size() - 1;

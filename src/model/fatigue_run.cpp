@@ -10,8 +10,8 @@ namespace bempd::model {
 
 namespace {
 
-// Shares of its size, or of the growth of the tip that grows most for its size, by which a tip has to grow for its crack
-// to become longer; less goes into later steps.
+// Shares of its size, or of the growth of the tip that grows most for its size, by which a tip has to grow for its
+// crack to become longer; less goes into later steps.
 constexpr double least_growth = 0.005, slow = 0.05;
 
 // Turns in a step: above the first the step is made again in the direction of its chord, above the second it is halved

@@ -73,7 +73,7 @@ class FatigueRun {
   std::vector<double> rates_;             // of the front, mean over the program
   std::map<crack::TipId, double> ahead_;  // by how much a tip has grown more than its crack [m]
   std::map<crack::TipId, double> grown_;
-  std::map<crack::TipId, double> last_growth_;  // in the step before [m]
+  std::map<crack::TipId, double> last_growth_;                            // in the step before [m]
   std::map<crack::TipId, std::vector<crack::LevelFactors>> last_levels_;  // before that
   std::map<crack::TipId, double> powers_;  // of its rate in its length, in the last step that it led
   crack::CycleProgram::Place place_;

@@ -100,7 +100,8 @@ void Scene::grow_by_cycles() {
   options.most_steps = 1 + bytes_.pick(3);
   bempd_fatigue_report report;
   good("bempd_fatigue_report_init", nullptr, bempd_fatigue_report_init(&report, sizeof report));
-  const std::array high = {bytes_.mostly(1.0), 0.5}, low = {bytes_.mostly(-0.5), 0.0}, cycles = {bytes_.mostly(10.0), 3.0};
+  const std::array high = {bytes_.mostly(1.0), 0.5}, low = {bytes_.mostly(-0.5), 0.0},
+                   cycles = {bytes_.mostly(10.0), 3.0};
   if (!FUZZ_CALL(bempd_grow_fatigue, model_, 1 + bytes_.pick(2), high.data(), low.data(), cycles.data(), &options,
                  &report)) {
     require_same("bempd_grow_fatigue", before, marks());

@@ -1,1 +1,1 @@
-bempd_add_unit_test(crack_test crack_carrier_test.cpp crack_growth_law_test.cpp crack_order_test.cpp)
+bempd_add_unit_test(crack_test crack_carrier_test.cpp crack_cycles_test.cpp crack_growth_law_test.cpp crack_order_test.cpp)

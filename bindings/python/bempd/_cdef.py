@@ -2643,8 +2643,8 @@ since: 0.3""",
 NASGRO: da/dN = C [(1 - f) / (1 - R) dK]^m (1 - dK_th / dK)^p / (1 - K_max / K_c)^q, with Newman's
 closure f.""",
     "BEMPD_RATE_SUSTAINED": """\
-In time under a sustained load, as by stress corrosion: da/dt = C K_max^m above the threshold. What
-is called cycles is time then.""",
+Growth in time under a sustained load, as by stress corrosion: da/dt = C K_max^m above the
+threshold. What is called cycles is time then.""",
     "BEMPD_RATE_HOST": """A function of the host.""",
     "bempd_rate_function": """\
 How far a tip grows in a cycle. It is called many times for each step, also at lengths between those

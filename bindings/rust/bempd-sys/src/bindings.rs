@@ -3105,8 +3105,8 @@ pub const BEMPD_RATE_FORMAN: bempd_rate_kind = 2;
 /// NASGRO: da/dN = C \[(1 - f) / (1 - R) dK\]^m (1 - dK_th / dK)^p / (1 - K_max / K_c)^q, with
 /// Newman's closure f.
 pub const BEMPD_RATE_NASGRO: bempd_rate_kind = 3;
-/// In time under a sustained load, as by stress corrosion: da/dt = C K_max^m above the threshold.
-/// What is called cycles is time then.
+/// Growth in time under a sustained load, as by stress corrosion: da/dt = C K_max^m above the
+/// threshold. What is called cycles is time then.
 pub const BEMPD_RATE_SUSTAINED: bempd_rate_kind = 4;
 /// A function of the host.
 pub const BEMPD_RATE_HOST: bempd_rate_kind = 5;

@@ -1,0 +1,73 @@
+"""Lives of cracks under cycles: the table of docs/fatigue.md.
+
+usage: benchmarks/run.sh fatigue [--write] [--references]
+    --write: into docs/fatigue.md;  --references: measures the lives with small steps anew and prints them
+"""
+
+from __future__ import annotations
+
+import re
+import sys
+import time
+from pathlib import Path
+
+import lives
+
+PAGE = Path(__file__).resolve().parents[2] / "docs" / "fatigue.md"
+
+
+def row(what: str, steps: int, value: float, reference: float, against: str, seconds: float) -> str:
+    return f"| {what} | {steps} | {100 * (value / reference - 1):+.3f} % | {against} | {seconds:.2f} |"
+
+
+def table() -> list[str]:
+    lines = ["| life | steps | difference | from | time [s] |", "|---|---|---|---|---|"]
+    for options in ({}, {"tolerance": 1e-2, "largest_step": 0.5}, {"largest_step": 0.1}):
+        begin = time.perf_counter()
+        life = lives.centre_crack(**options)
+        seconds = time.perf_counter() - begin
+        said = ", ".join(f"{name} {value}" for name, value in options.items()) or "defaults"
+        lines.append(row(f"centre crack, {said}", life.steps, life.cycles, lives.CENTRE_CRACK_FINE, "small steps", seconds))
+        if not options:
+            lines.append(row("the same", life.steps, life.cycles, lives.centre_crack_by_handbook(),
+                             "Tada's formula (0.1 %)", seconds))
+    begin = time.perf_counter()
+    life = lives.wide_plate()
+    lines.append(row("wide plate", life.steps, life.cycles, lives.wide_plate_by_closed_form(), "closed form",
+                     time.perf_counter() - begin))
+    for options in ({}, {"tolerance": 1e-2, "largest_step": 0.5}):
+        begin = time.perf_counter()
+        life = lives.cracks_from_a_hole(**options)
+        said = ", ".join(f"{name} {value}" for name, value in options.items()) or "defaults"
+        lines.append(row(f"two unequal cracks from a hole, {said}", life.steps, life.cycles,
+                         lives.CRACKS_FROM_A_HOLE_FINE, "small steps", time.perf_counter() - begin))
+    for order, name in (([0, 1], "high block first"), ([1, 0], "low block first")):
+        begin = time.perf_counter()
+        growth, exact = lives.blocks_in_order(order)
+        lines.append(f"| growth by two long blocks, {name} | | {100 * (growth / exact - 1):+.3f} % | integration "
+                     f"| {time.perf_counter() - begin:.2f} |")
+    begin = time.perf_counter()
+    cycles, exact = lives.many_blocks()
+    lines.append(f"| spectrum of three short blocks | | {100 * (cycles / exact - 1):+.3f} % | closed form "
+                 f"| {time.perf_counter() - begin:.2f} |")
+    return lines
+
+
+def main() -> None:
+    if "--references" in sys.argv:
+        for name, life in (("CENTRE_CRACK_FINE", lives.centre_crack), ("CRACKS_FROM_A_HOLE_FINE", lives.cracks_from_a_hole)):
+            fine = life(largest_step=0.018, tolerance=0.01)
+            print(f"{name}: {fine.cycles:.9g} with {fine.steps} steps")
+        return
+    lines = table()
+    print("\n".join(lines))
+    if "--write" in sys.argv:
+        begin, end = "<!-- table of run.py -->\n", "<!-- end of it -->"
+        found = begin + "\n".join(lines) + "\n" + end
+        text = PAGE.read_text(encoding="utf-8")
+        PAGE.write_text(re.sub(re.escape(begin) + ".*?" + re.escape(end), lambda _: found, text, flags=re.DOTALL),
+                        encoding="utf-8")
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,37 @@
+"""Lives of cracks under cycles against closed forms, integrations and small steps: the claims of docs/fatigue.md."""
+
+from __future__ import annotations
+
+import json
+import pathlib
+import sys
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+sys.path.insert(0, str(ROOT / "benchmarks" / "fatigue"))
+import lives  # noqa: E402
+
+CLAIMS = json.loads((ROOT / "tests/claims.json").read_text(encoding="utf-8"))["claims"]
+
+
+def main() -> None:
+    centre, hole = lives.centre_crack(), lives.cracks_from_a_hole()
+    orders = [lives.blocks_in_order(order) for order in ([0, 1], [1, 0])]
+    values = {
+        "fatigue_centre": abs(100 * (centre.cycles / lives.CENTRE_CRACK_FINE - 1)),
+        "fatigue_handbook": abs(100 * (centre.cycles / lives.centre_crack_by_handbook() - 1)),
+        "fatigue_wide": abs(100 * (lives.wide_plate().cycles / lives.wide_plate_by_closed_form() - 1)),
+        "fatigue_hole": abs(100 * (hole.cycles / lives.CRACKS_FROM_A_HOLE_FINE - 1)),
+        "fatigue_blocks": max(abs(100 * (growth / exact - 1)) for growth, exact in orders),
+        "fatigue_steps": max(centre.steps, hole.steps),
+    }
+    failed = False
+    for name, value in values.items():
+        good = value <= CLAIMS[name]["bound"]
+        failed |= not good
+        print(f"{'' if good else 'FAILED '}{name}: {value:.4g}, at most {CLAIMS[name]['bound']:g}")
+    assert abs(orders[0][0] - orders[1][0]) > 0.01 * orders[0][0], "the order of blocks does not matter"
+    sys.exit(1 if failed else 0)
+
+
+if __name__ == "__main__":
+    main()

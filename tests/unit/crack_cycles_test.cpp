@@ -1,0 +1,118 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "crack/cycle_step.hpp"
+#include "crack/laws/rate_parameters.hpp"
+#include "error.hpp"
+
+// Laws of growth by cycles, and the cycles on a step.
+namespace bempd::crack {
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+TipCycle cycle(double highest, double lowest) {
+  TipCycle c;
+  c.highest = highest, c.lowest = lowest;
+  return c;
+}
+
+RateParameters parameters(RateParameters::Kind kind, double coefficient, double exponent) {
+  RateParameters p;
+  p.kind = kind, p.coefficient = coefficient, p.exponent = exponent;
+  return p;
+}
+
+TEST(RateLaws, laws_are_those_of_their_sources) {
+  using Kind = RateParameters::Kind;
+  RateParameters p = parameters(Kind::paris_walker, 2, 3);
+  p.walker = 0.5;
+  EXPECT_NEAR(make_rate_law(p, infinity)->rate(cycle(4, 1)), 2 * std::pow(3 / std::sqrt(0.75), 3), 1e-12);
+  p = parameters(Kind::forman, 2, 3);
+  EXPECT_NEAR(make_rate_law(p, 10)->rate(cycle(4, 1)), 2 * 27 / (0.75 * 10 - 3), 1e-12);
+  EXPECT_THROW(make_rate_law(p, infinity), Error);
+  p = parameters(Kind::sustained, 2, 3);
+  EXPECT_NEAR(make_rate_law(p, infinity)->rate(cycle(4, 4)), 2 * 64, 1e-12);
+  // Plane stress without load, R = 0: f = A0 = 0.535.
+  p = parameters(Kind::nasgro, 2, 3);
+  p.p = 0.5, p.q = 1, p.threshold = 1;
+  const double expected = 2 * std::pow(0.465 * 4, 3) * std::sqrt(0.75) / 0.6;
+  EXPECT_NEAR(make_rate_law(p, 10)->rate(cycle(4, 0)), expected, 1e-12 * expected);
+  EXPECT_NEAR(p.closure.opening(1), 1, 1e-12);
+}
+
+TEST(RateLaws, tips_below_the_threshold_or_pressed_together_do_not_grow) {
+  RateParameters p = parameters(RateParameters::Kind::paris_walker, 2, 3);
+  p.threshold = 3;
+  EXPECT_EQ(make_rate_law(p, infinity)->rate(cycle(4, 1)), 0);
+  EXPECT_GT(make_rate_law(p, infinity)->rate(cycle(4, 0.9)), 0);
+  EXPECT_EQ(make_rate_law(p, infinity)->rate(cycle(-1, -5)), 0);
+}
+
+// K = S sqrt(pi a) at both ends, with levels 0, 1 and 2 of the load factor: a^(-1/2) is linear in cycles for m = 3.
+std::vector<TipOnStep> wide_plate(const RateLaw& law, double from, double to) {
+  TipOnStep tip;
+  tip.tip = {1, 1}, tip.law = &law;
+  tip.length = 2 * from, tip.growth = to - from, tip.crack_growth = 2 * (to - from);
+  for (const double load : {0.0, 1.0, 2.0}) {
+    const auto at = [&](double a) { return LevelFactors{{load * std::sqrt(M_PI * a), 0}, load * std::sqrt(M_PI * a)}; };
+    tip.before.push_back(at(from)), tip.after.push_back(at(to));
+  }
+  return {tip};
+}
+
+double exact(double from, double to, double rate) {
+  return (std::pow(from, -0.5) - std::pow(to, -0.5)) / (0.5 * rate * std::pow(M_PI, 1.5));
+}
+
+TEST(CyclesOnStep, constant_amplitude_has_the_closed_form) {
+  const auto law = make_rate_law(parameters(RateParameters::Kind::paris_walker, 1e-6, 3), infinity);
+  const std::vector<Block> blocks{{2, 0, 1}};
+  const CycleProgram program({blocks.data(), 1});
+  std::vector<TipOnStep> tips = wide_plate(*law, 0.1, 0.2);
+  for (TipOnStep& tip : tips) tip.before.erase(tip.before.begin() + 1), tip.after.erase(tip.after.begin() + 1);
+  const CyclesOnStep found = CycleIntegration(program, tips).run({}, {0}, 0, 0.1, infinity);
+  EXPECT_EQ(found.end, CyclesEnd::growth);
+  EXPECT_NEAR(found.cycles, exact(0.1, 0.2, 8e-6), 1e-6 * found.cycles);
+  const CyclesOnStep half = CycleIntegration(program, tips).run({}, {0}, 0, 0.1, 0.5 * found.cycles);
+  EXPECT_EQ(half.end, CyclesEnd::cycles);
+  EXPECT_EQ(half.cycles, 0.5 * found.cycles);
+}
+
+// Many short programs at once, and long blocks one by one, take the growth of their blocks.
+TEST(CyclesOnStep, programs_are_passed_at_their_mean_rate_and_blocks_in_order) {
+  const auto law = make_rate_law(parameters(RateParameters::Kind::paris_walker, 1e-6, 3), infinity);
+  const std::vector<TipOnStep> tips = wide_plate(*law, 0.1, 0.2);
+  const std::vector<Block> together{{2, 1, 10}, {2, 0, 30}};
+  const CyclesOnStep mean = CycleIntegration(CycleProgram(together), tips).run({}, {0}, 0, 0.1, infinity);
+  EXPECT_NEAR(mean.cycles, exact(0.1, 0.2, 1e-6 * (10 + 30 * 8) / 40), 1e-4 * mean.cycles);
+  const std::vector<Block> apart{{2, 1, 1e5}, {2, 0, 1e9}};
+  const CyclesOnStep ordered = CycleIntegration(CycleProgram(apart), tips).run({}, {0}, 0, 0.1, infinity);
+  const double between = std::pow(std::pow(0.1, -0.5) - 0.5e-6 * 1e5 * std::pow(M_PI, 1.5), -2);
+  EXPECT_NEAR(ordered.cycles, 1e5 + exact(between, 0.2, 8e-6), 1e-6 * ordered.cycles);
+  EXPECT_EQ(ordered.place.block, 1u);
+}
+
+TEST(CyclesOnStep, a_tip_breaks_where_its_block_reaches_the_critical_factor) {
+  RateParameters p = parameters(RateParameters::Kind::paris_walker, 1e-6, 3);
+  p.critical = 2 * std::sqrt(M_PI * 0.15);
+  const auto law = make_rate_law(p, infinity);
+  const std::vector<TipOnStep> tips = wide_plate(*law, 0.1, 0.2);
+  const std::vector<Block> blocks{{2, 1, 3}, {2, 0, 5}};
+  const CyclesOnStep found = CycleIntegration(CycleProgram(blocks), tips).run({}, {0}, 0, 0.1, infinity);
+  EXPECT_EQ(found.end, CyclesEnd::critical);
+  EXPECT_NEAR(found.growth[0], 0.05, 1e-6);
+}
+
+TEST(CyclesOnStep, a_program_in_which_nothing_grows_ends_the_run) {
+  RateParameters p = parameters(RateParameters::Kind::paris_walker, 1e-6, 3);
+  p.threshold = 5;
+  const auto law = make_rate_law(p, infinity);
+  const std::vector<TipOnStep> tips = wide_plate(*law, 0.1, 0.2);
+  const std::vector<Block> blocks{{2, 1, 3}, {2, 0, 5}};
+  EXPECT_EQ(CycleIntegration(CycleProgram(blocks), tips).run({}, {0}, 0, 0.1, infinity).end, CyclesEnd::none_grows);
+}
+
+}  // namespace
+}  // namespace bempd::crack
