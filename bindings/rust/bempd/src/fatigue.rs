@@ -24,7 +24,7 @@ pub enum RateLaw {
         /// Largest stress over the flow stress.
         closure_stress: f64,
     },
-    /// In time under a sustained load: C K_max^m.
+    /// Growth in time under a sustained load: C K_max^m.
     Sustained,
 }
 
@@ -105,7 +105,7 @@ pub struct Block {
 pub struct FatigueOptions {
     /// Cycles that have passed before.
     pub first_cycle: f64,
-    /// Where to stop, counted with those before.
+    /// Cycles at which to stop, counted with those before.
     pub most_cycles: f64,
     /// Length of a crack at which to stop [m].
     pub most_length: f64,
