@@ -11,7 +11,8 @@
 
 namespace bempd::fracture {
 
-// Parts that terms have freed by breaking, and what is done so that the equilibrium stays unique.
+// Parts that broken terms have freed: the springs that hold them and the loads that are removed, so that the
+// equilibrium stays unique.
 struct FreedParts {
   std::vector<coupling::HoldingSpring> springs;
   std::vector<int> nodes_with_lost_loads;  // their loads push a free part for which there is no equilibrium

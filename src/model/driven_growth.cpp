@@ -7,7 +7,7 @@
 #include "model/element_growth.hpp"
 #include "model/model.hpp"
 
-// Steps in which cracks with boundary elements grow.
+// Growth of cracks with boundary elements in steps of the run.
 namespace bempd::model {
 
 // Whether cracks with elements can grow in this step; in a material without a fracture energy they are stationary.

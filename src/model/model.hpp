@@ -66,7 +66,7 @@ class Model {
   PreparedScene& in_equilibrium();  // likewise, under the values that were set
   const PreparedScene* prepared_or_null() const { return prepared_.get(); }
 
-  // Conditions on degrees of freedom for given values of supports and loads.
+  // Prescribed displacements and forces on the degrees of freedom for given values of supports and loads.
   regions::DofConditions conditions_under(scene::SceneValues values);
   // Nodal forces [N] of the loads on some regions, with the values that act at present.
   coupling::Affine loads_in_force_on(const std::vector<int>& regions_of_body);

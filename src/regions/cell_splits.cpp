@@ -67,8 +67,8 @@ void CellSplitter::open_steps() {
     if (count == 2) parted_.insert(pair);
 }
 
-// Adds a point with the mean values of `nodes` and returns its number. `key` tells apart copies of a point at one
-// place, which belong to different faces of a crack; a key that is known returns its point.
+// Adds a point with the mean values of `nodes` and returns its number. Several points at one place, for different faces
+// of a crack, have different keys; a known `key` returns its point.
 int CellSplitter::add(const std::vector<int>& key, const Point& at, const std::vector<int>& nodes) {
   const auto [found, is_new] = made_.try_emplace(key, static_cast<int>(nodes_.size() + result_.added.size()));
   if (is_new) result_.added.push_back({at, nodes});
