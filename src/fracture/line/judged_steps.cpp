@@ -13,9 +13,9 @@ namespace bempd::fracture {
 
 namespace {
 
-// What the fit may leave of the stress: with few spacings a horizon more, where the lattice is rough and the energy of
-// a step, which cuts fewer bonds, tells loads within 5 % only; with four within 2.5 %. Behind kinks loads by the fit
-// are wrong by 1.8 times what it leaves less 5 %.
+// Largest residual of a fit that holds, as a share of the stress; it is larger for horizons of few spacings. There the
+// field is rough, and the energy of a step, which cuts fewer bonds, gives loads within 5 % only (with four spacings
+// within 2.5 %). Behind kinks the error of loads by the fit is about 1.8 * residual - 5 %.
 constexpr double least_limit = 0.035, limit_of_residual = 0.7;  // the latter over the square of the spacings
 // Largest residual of a fit whose direction a crack still follows.
 constexpr double residual_without_direction = 0.2;
@@ -32,7 +32,8 @@ constexpr double clear_horizons = 2, shortest_crack = 3;
 // Loads by fits are at most so many times too high, but for those before a stiffer material.
 constexpr double most_by_fit = 4;
 
-// Errors of loads: by a fit that holds, how they grow with what it leaves, and by the energy.
+// Relative errors of loads: by a fit that holds, their growth with the residual beyond least_residual, and by the
+// energy.
 constexpr double error_of_fit = 0.02, error_by_residual = 1.8, least_residual = 0.025, error_by_energy = 0.025;
 
 double largest_residual(const pd::TipLaw& law) {
@@ -75,7 +76,8 @@ void LineSteps::judge_fit(const std::vector<GrowingTip>& tips, const WilliamsFit
   step.is_shut = is_shut(tip, fit);
   step.residual = fit.residual(step.load_factor);
   step.error = error_of_fit + error_by_residual * std::max(step.residual - least_residual, 0.0);
-  // Less by rounding, so that a distance that is just as large is clear however the scene is turned.
+  // The distances are reduced by rounding, so that an equal distance counts as clear in whatever direction the scene is
+  // turned.
   const double horizon = (1 - rounding_of_places) * law.horizon, clear = clear_horizons * horizon;
   const bool beside_tip = std::ranges::any_of(tips, [&](const GrowingTip& other) {
     const double reach = other.id.crack == tip.id.crack ? shortest_crack * horizon : clear;
@@ -99,8 +101,8 @@ bool LineSteps::need_body(const std::vector<LineStep>& steps, const LoadWay& way
   });
 }
 
-// The fit tells how the rate of a kink begins, the less the worse it is. Of pressed faces it does not: its series is
-// that of free ones.
+// Shape of the energy release rate behind a kink as the fit gives it, with less weight the larger the residual is. For
+// pressed faces there is none, because the series is that of free faces.
 KinkShape LineSteps::shape_of(const GrowingTip& tip, const coupling::Affine& displacement, const LineStep& step) const {
   const pd::TipLaw& law = law_of(tip);
   const double share = std::clamp(
@@ -111,8 +113,8 @@ KinkShape LineSteps::shape_of(const GrowingTip& tip, const coupling::Affine& dis
           laws_.criterion == KinkCriterion::hoop_stress};
 }
 
-// The fit has told that the tip opens and where to. Of pressed cracks fluid follows into the step, which the energy
-// without it does not know.
+// Replaces the load by the fit by that of a trial step's energy. Cracks under fluid pressure keep the fit: fluid would
+// follow into the step, which the energy does not contain.
 void LineSteps::try_step(const GrowingTip& tip, const coupling::Affine& displacement, const LoadWay& way,
                          TrialBody& body, LineStep& step) const {
   if (!body_.pressure_in(tip.id.crack).isZero(0) || body_.has_fluid()) return;
@@ -131,7 +133,7 @@ void LineSteps::try_step(const GrowingTip& tip, const coupling::Affine& displace
   const std::optional<LineLoad> load = growth->load(step.load_factor, way.sense(), displacement.col(0).isZero(0));
   if (!load) return;
   step.by_energy = true, step.taken_energy = growth->first_energy();
-  // A tip that is overloaded at the start of the way is due there, although less would be enough further on.
+  // A tip that is overloaded at the start of the path is due there, even if a smaller load would suffice further on.
   const bool is_due = way.control == Control::load && way.ahead(load->load_factor) > way.ahead(way.present) &&
                       growth->opens(way.present) && growth->ratio(way.present) >= 1 + ratio_rounding;
   step.load_factor = is_due ? way.present : load->load_factor;

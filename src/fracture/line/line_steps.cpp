@@ -16,17 +16,18 @@ namespace bempd::fracture {
 
 namespace {
 
-// The last steps whose energies correct the load factor, and as many besides that are taken to be exact.
+// Number of last steps whose energies correct the load factor, and number of additional steps that count as exact,
+// which dampen the correction.
 constexpr std::size_t remembered_steps = 8;
 constexpr double steps_taken_exact = 2;
 
-// What a step may have released of what was expected, for the correction: a sharp kink, or one beside an edge, releases
-// little at first.
+// Limits on the ratio of released to expected energy in the correction. A step behind a sharp kink or beside an edge
+// releases little at first.
 constexpr double least_ratio = 0.5, largest_ratio = 2;
 
-// No bond breaks by itself within this many horizons of a tip.
+// Distance from a tip, in horizons, within which no bond breaks by itself.
 constexpr double guarded_reach = 3;
-// Horizons around an unloaded tip in which overloaded bonds do not break.
+// Distance from an unloading tip, in horizons, within which overloaded bonds do not break.
 constexpr double relaxing_reach = 1;
 
 double correction(const GrowingTip& tip) {
@@ -34,13 +35,13 @@ double correction(const GrowingTip& tip) {
   return std::sqrt(sum / (steps_taken_exact + static_cast<double>(tip.energy_ratios.size())));
 }
 
-// A tip that does not grow before so many times the load factor at which something else happens feels rounding, as one
-// in a part that bears nothing does.
+// Critical load factor of a tip over that of the event considered, beyond which the tip's intensity is only rounding,
+// as in a part without stress.
 constexpr double farthest_load = 1e6;
-// A stress closely ahead counts as zero below this share of the one around.
+// Stress closely ahead of a tip over the stress around it below which it counts as zero.
 constexpr double least_stress = 1e-8;
 
-// An intensity with the load factor counted on its way.
+// Stress intensity factors as functions of the load factor times the sign of the load path.
 AffineIntensity on_way(AffineIntensity intensity, const LoadWay& way) {
   intensity.one[1] *= way.sense(), intensity.two[1] *= way.sense();
   return intensity;
@@ -62,13 +63,14 @@ LineSteps::LineSteps(LoadedBody& body, pd::TipLaws laws)
       way_(body.system(), body.positions(), stress_),
       trials_(body.system(), body.positions(), laws_, way_) {}
 
-// Whether its crack began in the run: its other tip lies closely behind it at first, which the fitted series does not
-// know.
+// Whether the tip's crack began in the run. Its other tip is then closely behind at first, which the fitted series does
+// not take into account.
 bool LineSteps::has_begun(const GrowingTip& tip) const {
   return static_cast<std::size_t>(tip.id.crack) > laws_.of_crack.size();
 }
 
-// A tip turns by the stress closely ahead; where nothing lies ahead, it goes straight on.
+// Stress intensity factors for the turn of a tip whose crack began in the run: from the stress closely ahead. They are
+// 0 (no turn) if that stress is only rounding.
 AffineIntensity LineSteps::turning_of(const GrowingTip& tip, const AffineIntensity& by_fit,
                                       const coupling::Affine& displacement, double present) const {
   const pd::TipLaw law = law_of(tip).at(tip.place);
@@ -162,7 +164,8 @@ std::vector<GrowingTip> LineSteps::guarded(const std::vector<LineStep>& steps, c
   return found;
 }
 
-// The ratio after a step; in another region than that of the step it makes up the energy release rate there.
+// Ratio of the equivalent factor to the toughness after a step. In a region with another modulus it is scaled so that
+// its square gives the energy release rate.
 double LineSteps::ratio_after(const GrowingTip& tip, const pd::TipLaw& law, const coupling::Affine& displacement,
                               double load_factor) const {
   const Eigen::Vector2d at(1, load_factor);
@@ -207,10 +210,10 @@ crack::Extension LineSteps::remember(const LineStep& step, double ratio, double 
   GrowingTip& tip = tips[step.tip];
   const Point from = tip.place - step.way.length * step.direction;
   const pd::TipLaw law = laws_.laws[static_cast<std::size_t>(step.law)].at(from);
-  // The ratio of the event holds the correction that was made; what is remembered must not.
+  // The event's ratio contains the correction by earlier steps, which must not enter the remembered ratios.
   const double before = step.by_energy ? ratio : ratio / correction(tip);
-  // The mean of the rates at both ends of the step is expected: behind a kink, or as an edge comes or goes, the energy
-  // release rate changes within a spacing by up to a half.
+  // The expected energy is the mean of the rates at both ends of the step, because the rate changes by up to a half
+  // within a spacing behind a kink or near an edge.
   const bool arrives = step.way.arrives();
   const double after = arrives          ? before
                        : step.by_energy ? before * step.after_step
@@ -219,7 +222,7 @@ crack::Extension LineSteps::remember(const LineStep& step, double ratio, double 
   const double rate = fracture_energy * (before * before + after * after) / 2;
   const double expected = rate * law.thickness * step.way.length;
   const double released = expected > 0 ? released_energy / expected : 1;
-  // The first step releases more or less by where among the points the crack was described to end.
+  // The energy of the first step depends on where the crack was described to end between the points, so it is not used.
   const bool is_first = tip.energy_ratios.empty();
   const bool is_exact = is_first || step.by_energy;  // an energy needs no correction
   tip.energy_ratios.push_back(is_exact ? 1 : std::clamp(released, least_ratio, largest_ratio));
@@ -246,7 +249,7 @@ std::vector<int> LineSteps::nodes_asked(const std::vector<GrowingTip>& tips) con
   return nodes;
 }
 
-// A term is spared by the place of its middle, so that it does not matter which of its ends is the first.
+// Whether a term is guarded by a tip. The middle of the term decides, so that the order of its ends does not matter.
 bool LineSteps::is_spared(int term, const GrowingTip& tip) const {
   const coupling::Terms& terms = body_.system().terms();
   const std::vector<Point>& positions = body_.positions();
@@ -257,7 +260,7 @@ bool LineSteps::is_spared(int term, const GrowingTip& tip) const {
 }
 
 void LineSteps::spare(const GrowingTip& tip, std::vector<char>& intact, std::optional<double> overloaded_at) const {
-  // Only overloaded bonds closest to an unloaded tip are spared: the overload of others has another cause.
+  // Only overloaded bonds closest to an unloading tip are exempt; the overload of others has another cause.
   const auto bears = [&](int term) {
     const auto t = static_cast<std::size_t>(term);
     if (!overloaded_at) return false;

@@ -11,35 +11,36 @@ namespace bempd::fracture {
 
 namespace {
 
-// Williams' series is fitted at distances between these, in horizons: with three terms, or farther out, the load at
-// which an inclined crack first grows comes out too small. Nearer than a horizon the lattice smears the singular
-// stress, by a few percent; what a surface within three horizons of the tip does to the field is more than that, so
-// that points are taken the nearer the tip the nearer it is to one (docs/directions.md).
+// Distances in horizons between which Williams' series is fitted. With three terms, or farther out, the load of an
+// inclined crack's first growth is too small. Nearer than a horizon the lattice smooths the singular stress by a few
+// percent. A surface within three horizons disturbs the field more than that, so then nearer points are used
+// (docs/directions.md).
 constexpr double inner_reach = 1, outer_reach = 2, fitted_cosine = 0;
 constexpr double inner_reach_beside = 0.5, outer_reach_beside = 1.25;
 constexpr double beside_surface = 1, away_from_surfaces = 3;
 
-// A tip under shear is felt some 0.15 horizons farther ahead in a lattice than one that is opened. The series about its
-// place takes a part of that for K_II, which comes out larger by this factor than that of boundary elements: measured
-// on inclined cracks, for horizons of 3, 4 and 6 spacings and any angle of the rows 1.06 to 1.11 (docs/directions.md).
+// K_II of a fit over that of boundary elements. In a lattice the effective tip lies some 0.15 horizons farther ahead
+// under shear than under opening, and the series about the tip takes part of that for K_II. Measured on inclined cracks
+// as 1.06 to 1.11, for horizons of 3, 4 and 6 spacings and any angle of the rows (docs/directions.md).
 constexpr double shear_as_fitted = 1.08;
 
-// Cracks that have begun in the run take the mean stress closely ahead, over a factor measured on lattices in the field
-// of K, for horizons of 3 and 4 spacings and any angle of the rows within 1 % (docs/directions.md).
+// Mean stress closely ahead, used for cracks that have begun in the run: reach and least cosine to the tip's direction
+// of its points. Then its ratios to the field of K_I and K_II, measured for horizons of 3 and 4 spacings and valid
+// within 1 % for any angle of the rows (docs/directions.md).
 constexpr double near_reach = 1.5, near_cosine = 0.5;  // in horizons
 constexpr double near_opening = 0.79, near_shear = 0.482;
 
 constexpr int fitted_terms = WilliamsFit::most_terms;
 
-// Fewer terms are fitted before the face of another crack, where there are fewer points (docs/directions.md): four
-// within three horizons of it, two within one.
+// Number of fitted terms ahead of the face of another crack, where there are fewer points: four within three horizons
+// of it, two within one (docs/directions.md).
 constexpr int terms_near_face = 4, terms_at_face = 2;
 constexpr double at_face = 1;
 
-// The nearest points, too, are taken before a face that leaves fewer than these.
+// Number of stress points below which the points nearest to the tip are used too, if a face is near.
 constexpr std::size_t enough_points = 6;
 
-// Bonds between neighbours, in spacings.
+// Largest length of a bond between neighbours, in spacings.
 constexpr double longest_short_bond = 1.3;
 
 int terms_beside(double face, double horizon) {
@@ -82,9 +83,9 @@ double TipStress::nearest_outline(const Point& place, double at_most) const {
   return at_most;
 }
 
-// Distance of what disturbs the field ahead of a tip, at most three horizons. Where boundary elements of the same
-// material follow, the field goes on: behind the tip such a border disturbs nothing, and ahead of it only points are
-// missing, which are asked for up to two horizons away.
+// Distance to the nearest disturbance of the field ahead of a tip, at most three horizons. A border with boundary
+// elements of the same material continues the field: behind the tip it disturbs nothing, and ahead of it only stress
+// points are missing, which are used up to two horizons away.
 double TipStress::nearest_disturbance(const GrowingTip& tip, const pd::TipLaw& law) const {
   double nearest = away_from_surfaces * law.horizon;
   for (const int node : near_.about(tip.place, nearest)) {
@@ -230,7 +231,7 @@ std::vector<TipStress::Station> TipStress::stations_closely_ahead(const GrowingT
   return stations(tip, law, {0, near_reach}, near_cosine, sight_of(tip, law));
 }
 
-// Points without bonds have no stress.
+// Stress points; points without bonds have no stress and are left out.
 std::vector<TipStress::Station> TipStress::stations(const GrowingTip& tip, const pd::TipLaw& law, const Reach& reach,
                                                     double least_cosine, const TipSight& sight) const {
   std::vector<Station> found;

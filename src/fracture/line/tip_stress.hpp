@@ -15,36 +15,38 @@
 
 namespace bempd::fracture {
 
-// Stresses around tips from the forces of terms: half of force times bond vector of every bond belongs to the point at
-// either end, a quarter of what a cell's squares carry to each of its corners (the mean of the stress over the area of
-// a point). All that is asked of them is linear in the displacements, and asked of points ahead of the tip only that it
-// sees, none of which lies beside its crack.
+// Stresses around tips from the forces of terms. Half of force times bond vector of every bond belongs to the point at
+// either end, and a quarter of a square's moment to each corner of its cell (the mean stress over a point's area). All
+// results are linear in the displacements. Only points ahead of the tip are used, none of which lies beside its crack
+// or is hidden by another crack.
 class TipStress {
  public:
   TipStress(const coupling::EquilibriumSystem& system, const std::vector<Point>& positions, const pd::TipLaws& laws);
 
-  // `pressure`: in its crack, constant and proportional part. The body is looked at under that on all sides besides, by
-  // which the crack's faces are free.
+  // Stress intensity factors of a tip. `pressure` is the fluid pressure in its crack (constant and proportional part):
+  // a uniform pressure of that size is subtracted from the stress, so that the faces are free of load.
   AffineIntensity at(const GrowingTip& tip, const pd::TipLaw& law, const coupling::Affine& displacement,
                      const Eigen::RowVector2d& pressure) const;
-  // The series as it is fitted, and its factors as a tip has them: K_II is fitted too large.
+  // fitted(): Williams' series fitted ahead of the tip. as_read(): its factors as those of the tip, with K_II
+  // corrected, which the fit gives too large.
   WilliamsFit fitted(const GrowingTip& tip, const pd::TipLaw& law, const coupling::Affine& displacement,
                      const Eigen::RowVector2d& pressure) const;
   AffineIntensity as_read(AffineIntensity fitted) const;
 
-  // The intensity by the mean stress closely ahead: the better ratio of both modes where another tip lies closely
-  // behind.
+  // Stress intensity factors from the mean stress closely ahead. Their ratio K_II / K_I is more accurate if another tip
+  // is closely behind.
   AffineIntensity closely_ahead_of(const GrowingTip& tip, const pd::TipLaw& law, const coupling::Affine& displacement,
                                    const Eigen::RowVector2d& pressure) const;
 
-  // Nodes on whose displacements the first of both depends, or both; some of them more than once.
+  // Nodes on whose displacements at() depends, or also closely_ahead_of() if `closely_ahead`; some of them more than
+  // once.
   void add_nodes_asked(const GrowingTip& tip, const pd::TipLaw& law, bool closely_ahead, std::vector<int>& nodes) const;
 
-  // Unit vector across the largest principal stress where a bond is.
+  // Unit vector perpendicular to the largest principal stress at a bond.
   Point across_tension(int bond, const pd::TipLaw& law, const coupling::Affine& displacement, double load_factor) const;
 
-  // Whether something lies so near that the stress ahead is not the tip's own: an edge, the face of another crack, or
-  // points of another material.
+  // Whether the field ahead is not that of the tip alone: an edge or the face of another crack lies within `reach`, or
+  // (second function) points of another material.
   bool is_crowded(const GrowingTip& tip, const pd::TipLaw& law, double reach) const;
   bool meets_other_material(const GrowingTip& tip, const pd::TipLaw& law, double reach) const;
 
@@ -57,7 +59,7 @@ class TipStress {
     double inner, outer;  // in horizons, of what is asked around a tip
   };
 
-  // A point whose stress is asked.
+  // Stress point near a tip.
   struct Station {
     int node;
     double distance, ahead, across;  // of the tip, in horizons
@@ -73,7 +75,7 @@ class TipStress {
   std::vector<Station> stations(const GrowingTip& tip, const pd::TipLaw& law, const Reach& reach, double least_cosine,
                                 const TipSight& sight) const;
 
-  // Terms that are left at a node, on which its stress depends.
+  // Calls visit(term) for the intact terms at a node, on which its stress depends.
   template <class Visit>
   void for_each_term(int node, const Visit& visit) const {
     for (const linalg::Adjacency* list : {&bonds_at_, &wide_at_})

@@ -15,11 +15,11 @@ namespace bempd::fracture {
 
 namespace {
 
-// Spacings that a trial step is long at most. Over one of them the bonds it happens to cut decide by up to 13 %, over
-// four by 2 %; near an edge or a face it goes half of the way there.
+// Largest length of a trial step in spacings. Over one spacing the bonds that it happens to cut change the result by up
+// to 13 %, over four by 2 %. Near an edge or a face it reaches half of the distance to it.
 constexpr int longest_trial = 4;
 
-// Directions that are tried: so many on either side, so far apart.
+// Directions that are tried: their number on each side, and the angle between two of them [rad].
 constexpr int trials_aside = 2;
 constexpr double between_trials = 10 * std::numbers::pi / 180;
 
@@ -28,11 +28,11 @@ constexpr double ratio_of_ties = 1e-9;
 constexpr int rounds_for_load = 30;
 constexpr double load_rounding = 1e-12;
 
-// How much of a tip's opening hangs on its last bonds, for what weakened ones count: measured on straight cracks with
-// tips at seven places between points, horizons of 3, 4 and 5 spacings.
+// Share of a tip's opening that depends on its last bonds, for the effect of weakened ones. Measured on straight cracks
+// with tips at seven positions between points, for horizons of 3, 4 and 5 spacings.
 constexpr double weakened_follows = 0.5;
 
-// Bond vectors that agree to this share of a spacing are the same.
+// Difference in spacings below which bond vectors count as equal.
 constexpr double same_vector = 1e-6;
 
 bool are_alike(const pd::TipLaw& one, const pd::TipLaw& other) {
@@ -40,8 +40,9 @@ bool are_alike(const pd::TipLaw& one, const pd::TipLaw& other) {
          one.modulus == other.modulus;
 }
 
-// What a lattice takes for a length is known from points none of whose neighbours' neighbours lies at an edge or in
-// another lattice: from all of those that lie deepest, in all regions of that lattice, so that no numbering matters.
+// Points deep inside lattices of one kind, whose bonds give the stiffness that a length of crack cuts. Points as far as
+// possible from edges and other lattices are taken from all regions of that kind, so that the order of regions does not
+// matter. `is_of` marks the points of these lattices.
 std::vector<int> deep_points(const std::vector<char>& is_of, const linalg::Adjacency& neighbours) {
   const auto is_own = [&](int node) { return is_of[static_cast<std::size_t>(node)] != 0; };
   std::size_t most = 0;
@@ -117,13 +118,13 @@ std::vector<CutStiffness::Bond> CutStiffness::family_of(const coupling::Terms& t
     auto& [vector, stiffness] = bond;
     const auto middle = stiffness.begin() + static_cast<std::ptrdiff_t>(stiffness.size() / 2);
     std::nth_element(stiffness.begin(), middle, stiffness.end());
-    // A vector of few points that rounding tells apart from its like counts for these.
+    // A vector that rounding has separated from an equal one is weighted by the share of points that it was found at.
     family.push_back({vector, *middle * static_cast<double>(stiffness.size()) / static_cast<double>(points.size())});
   }
   return family;
 }
 
-// Half of every bond of a point belongs to it.
+// Stiffness that a straight crack cuts for each length. Half of each bond of a point belongs to the point.
 double CutStiffness::per_length(int law, const Point& normal) const {
   double sum = 0;
   for (const Bond& bond : family_[static_cast<std::size_t>(law)]) {
@@ -166,9 +167,9 @@ CutStiffness::Counted CutStiffness::of(std::size_t bond, double stiffness, const
   return counted;
 }
 
-// What growth takes is that of the first length: farther on it may be another. The rate goes like g exp(c x) along the
-// way x, times the shape of a kink, so that its mean over a length s is about g exp(c s / 2) times the mean of the
-// shape.
+// Extrapolates the energy release rate to the tip. Along the path x it varies as g exp(c x) times the shape of a kink,
+// so its mean over a length s is about g exp(c s / 2) times the mean of the shape. A line is fitted to the logarithms.
+// The energy that growth takes is that of the first length, because it may change farther on.
 TrialGrowth::AtTip TrialGrowth::at_tip(double load_factor) const {
   double weights = 0, x_mean = 0, y_mean = 0, xx = 0, xy = 0;
   const auto rate = [&](const Length& l) {
@@ -199,7 +200,7 @@ bool TrialGrowth::opens(double load_factor) const {
   return opening_.head(terms).dot(energy_.elongations_without(terms, load_factor)) > 0;
 }
 
-// The root is found by secants. Without constant loads the ratio is proportional to the load factor.
+// The root is found by the secant method; without constant loads the ratio is proportional to the load factor.
 std::optional<LineLoad> TrialGrowth::load(double nearby, double sense, bool proportional) const {
   LineLoad found;
   if (nearby == 0 || !opens(nearby)) return std::nullopt;
@@ -228,7 +229,9 @@ TrialSteps::TrialSteps(const coupling::EquilibriumSystem& system, const std::vec
                        const pd::TipLaws& laws, const LineWay& way)
     : system_(system), way_(way), cut_(system.terms(), positions, laws) {}
 
-// Terms in the order in which ever longer steps cut them, and what follows each of these sets.
+// Trial step in a direction. It finds the terms that the step cuts, in the order in which ever longer steps cut them,
+// with their followers; for each length the number of terms and the energy that growth takes. Empty if no bond lies
+// ahead or the body has no answer.
 std::optional<TrialGrowth> TrialSteps::along(const GrowingTip& tip, const pd::TipLaw& law, const Point& direction,
                                              const coupling::Affine& displacement, TrialBody& body) const {
   const coupling::Terms& terms = system_.terms();
@@ -275,7 +278,7 @@ std::optional<TrialGrowth> TrialSteps::along(const GrowingTip& tip, const pd::Ti
                        : std::optional(TrialGrowth(std::move(energy), std::move(found), std::move(opening)));
 }
 
-// The top of a parabola through the best one and its neighbours.
+// Direction of the largest ratio: the top of a parabola through the best direction and its neighbours.
 Point TrialSteps::best_direction(const GrowingTip& tip, const pd::TipLaw& law, const Point& around, double load_factor,
                                  const coupling::Affine& displacement, TrialBody& body) const {
   std::array<double, 2 * trials_aside + 1> ratio{};
@@ -283,7 +286,7 @@ Point TrialSteps::best_direction(const GrowingTip& tip, const pd::TipLaw& law, c
     const auto growth = along(tip, law, turned(around, k * between_trials), displacement, body);
     ratio[static_cast<std::size_t>(k + trials_aside)] = growth ? growth->mean_ratio(load_factor) : 0;
   }
-  // The direction nearest to the middle is chosen among those that are alike but for rounding.
+  // Among directions that are equal up to rounding, the one nearest to the middle is chosen.
   int best = trials_aside;
   for (const int k : {-1, 1, -2, 2})
     if (ratio[static_cast<std::size_t>(trials_aside + k)] > (1 + ratio_of_ties) * ratio[static_cast<std::size_t>(best)])

@@ -11,20 +11,22 @@
 
 namespace bempd::fracture {
 
-// A straight crack in an endless lattice takes bonds of a certain stiffness for each length. What a step cuts of that
-// stiffness counts as its length: bonds come one by one, and from one spacing to the next by quite different numbers.
+// Stiffness that a crack cuts, as a measure of its length. A straight crack in an infinite lattice cuts a certain
+// stiffness for each length, so the stiffness that a step cuts gives its effective length. The number of bonds cut
+// varies a lot from one spacing to the next.
 class CutStiffness {
  public:
   CutStiffness(const coupling::Terms& terms, const std::vector<Point>& positions, const pd::TipLaws& laws);
 
-  // Length [m] and energy [J] of a bond across a line with this unit normal, half by the lattice at either end.
+  // Length [m] and energy [J] that a bond counts across a line with the unit vector `normal`: half by the lattice at
+  // each end.
   struct Counted {
     double length = 0, energy = 0;
   };
   Counted of(std::size_t bond, double stiffness, const Point& normal) const;
 
-  // Stiffness that a bond counts by which is weakened at the end of an initial crack. Half a bond that is taken away
-  // releases less than half of what the whole bond does.
+  // Effective stiffness of a bond that is weakened at the end of an initial crack: taking away half a bond releases
+  // less than half of what the whole bond would release.
   double left_of_weakened(std::size_t bond, double stiffness) const;
 
  private:
@@ -41,8 +43,8 @@ class CutStiffness {
   std::vector<std::vector<Bond>> family_;  // of a point deep inside, for every law
 };
 
-// What growth straight on in one direction would release, over what it would take: for one to some spacings, and from
-// there at the tip itself.
+// Energy that growth straight on in one direction would release over the energy that it would take: for lengths of one
+// to several spacings, and extrapolated to the tip.
 class TrialGrowth {
  public:
   struct Length {
@@ -50,26 +52,28 @@ class TrialGrowth {
     double length, energy;  // counted [m], and taken [J]
   };
 
-  // `opening`: weights of the terms' elongations in what tells whether a step opens or closes.
+  // `opening` holds the weights of the terms' elongations in a sum whose sign says whether a step opens or closes.
   TrialGrowth(TrialEnergy energy, std::vector<Length> lengths, Eigen::VectorXd opening)
       : energy_(std::move(energy)), lengths_(std::move(lengths)), opening_(std::move(opening)) {}
 
-  // Root of the energy release rate at the tip over what growth takes, and the same after the first length.
+  // Square root of the energy release rate at the tip over the rate that growth takes; ratio_after() is that after the
+  // first length.
   double ratio(double load_factor) const { return at_tip(load_factor).ratio; }
   double ratio_after(double load_factor) const { return at_tip(load_factor).ratio_after; }
-  // Error of the ratio, from the scatter of the lengths about their line.
+  // Relative error of the ratio, from the scatter of the lengths about the fitted line.
   double error(double load_factor) const { return at_tip(load_factor).error; }
-  // Mean of the ratio over all lengths; longer lengths depend less on single bonds.
+  // Ratio for the longest length as a whole, which depends less on single bonds.
   double mean_ratio(double load_factor) const;
-  // Whether bonds across the whole step get longer rather than shorter once it is made.
+  // Whether the bonds across the whole step are longer after it rather than shorter.
   bool opens(double load_factor) const;
-  // What the first length takes [J].
+  // Energy that the first length takes [J].
   double first_energy() const { return lengths_.front().energy; }
-  // Sets the rate's shape behind a kink.
+  // Sets the shape of the energy release rate behind a kink.
   void shape(const KinkShape& kink) { kink_ = kink; }
 
-  // Load factor at which the ratio reaches one, searched from a load factor nearby, and how it grows there; null where
-  // it does not rise on the way, or the step would close.
+  // Load factor at which the ratio reaches one, found by an iteration from `nearby`, and the slope of the ratio there.
+  // `sense` is the sign of the load path; `proportional`: there are no constant loads. Empty if the ratio does not rise
+  // on the path, or if the step would close.
   std::optional<LineLoad> load(double nearby, double sense, bool proportional) const;
 
  private:
@@ -84,17 +88,18 @@ class TrialGrowth {
   KinkShape kink_;
 };
 
-// Steps of tips that are tried out by their energy, where the stress ahead is not the tip's own.
+// Trial steps of tips: their loads follow from the energy that they release. Used where the field ahead of a tip is not
+// its own singular field, but disturbed by an edge, a face or another tip.
 class TrialSteps {
  public:
   TrialSteps(const coupling::EquilibriumSystem& system, const std::vector<Point>& positions, const pd::TipLaws& laws,
              const LineWay& way);
 
-  // Null where no bond lies ahead or the body cannot tell.
+  // Trial step of a tip in a direction; empty if no bond lies ahead, or if the body has no answer.
   std::optional<TrialGrowth> along(const GrowingTip& tip, const pd::TipLaw& law, const Point& direction,
                                    const coupling::Affine& displacement, TrialBody& body) const;
 
-  // The direction of the largest energy release rate over some spacings, among some on both sides of this one.
+  // Direction of the largest energy release rate over some spacings, among directions on both sides of `around`.
   Point best_direction(const GrowingTip& tip, const pd::TipLaw& law, const Point& around, double load_factor,
                        const coupling::Affine& displacement, TrialBody& body) const;
 

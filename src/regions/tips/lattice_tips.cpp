@@ -15,30 +15,31 @@ namespace bempd::regions {
 
 namespace {
 
-// Outer radii of rings as shares of the largest one; the weight falls from half of a ring's radius on.
+// Outer radii of the rings as shares of the largest one, and their inner radius over the outer one. The weight q falls
+// from 1 to 0 between the inner and the outer radius.
 constexpr std::array parts{1.0, 0.8, 0.6};
 constexpr double inner_part = 0.5;
 
-// Radius of the largest ring in horizons: a smaller one shows too much of the lattice; a larger one shows nothing new
-// and takes longer.
+// Limits on the radius of the largest ring, in horizons. A smaller ring is affected by the lattice; a larger one gives
+// nothing new and takes longer.
 constexpr double least_horizons = 2, most_horizons = 10;
 
-// Share of the radius around the tip that is free of other tips, mouths and bends, which the largest ring takes.
+// Radius of the largest ring over the radius around the tip that is free of other tips, mouths and bends.
 constexpr double part_of_clear = 0.9;
 
 Point factors_of(const TipRings::Expansion& expansion) {
   return std::sqrt(2 * std::numbers::pi) * Point(expansion.opening.real(), -expansion.opening.imag());
 }
 
-// Distance of the effective tip ahead of the place: about the effective tip the field has no term of power -1/2, which
-// a shift of the term of power 1/2 would cause.
+// Distance by which the effective tip lies ahead of the tip's place. About the effective tip the field has no term of
+// power -1/2, which a shift of the origin would cause out of the term of power 1/2.
 double felt_ahead(const TipRings& rings, double radius, double horizon, const Eigen::VectorXd& displacement) {
   double ahead = 0;
   for (int i = 0; i < 3; ++i) {
     const TipRings::Expansion seen = rings.expansion(rings.about(ahead), inner_part * radius, radius, displacement);
     const double size = std::norm(seen.opening);
     if (size > 0) ahead += -2 * (seen.shift * std::conj(seen.opening)).real() / size;
-    // The shift is bounded: openings beyond a horizon are not those of a crack.
+    // The shift is limited to a horizon: a larger one does not come from the field of a crack tip.
     ahead = std::clamp(ahead, -horizon, horizon);
   }
   return ahead;
@@ -54,15 +55,14 @@ TipValues without_contours(const LatticeTip& tip) {
   return values;
 }
 
-// Constant and proportional part of the pressure in the crack of a tip.
+// Fluid pressure in the crack of a tip, constant and proportional part [Pa]; zero without one.
 Eigen::RowVector2d pressure_in(const BondedBody& body, const LatticeTip& tip) {
   const auto found = body.pressures.find(tip.crack);
   return found == body.pressures.end() ? Eigen::RowVector2d::Zero() : found->second;
 }
 
-// Displacements that have nothing to do with the tip: those by which its lattice swells freely, and those under a
-// pressure on all sides like the one in its crack, without which the faces are free of load. Empty if the swelling
-// causes stress.
+// Displacements without stress intensity: those of free swelling, and those of a uniform pressure equal to the one in
+// the crack (without them the crack's faces are free of load). Empty if the swelling causes stress.
 std::optional<coupling::Affine> free_displacement(const BondedBody& body, const LatticeTip& tip) {
   const PlaneElasticity& elasticity = tip.axes.elasticity;
   const Eigen::RowVector2d strain = -pressure_in(body, tip) / (elasticity.c11() + elasticity.c12());
@@ -93,7 +93,8 @@ TipValues values_of(const BondedBody& body, const LatticeTip& tip, double toughn
   const Eigen::VectorXd whole = rings.around(solution.displacement - coupling::evaluate(*free, solution.load_factor));
   const Eigen::VectorXd constant = rings.around(solution.parts->col(0) - free->col(0));
   const Eigen::VectorXd proportional = rings.around(solution.parts->col(1) - free->col(1));
-  // A body without any load uses the effective tip of the proportional load.
+  // The effective tip is found from the actual displacement, or from that of the proportional load if the actual one is
+  // zero.
   const bool loaded = whole.squaredNorm() > 0;
   values.felt_ahead = felt_ahead(rings, radius, tip.horizon, loaded ? whole : proportional);
   const TipRings::View view = rings.about(values.felt_ahead);

@@ -11,7 +11,7 @@
 
 namespace bempd::regions {
 
-// Bonds of a scene in their present state.
+// Terms (bonds and squares) of a scene in their present state.
 struct BondedBody {
   const scene::Scene& scene;
   const Discretization& discretization;
@@ -62,7 +62,7 @@ class TipRings {
     double uniform = 0;            // T [Pa]
   };
 
-  // Data that all rings around one place have in common.
+  // Dual fields and distances about one centre, shared by all rings around it.
   struct View {
     struct Dual {
       double power;  // power of the term that the dual picks out
@@ -75,13 +75,14 @@ class TipRings {
     std::vector<Dual> duals;
   };
   View about(double ahead) const;
-  // Displacements of the nodes around the tip, less their rigid motion.
+  // Displacements of the nodes around the tip without their rigid motion; `displacement` is that of all nodes of the
+  // scene.
   Eigen::VectorXd around(const Eigen::VectorXd& displacement) const;
-  // Expansion from the ring in which the weight q falls, between the two radii.
+  // Coefficients from the ring between two radii. `around` is the result of the function around().
   Expansion expansion(const View& view, double inner, double outer, const Eigen::VectorXd& around) const;
 
  private:
-  // Term of the energy, with its nodes by their local numbers and their coefficients.
+  // Term of the energy with local numbers of its nodes and their coefficients.
   struct LocalTerm {
     double stiffness;
     std::vector<std::pair<int, Point>> pulls;

@@ -18,7 +18,7 @@ namespace {
 
 using Cell = std::pair<int, int>;
 
-// Cells of a lattice and the broken bonds of nearest neighbours between them.
+// Cells of a lattice, and the broken bonds between nearest neighbours that separate them.
 class BrokenFaces {
  public:
   BrokenFaces(const BondedBody& body, const LatticeGrid& grid) : grid_(grid), turn_(Eigen::Rotation2Dd(grid.angle)) {
@@ -49,8 +49,8 @@ class BrokenFaces {
     std::vector<Point> cells;  // to the farthest one, empty if there is none
     std::vector<Point> all;    // that can be reached
   };
-  // Path from the cells around an end to the farthest cell. Cells that meet at a corner follow each other, too: bonds
-  // along a slanted crack break later or never.
+  // Path of broken cells from those around a crack's end to the cell that is the most steps away. Cells that meet at a
+  // corner only count as neighbours, because bonds along a slanted crack break later or never.
   Way way_from(const Point& end) const {
     std::map<Cell, Cell> came_from;
     std::queue<Cell> next;
@@ -103,7 +103,8 @@ double distance_to(const std::vector<Point>& path, const Point& place) {
   return least;
 }
 
-// Replaces the last part of a path by the line fitted to it.
+// Replaces the last part of a path, of the length `part`, by the straight line fitted to it: sets the tip's place and
+// direction.
 void fit_end(TipAxes& axes, double part) {
   const Point end = axes.path.back();
   Point middle = Point::Zero();
@@ -119,7 +120,7 @@ void fit_end(TipAxes& axes, double part) {
   axes.place = middle + along.dot(end - middle) * along;
 }
 
-// Length over which the crack runs straight behind its tip.
+// Length [m] over which the crack is straight behind its tip, within one spacing.
 double straight_length(const TipAxes& axes) {
   double reached = 0;
   for (std::size_t i = axes.path.size() - 1; i > 0; --i) {
@@ -149,7 +150,7 @@ class TipSearch {
  public:
   explicit TipSearch(const BondedBody& body) : body_(body) {}
 
-  // Adds the tip at an end of a crack, if it has one.
+  // Adds the tip at an end of a crack to `tips`, unless that end is a mouth or has reached an edge.
   void add(int crack, int end, std::vector<Point> path, std::vector<LatticeTip>& tips) {
     const Region* region = region_at(path.back());
     if (!region) return;
@@ -164,7 +165,7 @@ class TipSearch {
       tip.grown = true;
       for (const Point& cell : way.cells)
         if (faces.cell_at(cell) != faces.cell_at(path.back())) tip.axes.path.push_back(cell);
-      // A crack that has broken through to an edge has no tip any more.
+      // A crack that has broken through to an edge has no tip at this end any more.
       if (!std::all_of(way.all.begin(), way.all.end(),
                        [&](const Point& cell) { return is_in(body_.scene, body_.discretization, cell, false); }))
         return;
@@ -176,7 +177,7 @@ class TipSearch {
     tips.push_back(std::move(tip));
   }
 
-  // Tip at a known end. Its values are unknown if it lies outside of all lattices.
+  // Tip at a known place. Its results remain unknown if it lies outside all lattices.
   LatticeTip at(const KnownTip& known) {
     const Point& place = known.path.back();
     LatticeTip tip{known.crack, known.end, 0, {place, known.direction, known.path, 1, {}}, 1, 0, known.grown, false};
