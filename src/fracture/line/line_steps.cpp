@@ -212,8 +212,8 @@ crack::Extension LineSteps::remember(const LineStep& step, double ratio, double 
   const pd::TipLaw law = laws_.laws[static_cast<std::size_t>(step.law)].at(from);
   // The event's ratio contains the correction by earlier steps, which must not enter the remembered ratios.
   const double before = step.by_energy ? ratio : ratio / correction(tip);
-  // The expected energy is the mean of the rates at both ends of the step, because the rate changes by up to a half
-  // within a spacing behind a kink or near an edge.
+  // The expected energy is the mean of the rates at both ends of the step: the rate changes by up to a half within a
+  // spacing behind a kink or near an edge.
   const bool arrives = step.way.arrives();
   const double after = arrives          ? before
                        : step.by_energy ? before * step.after_step

@@ -167,8 +167,8 @@ CutStiffness::Counted CutStiffness::of(std::size_t bond, double stiffness, const
   return counted;
 }
 
-// Extrapolates the energy release rate to the tip. Along the path x it varies as g exp(c x) times the shape of a kink,
-// so its mean over a length s is about g exp(c s / 2) times the mean of the shape. A line is fitted to the logarithms.
+// Extrapolates the energy release rate to the tip. Along the path x it varies as g exp(c x) times the shape of a kink.
+// Its mean over a length s is about g exp(c s / 2) times the mean of the shape, so a line is fitted to the logarithms.
 // The energy that growth takes is that of the first length, because it may change farther on.
 TrialGrowth::AtTip TrialGrowth::at_tip(double load_factor) const {
   double weights = 0, x_mean = 0, y_mean = 0, xx = 0, xy = 0;
@@ -286,7 +286,7 @@ Point TrialSteps::best_direction(const GrowingTip& tip, const pd::TipLaw& law, c
     const auto growth = along(tip, law, turned(around, k * between_trials), displacement, body);
     ratio[static_cast<std::size_t>(k + trials_aside)] = growth ? growth->mean_ratio(load_factor) : 0;
   }
-  // Among directions that are equal up to rounding, the one nearest to the middle is chosen.
+  // The direction nearest to the middle is chosen among those that are equal up to rounding.
   int best = trials_aside;
   for (const int k : {-1, 1, -2, 2})
     if (ratio[static_cast<std::size_t>(trials_aside + k)] > (1 + ratio_of_ties) * ratio[static_cast<std::size_t>(best)])
