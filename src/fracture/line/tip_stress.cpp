@@ -12,16 +12,14 @@ namespace bempd::fracture {
 namespace {
 
 // Distances in horizons between which Williams' series is fitted. With three terms, or farther out, the load of an
-// inclined crack's first growth is too small. Nearer than a horizon the lattice smooths the singular stress by a few
-// percent. A surface within three horizons disturbs the field more than that, so then nearer points are used
-// (docs/directions.md).
+// inclined crack's first growth is too small; nearer the lattice smooths the stress by a few percent. A surface within
+// three horizons disturbs it more, so then nearer points are used (docs/directions.md).
 constexpr double inner_reach = 1, outer_reach = 2, fitted_cosine = 0;
 constexpr double inner_reach_beside = 0.5, outer_reach_beside = 1.25;
 constexpr double beside_surface = 1, away_from_surfaces = 3;
 
-// K_II of a fit over that of boundary elements. In a lattice the effective tip lies some 0.15 horizons farther ahead
-// under shear than under opening, and the series about the tip takes part of that for K_II. Measured on inclined cracks
-// as 1.06 to 1.11, for horizons of 3, 4 and 6 spacings and any angle of the rows (docs/directions.md).
+// K_II of a fit over that of boundary elements: measured as 1.06 to 1.11 on inclined cracks (docs/directions.md). Under
+// shear the effective tip lies some 0.15 horizons farther ahead than under opening.
 constexpr double shear_as_fitted = 1.08;
 
 // Mean stress closely ahead, used for cracks that have begun in the run: reach and least cosine to the tip's direction
@@ -84,8 +82,7 @@ double TipStress::nearest_outline(const Point& place, double at_most) const {
 }
 
 // Distance to the nearest disturbance of the field ahead of a tip, at most three horizons. A border with boundary
-// elements of the same material continues the field: behind the tip it disturbs nothing, and ahead of it only stress
-// points are missing, which are used up to two horizons away.
+// elements of the same material is one only ahead of the tip, where points are missing within two horizons.
 double TipStress::nearest_disturbance(const GrowingTip& tip, const pd::TipLaw& law) const {
   double nearest = away_from_surfaces * law.horizon;
   for (const int node : near_.about(tip.place, nearest)) {

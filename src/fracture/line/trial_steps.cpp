@@ -15,8 +15,8 @@ namespace bempd::fracture {
 
 namespace {
 
-// Largest length of a trial step in spacings. Over one spacing the bonds that it happens to cut change the result by up
-// to 13 %, over four by 2 %. Near an edge or a face it reaches half of the distance to it.
+// Largest length of a trial step in spacings. The bonds that it happens to cut change the result by up to 13 % over one
+// spacing, by 2 % over four. Near an edge or a face it reaches half of the way.
 constexpr int longest_trial = 4;
 
 // Directions that are tried: their number on each side, and the angle between two of them [rad].
@@ -28,8 +28,8 @@ constexpr double ratio_of_ties = 1e-9;
 constexpr int rounds_for_load = 30;
 constexpr double load_rounding = 1e-12;
 
-// Share of a tip's opening that depends on its last bonds, for the effect of weakened ones. Measured on straight cracks
-// with tips at seven positions between points, for horizons of 3, 4 and 5 spacings.
+// Share of a tip's opening that depends on its last bonds, measured on straight cracks with horizons of 3, 4, 5
+// spacings.
 constexpr double weakened_follows = 0.5;
 
 // Difference in spacings below which bond vectors count as equal.
@@ -40,9 +40,8 @@ bool are_alike(const pd::TipLaw& one, const pd::TipLaw& other) {
          one.modulus == other.modulus;
 }
 
-// Points deep inside lattices of one kind, whose bonds give the stiffness that a length of crack cuts. Points as far as
-// possible from edges and other lattices are taken from all regions of that kind, so that the order of regions does not
-// matter. `is_of` marks the points of these lattices.
+// Points deep inside lattices of one kind (those in `is_of`), whose bonds give the stiffness that a length of crack
+// cuts. All regions of that kind count, so that their order does not matter.
 std::vector<int> deep_points(const std::vector<char>& is_of, const linalg::Adjacency& neighbours) {
   const auto is_own = [&](int node) { return is_of[static_cast<std::size_t>(node)] != 0; };
   std::size_t most = 0;
@@ -99,8 +98,7 @@ CutStiffness::CutStiffness(const coupling::Terms& terms, const std::vector<Point
   }
 }
 
-// The family has the median stiffness of every bond vector: in a low lattice corrections at edges reach some of these
-// points.
+// Bonds of a typical inner point: every bond vector with its median stiffness, because edges affect some points.
 std::vector<CutStiffness::Bond> CutStiffness::family_of(const coupling::Terms& terms, const std::vector<double>& whole,
                                                         const std::vector<int>& points,
                                                         const linalg::Adjacency& bonds_at, double same) {
@@ -167,9 +165,8 @@ CutStiffness::Counted CutStiffness::of(std::size_t bond, double stiffness, const
   return counted;
 }
 
-// Extrapolates the energy release rate to the tip. Along the path x it varies as g exp(c x) times the shape of a kink.
-// Its mean over a length s is about g exp(c s / 2) times the mean of the shape, so a line is fitted to the logarithms.
-// The energy that growth takes is that of the first length, because it may change farther on.
+// Extrapolates the energy release rate to the tip. Along the path x it varies as g exp(c x) times the shape of a kink,
+// so its mean over s is about g exp(c s / 2) times the mean shape. Growth takes the energy of the first length.
 TrialGrowth::AtTip TrialGrowth::at_tip(double load_factor) const {
   double weights = 0, x_mean = 0, y_mean = 0, xx = 0, xy = 0;
   const auto rate = [&](const Length& l) {
@@ -229,9 +226,8 @@ TrialSteps::TrialSteps(const coupling::EquilibriumSystem& system, const std::vec
                        const pd::TipLaws& laws, const LineWay& way)
     : system_(system), way_(way), cut_(system.terms(), positions, laws) {}
 
-// Trial step in a direction. It finds the terms that the step cuts, in the order in which ever longer steps cut them,
-// with their followers; for each length the number of terms and the energy that growth takes. Empty if no bond lies
-// ahead or the body has no answer.
+// Trial step in a direction: the terms that it cuts, in the order in which ever longer steps cut them, with their
+// followers. Empty if no bond lies ahead or the body has no answer.
 std::optional<TrialGrowth> TrialSteps::along(const GrowingTip& tip, const pd::TipLaw& law, const Point& direction,
                                              const coupling::Affine& displacement, TrialBody& body) const {
   const coupling::Terms& terms = system_.terms();

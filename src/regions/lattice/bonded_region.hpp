@@ -76,8 +76,7 @@ class BondedRegion : public Region {
   virtual std::vector<double> cell_shares() const = 0;
   // Damage of each point: 1 - number of intact bonds / number of bonds without any crack.
   virtual FieldValues damage(const std::vector<char>& intact) const;
-  // on_grid(): points of a crack in grid coordinates. cracks_may_meet_points(): whether a crack may pass through
-  // material points, which then stay bonded to both faces.
+  // Crack in grid coordinates; and whether it may pass through material points, which stay bonded to both faces.
   std::vector<Point> on_grid(const scene::Crack& crack) const;
   virtual bool cracks_may_meet_points() const { return false; }
 
@@ -90,8 +89,7 @@ class BondedRegion : public Region {
   // Adds the bonds of the region's network to the scene's; they become consecutive there.
   void add_own_bonds(const Preparation& preparation, const Contributions& contributions);
 
-  // Ties `points` on a straight interface to the elements of the region `leader`. The points are given in order, with
-  // the distance `apart` between neighbours.
+  // Ties `points` on a straight interface, in order and `apart` from each other, to elements of the region `leader`.
   void tie_points(const LeadingElements& leading, int leader, const std::vector<int>& points, double apart,
                   coupling::NodeTies& ties) const;
 
