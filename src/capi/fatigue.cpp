@@ -34,7 +34,8 @@ constexpr bempd_fatigue fatigue_defaults{.struct_size = sizeof(bempd_fatigue),
                                          .tolerance = 1e-3,
                                          .largest_step = 0.25};
 
-// A caller's struct of its size, the rest at the defaults. A longer one of a newer program says nothing more.
+// Copy of a caller's struct: members beyond the caller's size have their defaults. A longer struct of a newer program
+// must have zeros beyond the known members.
 template <class T>
 T given_struct(const T* from, const char* name, const T& defaults) {
   const std::size_t size = struct_bytes(from, name, sizeof(std::int64_t));
@@ -58,8 +59,8 @@ crack::HostRate::Function host_rate(bempd_rate_function function, void* user) {
   };
 }
 
-// Coefficients are stated for stress intensity factors in a unit of their own: with that every law has the same
-// exponent, but for Forman's, which divides by a factor.
+// Coefficient of a law for factors in [Pa m^(1/2)], out of one for factors in the unit unit_intensity. The exponent is
+// that of the law, but less by one for Forman's law, which divides by a factor.
 double coefficient_of(const bempd_growth_rate& rate) {
   const double exponent = rate.kind == BEMPD_RATE_FORMAN ? rate.exponent - 1 : rate.exponent;
   const double coefficient = rate.coefficient * std::pow(rate.unit_intensity, -exponent);

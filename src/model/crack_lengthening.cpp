@@ -36,8 +36,8 @@ void CrackLengthening::go_to(double load_factor) {
   ++model_.generation_;
 }
 
-// The books have each extension with the energy that the body released by it. Below the toughness all of that is taken
-// by what makes the crack grow: nothing moves.
+// The energy that the body releases is recorded with each extension. Below the toughness all of it is taken by the
+// process that lets the crack grow, so none becomes kinetic energy.
 LongerCracks CrackLengthening::lengthened(const std::vector<Lengthened>& tips) {
   Growing growing;
   growing.load_factor = growing.critical_load_factor = model_.load_factor();

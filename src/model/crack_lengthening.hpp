@@ -11,45 +11,45 @@
 
 namespace bempd::model {
 
-// A tip that is to grow by a length at the present load factor, turned by an angle.
+// Tip with the length and the angle of the extension that it is to get at the present load factor.
 struct Lengthened {
   regions::TipValues tip;
   double length, angle;
 };
 
-// A scene with longer cracks, and these.
+// Scene with longer cracks, and these cracks.
 struct LongerCracks {
   Grown grown;
   std::vector<scene::Crack> cracks;
 };
 
-// A call in which cracks with boundary elements grow by given lengths, whatever their load. Until keep() is called the
-// model can be brought back to where it was.
+// Call in which cracks with boundary elements are extended by given lengths, whatever their load. It can be taken back
+// until keep() is called.
 class CrackLengthening {
  public:
-  // Prepares the model and finds its equilibrium under the values that the host has set. Throws Error (argument)
-  // without a crack that has elements.
+  // Prepares the model and finds its equilibrium under the values that the host has set. Throws Error (argument) if no
+  // crack has boundary elements.
   explicit CrackLengthening(Model& model);
 
-  // Tips that may grow: those that are not frozen and have not stopped. Factors are functions of the load factor.
+  // Tips that may grow: neither frozen by the host nor stopped. Their factors are functions of the load factor.
   std::vector<regions::TipValues> tips() { return model_.growing_tips(); }
   PreparedScene& scene() { return *model_.prepared_; }
 
-  // Moves the load factor; no crack with elements grows.
+  // Moves the load factor; cracks with elements do not grow meanwhile.
   void go_to(double load_factor);
-  // Scene with longer cracks, at the same load factor, whose growth is in its books; the model stays as it is. Throws
-  // crack::CannotGrow.
+  // Scene with longer cracks at the same load factor, in whose history the growth is entered; the model itself stays
+  // unchanged. Throws crack::CannotGrow.
   LongerCracks lengthened(const std::vector<Lengthened>& tips);
-  // Makes it the model's scene.
+  // Continues in the scene with longer cracks, which becomes the model's.
   void go_on_in(LongerCracks longer);
-  // The host's progress callback hears of it; throws Error (cancelled).
+  // Calls the host's progress function; throws Error (cancelled) if that asks to stop.
   void report_progress();
   void tell(const std::string& warning) const {
     Model::say([&] { model_.log(1, warning); });
   }
   bool stop_requested() const { return model_.stop_requested_; }
 
-  // Ends the call: for good, or back at its start.
+  // Ends the call: keep() keeps its result, take_back() returns the model to the start of the call.
   void keep() noexcept;
   void take_back() noexcept;
 
@@ -64,7 +64,7 @@ class CrackLengthening {
   std::ptrdiff_t recorded_;                  // tips
 };
 
-// Moves the load factor of a scene; no crack with elements grows.
+// Moves the load factor of a scene; cracks with elements do not grow meanwhile.
 void move_load(PreparedScene& scene, double load_factor, const std::set<crack::TipId>& frozen);
 
 }  // namespace bempd::model

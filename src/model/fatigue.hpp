@@ -16,7 +16,7 @@ namespace bempd::model {
 
 class Model;
 
-// What a host asks of growth by cycles.
+// Options of the host for growth by load cycles (fatigue).
 struct FatigueOptions {
   static constexpr double unlimited = std::numeric_limits<double>::infinity();
 
@@ -49,7 +49,8 @@ struct FatigueReport {
   double error = 0;   // estimate for the cycles of this call, as a share of them
 };
 
-// A tip after a step, 0 for the state at first. Factors belong to the highest and the lowest load of the program.
+// Record of a tip after a step; step 0 is the initial state. The factors belong to the highest and the lowest load of
+// the program.
 struct FatigueRecord {
   std::int64_t step = 0, event = 0;
   crack::TipId tip{};
@@ -62,21 +63,21 @@ struct FatigueRecord {
   double rate = 0;                 // mean over the program [m]
 };
 
-// Growth of cracks by cycles of the loads.
+// Fatigue: growth of cracks by cycles of the loads.
 class Fatigue {
  public:
   explicit Fatigue(Model& model) : model_(model) {}
 
-  // Law by which cracks grow in a material.
+  // Sets the law of growth by cycles for a material (id).
   void set_rate(int material, crack::RateParameters parameters);
   const crack::RateParameters* rate_of(int material) const;
 
-  // Throws Error; then the model is as it was.
+  // Grows cracks by cycles. Throws Error and leaves the model as it was before the call.
   FatigueReport grow(const FatigueOptions& options);
-  // Records of the last call.
+  // Records of the last call of grow().
   const std::vector<FatigueRecord>& records() const { return records_; }
 
-  // Lets tips grow by lengths at the present load factor, as one event.
+  // Extends tips by the given lengths at the present load factor, as one event.
   GrowthResult extend(const std::vector<std::pair<crack::TipId, double>>& lengths);
 
  private:

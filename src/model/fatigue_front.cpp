@@ -9,7 +9,7 @@ namespace bempd::model {
 
 namespace {
 
-// Factors of tips at some load factors of a program.
+// Stress intensity factors of tips at the load factors of a program.
 class FactorsByLevel {
  public:
   FactorsByLevel(PreparedScene& scene, const std::vector<regions::TipValues>& tips, const crack::CycleProgram& program)
@@ -31,7 +31,7 @@ class FactorsByLevel {
   }
 
  private:
-  // Takes the factors at the load factors from one number up to another, which lies behind them.
+  // Sets the factors at the load factors with the indices `from` up to, but without, `to`.
   void take(std::size_t from, std::size_t to, const std::vector<regions::TipValues>& tips) {
     for (std::size_t level = from; level < to; ++level)
       for (std::size_t t = 0; t < tips_.size(); ++t)
@@ -40,8 +40,8 @@ class FactorsByLevel {
             factors_[t][level] = factors_of(tip).at(program_.load_factors()[level]);
   }
 
-  // Goes on from the highest load, downwards or upwards, until the same faces are closed at a load factor as at all
-  // others that are left: gaps and pressures are affine, so that they are closed in between as well.
+  // Moves from the highest load factor downwards or upwards, until the faces closed at a load factor are those closed
+  // at the last one. Gaps and contact forces are affine, so the same faces are closed in between as well.
   void follow(bool downwards) {
     const std::vector<double>& loads = program_.load_factors();
     const std::size_t last = downwards ? 0 : loads.size() - 1;
@@ -74,7 +74,7 @@ class FactorsByLevel {
   std::vector<std::vector<Point>> factors_;
 };
 
-// Factor of mode I in a direction, by the criterion that decides where tips grow.
+// Equivalent stress intensity factor (mode I) in the direction `angle`, by the growth criterion.
 double equivalent_in(const Point& factors, double angle, KinkCriterion criterion) {
   return criterion == KinkCriterion::hoop_stress ? hoop_factor(factors, angle) : kinked_factors(factors, angle).x();
 }
@@ -92,7 +92,7 @@ const crack::RateLaw* RateLaws::of(const regions::TipValues& tip, const Prepared
   return law.get();
 }
 
-// A tip turns by the load at which its equivalent factor is largest.
+// The angle of a tip is that of the load at which its equivalent factor is larger, the highest or the lowest one.
 Front front_of(PreparedScene& scene, const std::vector<regions::TipValues>& tips, const crack::CycleProgram& program,
                Model& model, RateLaws& laws) {
   const KinkCriterion criterion = growth_criterion(model.options());

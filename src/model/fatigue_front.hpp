@@ -10,7 +10,7 @@
 
 namespace bempd::model {
 
-// A tip under the loads of a program.
+// Tip with its stress intensity factors at each load factor of the program.
 struct FrontTip {
   regions::TipValues values;
   double angle = 0;                         // by which it turns as it grows [rad]
@@ -22,7 +22,7 @@ struct FrontTip {
 
 using Front = std::vector<FrontTip>;
 
-// Laws of the materials of a model, made once they are asked for.
+// Laws of growth by cycles of a model's materials, each created when it is first needed.
 class RateLaws {
  public:
   explicit RateLaws(Model& model) : model_(model) {}
@@ -33,8 +33,8 @@ class RateLaws {
   std::map<int, std::unique_ptr<crack::RateLaw>> laws_;
 };
 
-// The tips in a scene under each load factor of a program. Where faces close or open between two load factors the scene
-// is brought to them, and back to the highest one; its books do not know of it.
+// Tips of a scene with their factors at each load factor of a program. If faces close or open between two load factors,
+// the scene is moved to these load factors and back to the highest one; its history does not record that.
 Front front_of(PreparedScene& scene, const std::vector<regions::TipValues>& tips, const crack::CycleProgram& program,
                Model& model, RateLaws& laws);
 

@@ -4,13 +4,13 @@
 #include "model/crack_way.hpp"
 #include "model/fatigue_run.hpp"
 
-// How far tips go in a step of growth by cycles.
+// Plan of a step of growth by cycles: how far each tip grows.
 namespace bempd::model {
 
 namespace {
 
-// Steps towards an edge, a hole or another crack: a share of the way there, and at least a share of the tip's size, so
-// that the last one ends there.
+// Length of a step towards an edge, a hole or another crack: a share of the distance, and at least a share of the tip's
+// size, so that the last step ends there.
 constexpr double step_over_clearance = 0.25, least_step = 0.02;
 
 }  // namespace
@@ -20,7 +20,7 @@ void FatigueRun::find_rates() {
   for (std::size_t t = 0; t < front_.size(); ++t) rates_.push_back(crack::mean_rate(standing(t), 0, program_));
 }
 
-// A tip that does not grow.
+// Data of a tip for a step in which it does not grow.
 crack::TipOnStep FatigueRun::standing(std::size_t tip) const {
   const FrontTip& of = front_[tip];
   crack::TipOnStep one;
@@ -34,7 +34,8 @@ double FatigueRun::length_of_crack(std::size_t tip) const {
   return length_of(model_.scene().crack(front_[tip].values.crack));
 }
 
-// Length of the part of the crack that is the tip's own: ends that grow share it by their rates.
+// Size of a tip: its part of the crack's length. The growing ends of a crack share the length in the ratio of their
+// rates.
 double FatigueRun::size_of(std::size_t tip) const {
   double sum = 0;
   for (std::size_t t = 0; t < front_.size(); ++t)
@@ -49,8 +50,8 @@ double FatigueRun::longest(std::size_t tip) const {
   return std::min(step_ * size, std::max(step_over_clearance * clearance, least_step * size));
 }
 
-// The plan of a step. Where few cycles are left the rates at first say how far the tips go, with room for rates that
-// rise.
+// Plans a step; empty if no tip grows. If few cycles are left, the present rates limit the lengths, with room for
+// rising rates.
 std::optional<FatigueRun::Plan> FatigueRun::plan() const {
   constexpr double room = 1.3;
   Plan plan;
@@ -70,7 +71,8 @@ std::optional<FatigueRun::Plan> FatigueRun::plan() const {
   return plan;
 }
 
-// The tip whose crack comes to the length asked for leads then: its length is met exactly.
+// Shortens a plan to the largest crack length. The tip whose crack reaches that length becomes the leader, so that its
+// length is met exactly.
 void FatigueRun::keep_within_length(Plan& plan) const {
   double share = 1;
   for (std::size_t t = 0; t < front_.size(); ++t) {

@@ -10,15 +10,16 @@ namespace bempd::model {
 
 namespace {
 
-// Shares of its size, or of the growth of the tip that grows most for its size, by which a tip has to grow for its
-// crack to become longer; less goes into later steps.
+// Least growth of a tip for which its crack is extended: as a share of its size, and of the growth of the leader; less
+// than that is carried over to later steps.
 constexpr double least_growth = 0.005, slow = 0.05;
 
-// Turns in a step: above the first the step is made again in the direction of its chord, above the second it is halved
-// [rad].
+// Turn of a tip in a step [rad]: above the first the step is repeated in the direction of its chord, above the second
+// it is halved.
 constexpr double turns = 0.01, turns_too_much = 0.35;
 
-// Shares of the lengths by which they may be off: first, and once a step was made again.
+// Shares of the lengths by which they may differ from those that belong to the cycles: at first, and after the step has
+// been repeated.
 constexpr double off_at_first = 0.005, off_later = 0.03;
 
 constexpr int most_trials = 5;
@@ -58,7 +59,8 @@ void FatigueRun::find_front() {
   find_rates();
 }
 
-// A step that turns by too much, whose cycles are too uncertain, or that cannot be, is made shorter.
+// Makes a step; returns false if the run is over. A step is halved if it turns too much, if its cycles are too
+// uncertain, or if it is impossible.
 bool FatigueRun::step() {
   constexpr int most_halvings = 4;
   if (report_.steps >= options_.most_steps) return end_by(FatigueEnd::steps);
@@ -74,7 +76,8 @@ bool FatigueRun::step() {
       const bool is_good = largest_turn(trial) <= turns_too_much && choose_step(trial, plan->leader);
       if (is_good || halvings == most_halvings) return accept(std::move(trial), plan->leader);
     } catch (const Error& error) {
-      // A ligament that is too thin to be solved is where this crack ends, and so is a place without a scene.
+      // A crack ends where the remaining ligament is too thin for a solution, or where no scene with the longer crack
+      // is possible.
       const bool has_no_scene = dynamic_cast<const crack::CannotGrow*>(&error) != nullptr;
       if (!has_no_scene && error.failure() != Failure::unsolvable) throw;
       if (halvings == most_halvings) {
@@ -86,7 +89,7 @@ bool FatigueRun::step() {
   }
 }
 
-// A step with the lengths that belong to one number of cycles.
+// Computes a step whose lengths belong to one number of cycles, by repeated trials.
 FatigueRun::Trial FatigueRun::made(const Plan& plan) {
   std::vector<double> angles;
   for (const FrontTip& tip : front_) angles.push_back(tip.angle);
@@ -101,7 +104,7 @@ FatigueRun::Trial FatigueRun::made(const Plan& plan) {
   return now;
 }
 
-// Whether its cycles end before the crack has become longer by more than rounding.
+// Whether the cycles of a step end before the crack is longer by more than rounding.
 bool FatigueRun::is_too_short(const Trial& trial, std::size_t leader) const {
   return trial.cycles.end != crack::CyclesEnd::growth && trial.cycles.growth[leader] < 1e-6 * size_of(leader);
 }
@@ -154,7 +157,7 @@ double FatigueRun::largest_turn(const Trial& trial) const {
 }
 
 // Whether the lengths of a step differ by more than a share from those that belong to its cycles. A tip that has ended
-// can go no further.
+// cannot grow further.
 bool FatigueRun::is_off(const Trial& trial, std::size_t leader, double share) const {
   for (std::size_t t = 0; t < front_.size(); ++t) {
     const crack::TipOnStep& tip = trial.on_step[t];
@@ -166,9 +169,9 @@ bool FatigueRun::is_off(const Trial& trial, std::size_t leader, double share) co
   return false;
 }
 
-// Length of the next step by the change of the rate's power of the length from step to step: a twelfth of it, times the
-// logarithm of the lengths, is the error of a step. False if that is much more than the tolerance, which is wider for a
-// step that takes few of the cycles so far.
+// Chooses the length of the next step. The rate varies as a power of the length; a twelfth of the change of that power
+// between steps, times the logarithm of the ratio of lengths, is the error of a step. Returns false if that is much
+// more than the tolerance, which is wider for steps with few of the cycles so far.
 bool FatigueRun::choose_step(const Trial& trial, std::size_t leader) {
   constexpr double much = 4, most_change = 2, least_change = 0.3, few = 0.1;
   const crack::TipOnStep& tip = trial.on_step[leader];
@@ -221,7 +224,7 @@ bool FatigueRun::pass(const crack::CyclesOnStep& cycles) {
   return !is_over(cycles);
 }
 
-// Cycles while no tip grows.
+// Counts the cycles while no tip grows.
 bool FatigueRun::pass_without_growth() {
   std::vector<crack::TipOnStep> here;
   for (std::size_t t = 0; t < front_.size(); ++t) here.push_back(standing(t));

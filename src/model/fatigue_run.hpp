@@ -9,12 +9,12 @@
 
 namespace bempd::model {
 
-// One call in which cracks grow by cycles.
+// Run of a call in which cracks grow by cycles.
 //
-// A step lets tips grow by lengths in proportion to their rates, so far that the tip that grows most for its size does
-// so by the length of the step. Then the cycles are counted on the step, with the factors before and behind it
-// (crack/cycle_step). Where lengths or directions turn out to be others than those assumed, the step is made again with
-// them, as by Heun's rule; what is left of a difference goes into the next step.
+// A step extends the tips in proportion to their rates, so far that the tip that grows most in relation to its size
+// grows by the length of the step. The cycles are then counted with the factors before and after the step
+// (crack/cycle_step). If lengths or directions differ from those assumed, the step is repeated with the new ones, as in
+// Heun's method; what remains of a difference enters the next step.
 class FatigueRun {
  public:
   FatigueRun(Model& model, CrackLengthening& lengthening, const FatigueOptions& options);
@@ -23,7 +23,7 @@ class FatigueRun {
   std::vector<FatigueRecord> take_records() { return std::move(records_); }
 
  private:
-  // A step that may be made, by tip of the front.
+  // Step that has been computed but not accepted yet; lists have an entry for each tip of the front.
   struct Trial {
     std::vector<double> lengths;  // asked for
     std::vector<double> angles;
@@ -32,7 +32,7 @@ class FatigueRun {
     std::vector<crack::TipOnStep> on_step;
     crack::CyclesOnStep cycles;
   };
-  // How far the tips go, and the one that goes farthest for its size.
+  // Plan of a step: the growth of each tip, and the leader, which grows most in relation to its size.
   struct Plan {
     std::vector<double> lengths;
     std::size_t leader = 0;
