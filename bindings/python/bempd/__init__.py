@@ -16,6 +16,7 @@ Any consistent set of units; comments show SI. Build a Model, step, ask:
 from . import outline
 from ._ensemble import Ensemble, ensemble, read_ensemble
 from ._library import build_info, library_path, version
+from ._random import random_cracks, random_field, weibull_field
 from ._results import read_history
 from ._scene import rectangle
 from ._bar import ProgressBar, progress_bar
@@ -72,5 +73,5 @@ __all__ = [
     "CrackTip", "EdgeNodes", "EdgePlaces", "EdgeReaction", "Ensemble", "Error", "Explanation", "FatigueLife", "FatigueStop", "FileError", "Growth", "InternalError", "Model", "NextEvent", "OptionInfo", "Options", "OrderError",
     "OutOfMemoryError", "PathVertex", "Piece", "PointValues", "ProgressBar", "Rows", "Singularity", "SingularityKind", "State", "Statistics",
     "StepReport", "StopReason", "SupportHistory", "Table", "TipEnd", "TipMethod", "TipRecord", "TipState", "UnknownOptionError", "UnsolvableError",
-    "build_info", "converge", "describe_options", "ensemble", "library_path", "outline", "progress_bar", "read_ensemble", "read_history", "rectangle", "table", "version",
+    "build_info", "converge", "describe_options", "ensemble", "library_path", "outline", "progress_bar", "random_cracks", "random_field", "read_ensemble", "read_history", "rectangle", "table", "version", "weibull_field",
 ]
