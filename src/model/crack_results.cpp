@@ -207,7 +207,7 @@ std::vector<PathVertex> Model::crack_path(int crack) const {
   const scene::Crack& found = in_lattice ? prepared_->in_lattices.cracks[number] : scene_.cracks()[number];
   if (found.points.empty()) return {};
   std::vector<Point> given(found.given().begin(), found.given().end());
-  // An end that has grown lies where its cut ended, one that has not where it is felt.
+  // An end that has grown lies where its cut ended; an end that has not grown lies at its effective tip.
   const auto has_grown = [&](int end) { return has_extensions({crack, end}, extensions()); };
   if (in_lattice && !has_grown(0)) given.front() = prepared_->in_lattices.ends[number][0];
   if (in_lattice && !has_grown(1)) given.back() = prepared_->in_lattices.ends[number][1];

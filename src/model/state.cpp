@@ -19,7 +19,8 @@ bool is_sound(const fracture::GrowingTip& tip) {
 
 namespace {
 
-// Throws for a state from before ends of initial cracks were placed so that they are felt where they are described.
+// Throws Error (argument) for a state of format 15 or older if cuts of initial cracks are placed by their effective
+// tips now, which those versions did not do.
 void require_same_ends(const SavedState& saved, const regions::LatticeCracks& cracks) {
   const bool are_placed = std::ranges::any_of(cracks.even_ahead, [](const auto& ends) { return ends[0] || ends[1]; });
   require(saved.format > 15 || !are_placed, "the state has format version ", saved.format,

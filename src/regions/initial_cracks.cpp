@@ -98,9 +98,9 @@ bool are_alike(const Region& one, const Region& other) {
          one.elasticity() == other.elasticity();
 }
 
-// Whether ends of initial cracks in a lattice are placed so that they are felt where they are described: those of
-// cracks that grow as lines. Beside a lattice of another kind bonds of both hold a tip, and those of one do not tell
-// where it is felt.
+// Whether the cut of an initial crack is placed so that its effective tip lies at `tip`, where the host described it.
+// So it is for cracks that grow as lines, except near a lattice of another kind: there bonds of both lattices determine
+// the effective tip.
 bool is_felt_as_described(const Scene& scene, const Discretization& d, const scene::Options& options,
                           const Region& region, const Point& tip) {
   const std::optional<LatticeGrid> grid = region.lattice_grid();
@@ -113,7 +113,8 @@ bool is_felt_as_described(const Scene& scene, const Discretization& d, const sce
   });
 }
 
-// End of the cut for a tip in a region, by the bonds of this region and of those that it goes on in.
+// End of the cut that puts the effective tip of a crack at `tip`, by the bonds of the region and of those that continue
+// its lattice. The cut ends at most `backward` [m] behind the tip.
 pd::FeltEnd end_felt_at(const Discretization& d, const Region& region, const Point& tip, const Point& direction,
                         double backward) {
   const LatticeGrid grid = *region.lattice_grid();
@@ -145,8 +146,8 @@ pd::FeltEnd end_felt_at(const Discretization& d, const Region& region, const Poi
   return found;
 }
 
-// End of the cut of a crack in a lattice for its tip to be felt at the described place, with the bonds that are
-// weakened there; the described place elsewhere.
+// End of the cut for a crack's tip, with the bonds that are weakened there. The effective tip is to lie at `tip`; where
+// that is not done the cut ends at `tip`. `part` is the share of the last segment by which the cut may be shortened.
 pd::FeltEnd end_of_cut(const Scene& scene, const Discretization& d, const scene::Options& options, const Point& tip,
                        const Point& before, double part) {
   const double length = (tip - before).norm();
@@ -157,7 +158,7 @@ pd::FeltEnd end_of_cut(const Scene& scene, const Discretization& d, const scene:
   return {tip, {}};
 }
 
-// Places the ends that the host has given. What growth has added to them cuts bonds as it is.
+// Places the ends of the cut that the host has described. Pieces that growth has added cut bonds as they are.
 void place_ends(const Scene& scene, const Discretization& d, const scene::Options& options, int number,
                 LatticeCracks& found) {
   const auto c = static_cast<std::size_t>(number) - 1;
@@ -166,7 +167,7 @@ void place_ends(const Scene& scene, const Discretization& d, const scene::Option
   if (given.empty()) return;
   found.ends[c] = {given.front(), given.back()};
   if (!d.cracks[c].cuts_bonds() || given.size() < 2) return;
-  // A single segment may have two ends that move, so each gets less than half of it.
+  // A crack of one segment may have two tips, so the cut at each tip may be shortened by less than half of it.
   const double part = given.size() > 2 ? 0.9 : 0.45;
   const std::array placed{end_of_cut(scene, d, options, given.front(), given[1], part),
                           end_of_cut(scene, d, options, given.back(), given.end()[-2], part)};
@@ -226,7 +227,7 @@ std::vector<StartingTip> tips_of_cracks(const Scene& scene, const LatticeCracks&
   return tips;
 }
 
-// A piece that growth has added lies behind an end that is where its cut ended.
+// Lengths of the cracks. A piece that growth has added begins where the cut ends, not at the effective tip.
 std::vector<pd::CrackLength> lengths_of(const LatticeCracks& found) {
   std::vector<pd::CrackLength> lengths;
   for (std::size_t c = 0; c < found.cracks.size(); ++c) {

@@ -12,9 +12,9 @@
 
 namespace bempd::regions {
 
-// Cracks of the scene as they are in lattices. They are as described, with two exceptions. A crack through material
-// points is shifted beside them. Cracks that grow as lines end where their effective tips are at the described places,
-// and some bonds there keep a share of their stiffness.
+// Initial cracks as they are cut into lattices: as described, with two exceptions. A crack through material points is
+// shifted beside them. The cut of a crack that grows as a line ends where it puts the effective tip at the described
+// place, and some bonds there keep a share of their stiffness.
 struct LatticeCracks {
   using Ends = std::array<Point, 2>;  // of what the host has given
   std::vector<scene::Crack> cracks;

@@ -45,7 +45,8 @@ struct Contributions {
     int law;             // of `terms`
     double contraction;  // 0: compression across a bond is not counted apart
 
-    // Breaking of a bond whose ends have these shares of the material's fracture energy; without shares they have it.
+    // Breaking behaviour of a bond between two nodes. `energy_shares` are the nodes' shares of the material's fracture
+    // energy; if empty, the bond has all of it.
     Breaking between(const std::vector<double>& energy_shares, int first, int second) const {
       if (energy_shares.empty()) return *this;
       const double at_first = energy_shares[static_cast<std::size_t>(first)];

@@ -14,10 +14,11 @@ struct GrowingTip {
   int law = 0;                         // of the run's tip laws, that of the region in which it lies
   crack::TipId id;
   crack::TipState state = crack::TipState::grows;
-  // Ratios of the last steps: energy released over the energy expected from stress intensity factors.
+  // Ratios of the last steps: energy released over the energy expected from stress intensity factors. They correct the
+  // load factors of the next steps.
   std::vector<double> energy_ratios{};
-  // Distance ahead of the place at which evenly spread bonds would end, of which the crack has cut as much stiffness:
-  // there the tip acts. Known of initial cracks that are felt where they are described, until they grow [m].
+  // Distance ahead of `place` at which the tip acts [m]: there evenly spread bonds would end that have as much
+  // stiffness as the crack has cut. Known for initial cracks with a placed cut until they grow; else empty.
   std::optional<double> even_ahead{};
 };
 

@@ -1,4 +1,5 @@
-// Whether the fit of stresses says when a tip grows, and the load by the energy of a trial step where it does not.
+// Choice of the method that gives a tip's critical load: the fit of stresses, or the energy of a trial step where that
+// fit does not hold.
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -19,17 +20,19 @@ namespace {
 constexpr double least_limit = 0.035, limit_of_residual = 0.7;  // the latter over the square of the spacings
 // Largest residual of a fit whose direction a crack still follows.
 constexpr double residual_without_direction = 0.2;
-// Largest one of a fit that tells how the energy release rate begins behind a kink; between both it fades.
+// Residual up to which a fit fully determines how the energy release rate begins behind a kink; from here to
+// residual_without_direction its influence fades out.
 constexpr double residual_with_shape = 0.1;
-// Largest K_II over K_I for which the fit holds: beyond it K_II decides, which the fit reads worse.
+// Largest K_II / K_I for which the fit holds. With more shear K_II dominates, which the fit gives less accurately.
 constexpr double largest_shear = 0.25;
-// Least K_II over the K_I that the fit takes from the pressure across a shut crack: less is what the lattice makes of
-// pressure alone, by which a crack never grows.
+// Least K_II of a shut crack over the K_I that the fit takes from the pressure across the crack. A smaller K_II is an
+// error of the lattice under pressure alone, by which a crack never grows.
 constexpr double least_shear_of_shut = 0.1;
-// Distances in horizons for which a fit holds: to anything else around the tip, and the least length of its crack.
+// Distances in horizons that a fit needs: to any edge, face or other tip, and as length of its own crack.
 constexpr double clear_horizons = 2, shortest_crack = 3;
 
-// Loads by fits are at most so many times too high, but for those before a stiffer material.
+// Factor by which the load of a fit that does not hold is too high at most, except before a stiffer material: a step
+// beyond this multiple of the smallest load cannot come first.
 constexpr double most_by_fit = 4;
 
 // Relative errors of loads: by a fit that holds, their growth with the residual beyond least_residual, and by the
@@ -46,7 +49,8 @@ bool LineSteps::faces_press_at(const GrowingTip& tip) const {
   return coupling::faces_press_at(system_.constraints(), body_.positions(), tip.place, law_of(tip).horizon);
 }
 
-// A kink beside pressed faces may be open: then the fit has opening.
+// Whether a tip is shut: its fit has no opening (K_I <= 0) and its faces press on each other. A kink beside pressed
+// faces may be open; its fit then has K_I > 0.
 bool LineSteps::is_shut(const GrowingTip& tip, const WilliamsFit& fit) const {
   const AffineIntensity found = fit.factors(law_of(tip).horizon);
   return found.one.dot(Eigen::Vector2d(1, body_.state().load_factor)) <= 0 && faces_press_at(tip);
@@ -83,8 +87,8 @@ void LineSteps::judge_fit(const std::vector<GrowingTip>& tips, const WilliamsFit
     const double reach = other.id.crack == tip.id.crack ? shortest_crack * horizon : clear;
     return &other != &tip && (other.place - tip.place).norm() < reach;
   });
-  // An initial crack acts longer than it is where all bonds across it are cut, which beside an edge counts more in the
-  // energy than in the fit, and most under shear. One whose end is placed does not.
+  // An initial crack with all bonds across it cut acts longer than it is, unless the end of its cut is placed. Beside
+  // an edge this affects the energy more than the fit, most of all under shear.
   const bool acts_longer = tip.energy_ratios.empty() && !tip.even_ahead;
   const bool is_crowded = (!acts_longer || is_sheared) && stress_.is_crowded(tip, law, clear);
   const bool is_told = is_sheared ? acts_longer && is_crowded && step.residual < residual_with_shape

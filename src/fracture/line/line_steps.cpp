@@ -183,7 +183,8 @@ void LineSteps::move(const LineStep& step, std::vector<GrowingTip>& tips) const 
   if (laws_.laws.size() > 1) tip.law = law_ahead_of(tip);
 }
 
-// The law of the region of the nearest material point ahead; where none is near, the one that the tip had.
+// Law of the region in which the nearest material point ahead of a tip lies; the tip's present law if there is no point
+// near.
 int LineSteps::law_ahead_of(const GrowingTip& tip) const {
   const pd::TipLaw& law = law_of(tip);
   double nearest = law.horizon;

@@ -7,13 +7,13 @@ namespace bempd::fracture {
 
 namespace {
 
-// Share of the sum of forces on a point from which on they do not balance.
+// Sum of the pulls of a point's bonds over the sum of their magnitudes, from which on the pulls do not balance.
 constexpr double outline_pull = 0.1;
 
 }  // namespace
 
-// The bonds of a point on the outline pull it inwards under constant stress, as those of a point inside do not. All of
-// them count as whole: those that are weakened at the end of a crack do not make an outline.
+// Finds points on the outline by their bonds: under constant stress these pull the point inwards, while the pulls at
+// inner points balance. Weakened bonds count as whole, because the end of a crack is no outline.
 OutlinePoints::OutlinePoints(const coupling::Terms& terms, const pd::TipLaws& laws, std::size_t nodes)
     : share_(nodes, 0) {
   std::vector<Point> pull(nodes, Point(0, 0));

@@ -125,7 +125,8 @@ Eigen::RowVector2d TipStress::tension(std::size_t term, const coupling::Affine& 
   return parts;
 }
 
-// Share of a point in what the pulls of a wide term of unit tension do, by their arms.
+// Contribution of a wide term with unit tension to the stress (times volume) of one of its nodes, by the moments of its
+// pulls about the node.
 Eigen::Vector3d TipStress::moment_about(int node, std::size_t wide, const Point& direction) const {
   Eigen::Vector3d moment = Eigen::Vector3d::Zero();
   int nodes = 0;
@@ -173,7 +174,7 @@ Point TipStress::across_tension(int bond, const pd::TipLaw& law, const coupling:
                                 double load_factor) const {
   const coupling::Terms& terms = system_.terms();
   const auto b = static_cast<std::size_t>(bond);
-  // The mean of both ends, where a corner counts half: what loads do there is felt by no other point.
+  // The stress is the mean of both ends of the bond. A corner counts half, because loads on it affect no other point.
   const auto stress_of = [&](int node) {
     const double volume = law.spacing * law.spacing * law.thickness * (outline_.has(node) ? 0.5 : 1.0);
     return Stress(stress_times_volume(node, {1, 0}, displacement) / volume);
@@ -188,7 +189,7 @@ GrowingTip TipStress::as_fitted(GrowingTip tip) const {
   return tip;
 }
 
-// The stress around a tip is fitted where the tip acts.
+// Points for the fit are chosen around the place at which the tip acts (GrowingTip::even_ahead).
 TipStress::Fit TipStress::fit_of(const GrowingTip& growing, const pd::TipLaw& law) const {
   const GrowingTip tip = as_fitted(growing);
   const TipSight sight = sight_of(tip, law);

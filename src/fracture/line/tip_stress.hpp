@@ -71,7 +71,8 @@ class TipStress {
   GrowingTip as_fitted(GrowingTip tip) const;
   Fit fit_of(const GrowingTip& growing, const pd::TipLaw& law) const;
   std::vector<Station> stations_closely_ahead(const GrowingTip& tip, const pd::TipLaw& law) const;
-  // The material points with bonds ahead of a tip that lie within reach and that it sees.
+  // Stress points ahead of a tip: material points with bonds within `reach` that no other crack hides. `least_cosine`
+  // limits the angle to the tip's direction.
   std::vector<Station> stations(const GrowingTip& tip, const pd::TipLaw& law, const Reach& reach, double least_cosine,
                                 const TipSight& sight) const;
 

@@ -61,8 +61,8 @@ class Union {
     }
     return nobody;
   }
-  // Values at all points, from those at the points of members; a point that several hold takes that of the first.
-  // Empty if no member has any; a member without has ones.
+  // Values at the points of the union, from those at the points of the members. At a point that several members have,
+  // the first one's value counts. Empty if no member has values; a member without values counts as 1.
   std::vector<double> of_points(const std::vector<std::vector<double>>& of_members) const {
     if (std::ranges::all_of(of_members, [](const auto& values) { return values.empty(); })) return {};
     std::vector<double> all(static_cast<std::size_t>(cells_.point_count()), 1);

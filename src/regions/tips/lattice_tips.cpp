@@ -76,8 +76,7 @@ std::optional<coupling::Affine> free_displacement(const BondedBody& body, const 
   return free;
 }
 
-// Whether faces press on each other at a tip. What the rings take for K_I there is the pressure across the crack, which
-// the faces bear.
+// Whether the faces press on each other at a tip. The rings then take the pressure between the faces for K_I.
 bool is_shut(const BondedBody& body, const LatticeTip& tip, const TipValues& values) {
   return values.factors.x() <= 0 &&
          coupling::faces_press_at(body.constraints, body.discretization.positions, tip.axes.place, tip.horizon);
@@ -116,7 +115,7 @@ TipValues values_of(const BondedBody& body, const LatticeTip& tip, double toughn
   values.plane_modulus = plane_modulus(tip.axes.elasticity);
   values.toughness = toughness;
   values.energy_release_rate = in_range(values.factors.squaredNorm() / values.plane_modulus);
-  // Values are unknown in bodies so small that squares of their lengths vanish (below 1e-154 m).
+  // Results are unknown for bodies so small that the squares of their lengths underflow (below 1e-154 m).
   const bool known = values.factors.allFinite() && std::isfinite(values.stress_along) && std::isfinite(values.error) &&
                      std::isfinite(values.felt_ahead);
   return known ? values : without_contours(tip);

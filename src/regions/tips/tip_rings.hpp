@@ -24,7 +24,7 @@ struct BondedBody {
   std::map<int, Eigen::RowVector2d> pressures;  // in cracks, constant and proportional part [Pa]
 };
 
-// Position of a tip, and the crack behind it.
+// Position and direction of a crack tip, and the crack behind it.
 struct TipAxes {
   Point place, direction;   // unit vector in which a straight crack would go on
   std::vector<Point> path;  // of the crack, ending at the tip
@@ -39,19 +39,17 @@ struct TipAxes {
   }
 };
 
-// Coefficients of the terms of Williams' expansion at a tip in a displacement of the body, from rings around the tip.
+// Coefficients of Williams' expansion at a crack tip, out of the body's displacements on rings around the tip.
 //
-// Reciprocity of the displacement u with the dual term u*, both without forces inside: let a weight q fall from 1
-// within the ring to 0 outside of it. The sum over the terms of the energy (bonds and wide terms), each with its
-// stiffness k and its elongation e,
+// The reciprocal theorem relates the displacement u to a dual field u* (the Williams term of the opposite power). Let a
+// weight q fall from 1 to 0 across the ring. With the stiffness k and the elongation e of each term of the energy
+// (bonds and squares),
 //   H = sum k [e(u*) e(q u) - e(u) e(q u*)]
-// is the work that the two do on each other across the ring, and is the same for every ring. No stress has to be
-// recovered and no displacement differentiated. Since the bonds hold every point in balance with the forces on it, it
-// is
+// is the work that the two fields do on each other across the ring, the same for every ring. No stress is recovered and
+// no displacement differentiated. The second part vanishes where u is in balance without forces, which leaves
 //   H = sum k e(u*) e(q u) - sum q F*.u,
-// where F* are the forces of the dual term's tractions on the lattice's outline. Where the ring meets the lattice's
-// outline, the forces that act on the lattice there, also those of boundary elements beside it, complete the sum. The
-// path round the tip then goes along the outline.
+// where F* are the forces of the dual field's tractions on the lattice's outline: where the ring meets the outline, the
+// path around the tip continues along it.
 class TipRings {
  public:
   TipRings(const BondedBody& body, TipAxes axes, double radius);

@@ -212,7 +212,8 @@ std::vector<LatticeTip> find_lattice_tips(const BondedBody& body) {
   std::vector<LatticeTip> tips;
   TipSearch search(body);
   for (std::size_t c = 0; c < body.cracks.size(); ++c) {
-    // A crack through material points lies beside them, which decides on which of its sides they are.
+    // A crack through material points is shifted beside them, so the shifted crack decides on which side the points
+    // lie.
     const std::vector<Point>& points = body.cracks[c].points;
     if (!body.discretization.cracks[c].cuts_bonds() || points.size() < 2) continue;
     const std::vector<Point> reversed(points.rbegin(), points.rend());
