@@ -2,6 +2,7 @@
 # Builds the library and runs examples; results go to out/<name>/. Installs missing Debian packages first.
 #   examples/run.sh            runs centre_crack
 #   examples/run.sh NAME...    runs the examples named
+#   examples/run.sh NAME... --full  with all cases, of examples that have more than they run otherwise
 #   examples/run.sh paper-tables  runs the paper's six examples and prints one table of all cases
 #   examples/run.sh --list     lists them
 set -euo pipefail
@@ -17,9 +18,14 @@ list_examples() {
 
 case "${1:-}" in
   --list) list_examples; exit 0 ;;
-  -h | --help) sed -n '2,6s/^# *//p' "examples/run.sh"; exit 0 ;;
+  -h | --help) sed -n '2,7s/^# *//p' "examples/run.sh"; exit 0 ;;
 esac
 
+extent=()
+if [ "${!#}" = --full ] && [ $# -gt 1 ]; then
+  extent=(--full)
+  set -- "${@:1:$#-1}"
+fi
 [ $# -gt 0 ] || set -- centre_crack
 tables=no
 if [ "$1" = paper-tables ]; then
@@ -60,7 +66,7 @@ for name in "$@"; do
   mkdir -p "out/$name"
   if [ ! -f "examples/$name/main.c" ] && [ ! -f "examples/$name/main.f90" ]; then
     BEMPD_LIBRARY="$root/build/release/src/capi/libbempd.so" PYTHONPATH="$root/bindings/python" \
-      /usr/bin/python3 "examples/$name/main.py"
+      /usr/bin/python3 "examples/$name/main.py" "${extent[@]}"
     continue
   fi
   "build/release/examples/example_$name" | tee "out/$name/printed.txt"
