@@ -978,7 +978,8 @@ typedef enum bempd_stop_reason {
   /** The body is separated. Either no intact part carries load between supports and loads any more; or what is left
    * carries less than the option stepping.separation_share of the largest force so far and its bonds break under larger
    * loads only (`hanging`); or a fragment came off with loads that had balanced other loads, so that supports that bore
-   * at most a tenth of the loads would have to bear more. */
+   * at most a tenth of the loads would have to bear more; or the next growth of a crack would free a piece of a BEM
+   * region that a force per volume pushes away: the step ends just before it. */
   BEMPD_STOP_SEPARATED = 3,
   /** No bond can break however far the load factor goes in this direction. */
   BEMPD_STOP_NO_FURTHER_EVENT = 4,
@@ -988,7 +989,8 @@ typedef enum bempd_stop_reason {
   BEMPD_STOP_NO_ADMISSIBLE_LOAD = 5,
   /** Equilibrium does not exist after the bonds of the next increment break (option paper.mode = "paper"). The step
    * keeps the increments before. If its first increment already leaves no equilibrium, the step fails instead, with
-   * BEMPD_ERROR_UNSOLVABLE. @since 0.3 */
+   * BEMPD_ERROR_UNSOLVABLE. Or a step to a load factor ends before that, because the next growth of a crack would free
+   * a piece that a force per volume pushes away (`separated`). @since 0.3 */
   BEMPD_STOP_NO_EQUILIBRIUM = 6,
   /** bempd_request_stop() asked for the end of the step, which keeps the events before. @since 0.3 */
   BEMPD_STOP_REQUESTED = 7,

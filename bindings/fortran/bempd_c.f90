@@ -99,7 +99,8 @@ module bempd_c
   !> The body is separated. Either no intact part carries load between supports and loads any more; or what is left
   !> carries less than the option stepping.separation_share of the largest force so far and its bonds break under larger
   !> loads only (`hanging`); or a fragment came off with loads that had balanced other loads, so that supports that bore
-  !> at most a tenth of the loads would have to bear more.
+  !> at most a tenth of the loads would have to bear more; or the next growth of a crack would free a piece of a BEM
+  !> region that a force per volume pushes away: the step ends just before it.
   integer(c_int), parameter :: BEMPD_STOP_SEPARATED = 3
   !> No bond can break however far the load factor goes in this direction.
   integer(c_int), parameter :: BEMPD_STOP_NO_FURTHER_EVENT = 4
@@ -111,7 +112,8 @@ module bempd_c
   integer(c_int), parameter :: BEMPD_STOP_NO_ADMISSIBLE_LOAD = 5
   !> Equilibrium does not exist after the bonds of the next increment break (option paper.mode = "paper"). The step
   !> keeps the increments before. If its first increment already leaves no equilibrium, the step fails instead, with
-  !> BEMPD_ERROR_UNSOLVABLE.
+  !> BEMPD_ERROR_UNSOLVABLE. Or a step to a load factor ends before that, because the next growth of a crack would free
+  !> a piece that a force per volume pushes away (`separated`).
   !>
   !> since: 0.3
   integer(c_int), parameter :: BEMPD_STOP_NO_EQUILIBRIUM = 6

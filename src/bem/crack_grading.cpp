@@ -269,7 +269,8 @@ double CrackSizes::on_boundary(const Point& x, double undivided) const {
       if (line.joints[end] < 0 || !cracks_.joints[line.joints[end]].mouth) continue;
       const double apart = (cracks_.joints[line.joints[end]].place - x).norm();
       const double element = end == 0 ? stations[1] : stations.back() - stations[stations.size() - 2];
-      allowed = std::max(allowed, gap < aside * apart ? least * element : std::max(apart, element));
+      const bool beside = apart > tolerance_ && gap < aside * apart;  // at the mouth both are rounding errors
+      allowed = std::max(allowed, beside ? least * element : std::max(apart, element));
     }
     limit = std::min(limit, allowed);
   }

@@ -13,4 +13,11 @@ class CannotGrow : public Error {
   explicit CannotGrow(const std::string& reason) : Error(Failure::argument, reason) {}
 };
 
+// Failure of a carrier whose longer crack frees a part that loads push away and cannot be taken off: no equilibrium is
+// left. In a step the body is separated, and the run ends just before; bempd_grow_cracks() hands the error to the host.
+class FreesLoadedPart : public Error {
+ public:
+  explicit FreesLoadedPart(const std::string& reason) : Error(Failure::unsolvable, reason) {}
+};
+
 }  // namespace bempd::crack

@@ -128,6 +128,9 @@ class CrackEvolution {
   // Ends the step after StopReason::growth if the tips that were due cannot grow: they are stopped.
   void end_with_stopped(const std::vector<crack::TipId>& tips, const std::function<void()>& on_end);
 
+  // Notes that the body is separated: the next event leads to no equilibrium.
+  void note_separation() { state_.separated = true; }
+
   // Continues the run of another body (`before`) whose cracks have grown since, at its load factor. `node_before` maps
   // each node to the one at the same place before, or a close one. `entering` are tips that have entered a lattice.
   // book() has to follow.

@@ -35,13 +35,20 @@ fracture::StopReason Model::advance_growing(DrivenRun& run) {
     const fracture::StopReason reason =
         prepared_->evolution->advance(run.target, run.goal, run.stepping, run.on_event, run.on_end);
     const bool one_event = reason == fracture::StopReason::event;
-    if ((one_event || reason == fracture::StopReason::requested) && go_on_in_elements(tips, run)) {
-      if (one_event) return reason;
-      continue;
+    const std::vector<scene::Crack> cracks = scene_.cracks();
+    try {
+      if ((one_event || reason == fracture::StopReason::requested) && go_on_in_elements(tips, run)) {
+        if (one_event) return reason;
+        continue;
+      }
+      if (reason != fracture::StopReason::growth) return with_stopped_lines(reason, run);
+      check_cancelled();
+      if (!grow_next(tips, run)) return fracture::StopReason::crack_stopped;
+    } catch (const crack::FreesLoadedPart& error) {
+      scene_.set_cracks(cracks);
+      say([&] { log(1, text(error.what(), "; without it the body is separated, and the run ends just before")); });
+      return separated_before_growth(reason == fracture::StopReason::growth, run);
     }
-    if (reason != fracture::StopReason::growth) return with_stopped_lines(reason, run);
-    check_cancelled();
-    if (!grow_next(tips, run)) return fracture::StopReason::crack_stopped;
     const fracture::EvolutionState& state = prepared_->evolution->progress();
     run.stepping.events_so_far = state.events - before;
     run.on_event(state);
@@ -51,6 +58,16 @@ fracture::StopReason Model::advance_growing(DrivenRun& run) {
     if (state.separated && run.goal != fracture::Goal::load_factor) return fracture::StopReason::separated;
     return run.crack_stopped ? fracture::StopReason::crack_stopped : fracture::StopReason::event;
   }
+}
+
+// Ends a run just before a growth that leaves no equilibrium; `is_open`: the run waits for that growth. A step to a load
+// factor has not arrived there.
+fracture::StopReason Model::separated_before_growth(bool is_open, DrivenRun& run) {
+  prepared_->evolution->note_separation();
+  if (is_open) prepared_->evolution->end_with_stopped({}, run.on_end);
+  if (!run.stopped_lines.empty()) stop_requested_ = false;  // set by look_after_lines()
+  return run.goal == fracture::Goal::load_factor ? fracture::StopReason::no_equilibrium
+                                                 : fracture::StopReason::separated;
 }
 
 // Collects crack lines that have come to the border of their lattice and asks the run to end its step there.

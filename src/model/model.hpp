@@ -206,6 +206,7 @@ class Model {
   // Whether cracks with elements grow during steps (driven_growth.cpp).
   bool drives_elements(const fracture::SteppingOptions& stepping) const;
   fracture::StopReason advance_growing(DrivenRun& run);
+  fracture::StopReason separated_before_growth(bool is_open, DrivenRun& run);
   bool grow_next(ElementTips& tips, DrivenRun& run);
   void go_on_in(std::unique_ptr<PreparedScene> next, const fracture::Growth& growth, ElementTips& tips, DrivenRun& run);
   bool go_on_in_elements(ElementTips& tips, DrivenRun& run);

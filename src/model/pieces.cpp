@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "crack/cannot_grow.hpp"
 #include "error.hpp"
 #include "fracture/connectivity.hpp"
 #include "model/model.hpp"
@@ -53,9 +54,9 @@ void check_loads_inside_free_pieces(const PreparedScene& p) {
     if (!fracture::is_pushed(motion, p.discretization.positions, nodes, p.conditions.force)) continue;
     for (const auto& region : regions) {
       if (!is_loaded_inside(*region) || !has_node_of(*region)) continue;
-      fail(Failure::unsolvable, "cracks free a piece of region ", region->id(),
-           " that a force per volume or a load on a crack pushes away; add supports that hold it, or take that load "
-           "off");
+      throw crack::FreesLoadedPart(text("cracks free a piece of region ", region->id(),
+                                        " that a force per volume or a load on a crack pushes away; add supports that "
+                                        "hold it, or take that load off"));
     }
   }
 }

@@ -26,7 +26,7 @@ struct PieceState {
 // Directions of displacement that supports hold at some nodes.
 std::vector<coupling::HeldDirection> held_directions(const PreparedScene& prepared, const std::vector<int>& nodes);
 
-// Throws Error (unsolvable) if cracks free a piece of a boundary element region with loads inside it (body forces).
+// Throws crack::FreesLoadedPart if cracks free a piece of a boundary element region with loads inside it (body forces).
 // Such loads belong to the region as a whole, so they cannot be removed from one piece.
 void check_loads_inside_free_pieces(const PreparedScene& prepared);
 

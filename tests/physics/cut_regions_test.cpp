@@ -298,5 +298,27 @@ TEST(CutRegions, faces_do_not_push_a_piece_along_its_support) {
   EXPECT_NEAR(model.reaction(pressed)[0], -force, 1e-10 * force);
 }
 
+// A plate that hangs under its own weight tears: what falls off has no equilibrium. The run ends just before, with the
+// weight on the support, and says that the body is separated.
+TEST(CutRegions, a_plate_tears_under_its_weight) {
+  for (const bool to_a_load_factor : {false, true}) {
+    Model model;
+    const int32_t plate = model.bem(model.add(glass(1e-4)), rectangle(0, 0, width, height), 0.25);
+    model.crack({{0, 1.2}, {0.3, 1.2}});
+    const int32_t top = model.fix(plate, 3, BEMPD_BOTH);
+    model.check(bempd_add_body_force(model.get(), plate, BEMPD_Y, 0, -0.01, nullptr));
+    const bempd_step_report report = to_a_load_factor ? model.step(100) : run_to_the_end(model);
+    EXPECT_EQ(report.stop_reason, to_a_load_factor ? BEMPD_STOP_NO_EQUILIBRIUM : BEMPD_STOP_SEPARATED);
+    EXPECT_EQ(report.separated, 1);
+    EXPECT_EQ(piece_count(model), 1);
+    EXPECT_LE(report.energy_balance_error, 1e-9);
+    const double weight = 0.01 * width * height * model.load_factor();
+    EXPECT_NEAR(host::report("support's force", model.reaction(top)[1], weight, "weight"), 0, 1e-6 * weight);
+    const double reached = model.load_factor();
+    EXPECT_EQ(model.next_event(100).stop_reason, BEMPD_STOP_SEPARATED);
+    EXPECT_EQ(model.load_factor(), reached);
+  }
+}
+
 }  // namespace
 }  // namespace cut_regions_test

@@ -1565,7 +1565,8 @@ pub const BEMPD_STOP_EVENT: bempd_stop_reason = 2;
 /// or what is left carries less than the option stepping.separation_share of the largest force so
 /// far and its bonds break under larger loads only (`hanging`); or a fragment came off with loads
 /// that had balanced other loads, so that supports that bore at most a tenth of the loads would
-/// have to bear more.
+/// have to bear more; or the next growth of a crack would free a piece of a BEM region that a force
+/// per volume pushes away: the step ends just before it.
 pub const BEMPD_STOP_SEPARATED: bempd_stop_reason = 3;
 /// No bond can break however far the load factor goes in this direction.
 pub const BEMPD_STOP_NO_FURTHER_EVENT: bempd_stop_reason = 4;
@@ -1577,7 +1578,9 @@ pub const BEMPD_STOP_NO_FURTHER_EVENT: bempd_stop_reason = 4;
 pub const BEMPD_STOP_NO_ADMISSIBLE_LOAD: bempd_stop_reason = 5;
 /// Equilibrium does not exist after the bonds of the next increment break (option paper.mode =
 /// "paper"). The step keeps the increments before. If its first increment already leaves no
-/// equilibrium, the step fails instead, with BEMPD_ERROR_UNSOLVABLE.
+/// equilibrium, the step fails instead, with BEMPD_ERROR_UNSOLVABLE. Or a step to a load factor
+/// ends before that, because the next growth of a crack would free a piece that a force per volume
+/// pushes away (`separated`).
 ///
 /// * since: 0.3
 pub const BEMPD_STOP_NO_EQUILIBRIUM: bempd_stop_reason = 6;
