@@ -9,9 +9,10 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-// Relative rounding error of stress intensity factors: where the equivalent factor is below this share of K, the loads
-// press the tip shut and its mode II factor is only a rounding error. Such a tip does not grow.
-constexpr double share_of_rounding = 1e-15;
+// Smallest slope of the equivalent factor over the size of K that counts: below it the loads press the tip shut, and
+// the tip does not grow. By the hoop stress the slope goes with the third power of K_II / K_I and has this value where
+// that ratio is 6e-4, which is about the error of the factors.
+constexpr double share_of_rounding = 1e-9;
 
 // Load factor at which the range without growth ends in `direction` (1 or -1), by bisection from `inside`, a load
 // factor in the range; infinite if there is no end. At large load factors the equivalent factor exceeds the load factor

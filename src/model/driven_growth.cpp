@@ -60,8 +60,8 @@ fracture::StopReason Model::advance_growing(DrivenRun& run) {
   }
 }
 
-// Ends a run just before a growth that leaves no equilibrium; `is_open`: the run waits for that growth. A step to a load
-// factor has not arrived there.
+// Ends a run just before a growth that leaves no equilibrium; `is_open`: the run waits for that growth. A step to a
+// load factor has not arrived there.
 fracture::StopReason Model::separated_before_growth(bool is_open, DrivenRun& run) {
   prepared_->evolution->note_separation();
   if (is_open) prepared_->evolution->end_with_stopped({}, run.on_end);
