@@ -86,8 +86,8 @@ const crack::RateLaw* RateLaws::of(const regions::TipValues& tip, const Prepared
   const int material = model_.scene().region(region).material();
   const crack::RateParameters* parameters = model_.fatigue().rate_of(material);
   if (!parameters) return nullptr;
-  std::unique_ptr<crack::RateLaw>& law = laws_[material];
   const double toughness = tip.toughness > 0 ? tip.toughness : FatigueOptions::unlimited;
+  std::unique_ptr<crack::RateLaw>& law = laws_[{material, toughness}];
   if (!law) law = crack::make_rate_law(*parameters, toughness);
   return law.get();
 }

@@ -3,6 +3,7 @@
 #include <map>
 #include <memory>
 #include <set>
+#include <utility>
 #include <vector>
 
 #include "crack/cycle_step.hpp"
@@ -30,7 +31,8 @@ class RateLaws {
 
  private:
   Model& model_;
-  std::map<int, std::unique_ptr<crack::RateLaw>> laws_;
+  // Laws by material and toughness, which varies from place to place.
+  std::map<std::pair<int, double>, std::unique_ptr<crack::RateLaw>> laws_;
 };
 
 // Tips of a scene with their factors at each load factor of a program. If faces close or open between two load factors,
