@@ -32,10 +32,11 @@ fracture::StopReason Model::advance_growing(DrivenRun& run) {
   }
   const std::int64_t before = prepared_->evolution->progress().events;
   for (;;) {
+    // The cracks are copied before the step: a copy that fails after it would leave the step done behind an error.
+    const std::vector<scene::Crack> cracks = scene_.cracks();
     const fracture::StopReason reason =
         prepared_->evolution->advance(run.target, run.goal, run.stepping, run.on_event, run.on_end);
     const bool one_event = reason == fracture::StopReason::event;
-    const std::vector<scene::Crack> cracks = scene_.cracks();
     try {
       if ((one_event || reason == fracture::StopReason::requested) && go_on_in_elements(tips, run)) {
         if (one_event) return reason;

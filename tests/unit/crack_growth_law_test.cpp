@@ -28,7 +28,8 @@ TEST(CrackGrowthLaw, pure_opening_grows_upwards_alone) {
 }
 
 TEST(CrackGrowthLaw, errors_of_shear_do_not_grow_a_tip_that_is_pressed_shut) {
-  for (const KinkCriterion criterion : both) EXPECT_EQ(growth_range({{0, 0}, {2, 1e-3}}, 3, criterion).lowest, -infinity);
+  for (const KinkCriterion criterion : both)
+    EXPECT_EQ(growth_range({{0, 0}, {2, 1e-3}}, 3, criterion).lowest, -infinity);
   EXPECT_GT(growth_range({{0, 0}, {2, 5e-3}}, 3, KinkCriterion::hoop_stress).lowest, -1e8);
 }
 

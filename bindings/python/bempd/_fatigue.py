@@ -76,7 +76,7 @@ class Fatigue:
         >>> model.set_growth_rate(steel, coefficient=1e-11, exponent=3, unit_intensity=1e6)
         >>> life = model.grow_fatigue(high=1, low=0, most_length=0.05)
         >>> print(f"{life.cycles:.3g} cycles, {life.stop_reason.name}")
-        1.39e+05 cycles, LENGTH
+        2.73e+05 cycles, LENGTH
         """
         blocks = np.broadcast_arrays(*(np.atleast_1d(np.asarray(values, dtype=np.float64)) for values in (high, low)))
         tops, bottoms = (np.ascontiguousarray(values) for values in blocks)

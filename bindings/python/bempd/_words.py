@@ -101,6 +101,11 @@ CONSTANTS: dict[str, str] = {
     "BEMPD_COLUMN_LOAD": "loads",
     "BEMPD_FACE_LEFT": '"left"',
     "BEMPD_FACE_RIGHT": '"right"',
+    "BEMPD_RATE_PARIS": '"paris"',
+    "BEMPD_RATE_FORMAN": '"forman"',
+    "BEMPD_RATE_NASGRO": '"nasgro"',
+    "BEMPD_RATE_SUSTAINED": '"sustained"',
+    "BEMPD_RATE_HOST": "a function",
 }
 # Types and functions of C that have no method: what stands in their place here.
 OTHER_WORDS: dict[str, str] = {

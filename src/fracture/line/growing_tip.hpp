@@ -20,6 +20,9 @@ struct GrowingTip {
   // Distance ahead of `place` at which the tip acts [m]: there evenly spread bonds would end that have as much
   // stiffness as the crack has cut. Known for initial cracks with a placed cut until they grow; else empty.
   std::optional<double> even_ahead{};
+
+  // The place at which the tip acts.
+  Point acts_at() const { return place + even_ahead.value_or(0) * direction; }
 };
 
 }  // namespace bempd::fracture

@@ -73,7 +73,7 @@ bool LineSteps::has_begun(const GrowingTip& tip) const {
 // 0 (no turn) if that stress is only rounding.
 AffineIntensity LineSteps::turning_of(const GrowingTip& tip, const AffineIntensity& by_fit,
                                       const coupling::Affine& displacement, double present) const {
-  const pd::TipLaw law = law_of(tip).at(tip.place);
+  const pd::TipLaw law = law_of(tip).at(tip.acts_at());
   AffineIntensity ahead = stress_.closely_ahead_of(tip, law, displacement, body_.pressure_in(tip.id.crack));
   const auto size = [](const AffineIntensity& one, int part) { return std::hypot(one.one[part], one.two[part]); };
   const std::optional<double> critical = load_ratio(law.toughness, size(by_fit, 1));
@@ -88,7 +88,7 @@ AffineIntensity LineSteps::turning_of(const GrowingTip& tip, const AffineIntensi
 std::optional<LineStep> LineSteps::next(const std::vector<GrowingTip>& tips, std::size_t number,
                                         const coupling::Affine& displacement, const LoadWay& load_way) const {
   const GrowingTip& tip = tips[number];
-  const pd::TipLaw law = law_of(tip).at(tip.place);
+  const pd::TipLaw law = law_of(tip).at(tip.acts_at());
   if (std::isinf(law.toughness)) return std::nullopt;
   const WilliamsFit fit = stress_.fitted(tip, law, displacement, body_.pressure_in(tip.id.crack));
   const AffineIntensity by_fit = intensity_of(tip, fit);

@@ -185,7 +185,7 @@ Point TipStress::across_tension(int bond, const pd::TipLaw& law, const coupling:
 }
 
 GrowingTip TipStress::as_fitted(GrowingTip tip) const {
-  tip.place += tip.even_ahead.value_or(0) * tip.direction;
+  tip.place = tip.acts_at();
   return tip;
 }
 
