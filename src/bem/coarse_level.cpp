@@ -118,8 +118,8 @@ Merged merge_pairs(const BoundaryMesh& mesh, const CrackMesh& cracks) {
   return merged;
 }
 
-// Displacements and openings of all nodes from the unknowns of the coarse level. The constraints between openings at
-// joints are taken over for the remaining nodes only.
+// Map from the unknowns of the coarse level to the displacements and openings of all nodes. Of the constraints between
+// openings at joints, it takes over those for nodes of the coarse level only.
 Map from_coarse_unknowns(const Merging& merging, const Map& from_unknowns) {
   const Map some = merging.selection() * from_unknowns;
   std::vector<Eigen::Triplet<double>> entries;

@@ -97,8 +97,8 @@ class PairIntegrator {
     int rule;
   };
   void apart(const Stretch& outer, const Stretch& inner, PairPart part, PairMoments& moments) const;
-  // Distance sum of the nearest singularity (see ellipse_size()) and the rule that it needs, which is larger than the
-  // largest rule if the side is too long.
+  // Sum of the distances of the nearest singularity from the side's ends (see ellipse_size()), and the index of the
+  // rule that it needs. The index exceeds that of the largest rule if none is enough, because the side is too long.
   struct Nearness {
     double sum;
     int rule;

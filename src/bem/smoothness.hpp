@@ -17,7 +17,8 @@ class Singularities {
   // Least sum of the distances of a singularity from both ends of the interval, in units of half the interval's length;
   // infinite without singularities.
   double sum_of_distances(const Interval& interval) const;
-  // Longest interval that begins at `from` for which sum_of_distances() is at least `sum`, which must be larger than 2.
+  // Longest interval that begins at `from` and whose sum_of_distances() is at least `sum`. `sum` must be larger than 2,
+  // the value for a singularity on the interval itself.
   double longest_interval(double from, double sum) const;
   // Size of the ellipse around the interval in which the integrand is analytic (ellipse_size()).
   double ellipse(const Interval& interval) const { return ellipse_size(sum_of_distances(interval)); }

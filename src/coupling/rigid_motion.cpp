@@ -23,7 +23,7 @@ Eigen::Matrix<double, 3, Eigen::Dynamic> null_space(const Eigen::Matrix3d& gram)
   return modes.vectors.leftCols(free);
 }
 
-// Orthonormal basis of the space of `row`, whose last vector lies along `row`.
+// Orthonormal basis, as columns, of the space R^n, where n is the length of `row`. The last vector lies along `row`.
 Eigen::MatrixXd basis_along(const Eigen::RowVectorXd& row) {
   return linalg::symmetric_modes(row.transpose() * row).vectors;
 }

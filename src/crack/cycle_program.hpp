@@ -30,7 +30,7 @@ class CycleProgram {
 
   std::size_t size() const { return blocks_.size(); }
   const Levels& block(std::size_t number) const { return blocks_[number]; }
-  // The load factors that occur, ascending; the highest load of all blocks is the last high one.
+  // All upper and lower load factors of the blocks, ascending, each once. Number highest() is the largest upper one.
   const std::vector<double>& load_factors() const { return load_factors_; }
   std::size_t highest() const { return highest_; }
   std::size_t lowest() const { return 0; }

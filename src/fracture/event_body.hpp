@@ -21,7 +21,8 @@ struct ChangingTerm {
   Elongation before;
 };
 
-// Change of a body at an event, apart from what its terms release.
+// Work and released energies [J] when a body performs an event. The energies that its terms (bonds and squares) release
+// are not included.
 struct BodyChange {
   double work = 0;
   // Energies that faces and a fluid release, in the order of summation: before and after those of the terms.

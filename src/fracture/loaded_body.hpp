@@ -87,9 +87,9 @@ class LoadedBody {
   // Load factor up to which constraints are settled in a direction: the present one, or one a little farther if they
   // could only be settled for that.
   double settled_until(double direction) const;
-  // Adds the contact places of terms that have broken since, at the displacements of the state.
+  // Adds the contact places of terms that have broken since the last update, at the state's displacements.
   void update_faces() { faces_.update(state_.total_displacement, state_.faces); }
-  // Adds the contact places of terms that have broken since, and determines which of them may press.
+  // Adds contact places as update_faces() does, and bars those on parts that only springs hold from closing.
   void refresh_faces() {
     update_faces();
     bar_constraints_of_held_parts();

@@ -47,8 +47,9 @@ bool WholeBody::runs_away(std::span<const ChangingTerm> terms) const {
   return !std::all_of(terms.begin(), terms.end(), is_within);
 }
 
-// Energies released by constraints that have opened or closed at the event: those with a penalty, then exact ones. The
-// latter energy is the limit of the former; its gaps are those without multipliers.
+// Energies released by constraints that have opened or closed at the event: the sum of those with a penalty, then that
+// of exact ones, if any has a multiplier. The latter is the limit of the former for large penalties. Gaps of exact
+// constraints are those that the displacements would leave without multipliers.
 std::vector<double> WholeBody::released_by_constraints(const Eigen::VectorXd& before) const {
   const coupling::Constraints& constraints = system_.constraints();
   const Eigen::VectorXd& after = body_.state().total_displacement;

@@ -36,8 +36,8 @@ void never_grows(regions::TipValues& tip) {
   tip.critical_kink_angle = regions::TipValues::unknown;
 }
 
-// Uses the stress intensity factors that the run has fitted to the stress ahead of the tip, for tips around which no
-// ring fits.
+// Takes the stress intensity factors that the run has fitted to the stress ahead of the tip. They are used for tips
+// that have no room for a ring (contour) around them.
 void take_stress_ahead(regions::TipValues& values, const crack::Tip& tip, double load_factor) {
   if (!tip.factors.at(load_factor).allFinite()) return;
   values.method = regions::TipMethod::stress_ahead;

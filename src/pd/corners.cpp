@@ -35,7 +35,8 @@ bool is_corner(const CellGrid& cells, const Vector2i& p) {
   return count == 1 || count == 3 || (count == 2 && ll == ur);
 }
 
-// Points whose bonds may change: those around corners, and around all points that have missing moments elsewhere.
+// Points whose bonds may change: those around corners, and those around other points with missing third moments
+// (missing_moments()).
 std::vector<std::uint8_t> adjustable_points(const CellLattice& lattice, const CellGrid& cells, int m,
                                             const std::vector<Vector4d>& missing) {
   const int radius = 2 * m + 1;

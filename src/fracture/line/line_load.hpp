@@ -23,8 +23,9 @@ struct LineLoad {
   double load_factor = 0, constant = 0, growing = 0, angle = 0;
 };
 
-// Growth of a tip; empty if it does not grow on the path. The tip turns to the direction of maximum hoop stress, also
-// where the energy release rate decides when it grows: `turning` determines the direction, `intensity` the load.
+// Load factor and angle at which a tip grows; empty if it does not grow at any load factor on the load path. `turning`
+// determines the angle, `intensity` the load factor. The tip turns to the direction of maximum hoop stress, also if the
+// energy release rate decides when it grows.
 std::optional<LineLoad> load_of_growth(const AffineIntensity& intensity, const AffineIntensity& turning,
                                        const LineCriterion& criterion);
 

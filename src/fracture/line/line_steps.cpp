@@ -21,8 +21,8 @@ namespace {
 constexpr std::size_t remembered_steps = 8;
 constexpr double steps_taken_exact = 2;
 
-// Limits on the ratio of released to expected energy in the correction. A step behind a sharp kink or beside an edge
-// releases little at first.
+// Limits on the ratio of released to expected energy of a step, by which the loads of later steps are corrected. A step
+// behind a sharp kink or beside an edge releases little at first.
 constexpr double least_ratio = 0.5, largest_ratio = 2;
 
 // Distance from a tip, in horizons, within which no bond breaks by itself.

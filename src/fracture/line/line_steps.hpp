@@ -69,7 +69,8 @@ class LineSteps {
   // is used all the same.
   std::vector<LineStep> all(const std::vector<GrowingTip>& tips, const coupling::Affine& displacement,
                             const LoadWay& way, TrialBody* body = nullptr, bool with_frozen = false) const;
-  // Whether one of these steps, computed without a body, may grow first and needs a body for its load.
+  // Whether one of the steps whose fits do not hold may be the first, where `steps` have the loads of their fits. Its
+  // load then has to come from the energy of a trial step, which a TrialBody is needed for.
   static bool need_body(const std::vector<LineStep>& steps, const LoadWay& way);
   // Candidates for the order of growth: the load factors of the steps.
   static std::vector<crack::Candidate> candidates(const std::vector<LineStep>& steps, const LoadWay& way);
@@ -140,7 +141,8 @@ class LineSteps {
   AffineIntensity turning_of(const GrowingTip& tip, const AffineIntensity& by_fit, const coupling::Affine& displacement,
                              double present) const;
   int law_ahead_of(const GrowingTip& tip) const;
-  // Ratio of a tip's equivalent factor to the toughness of `law`.
+  // Ratio of a tip's equivalent stress intensity factor after a step to the toughness of `law`. `displacement` is that
+  // after the step.
   double ratio_after(const GrowingTip& tip, const pd::TipLaw& law, const coupling::Affine& displacement,
                      double load_factor) const;
   bool has_begun(const GrowingTip& tip) const;

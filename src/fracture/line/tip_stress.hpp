@@ -27,8 +27,8 @@ class TipStress {
   // a uniform pressure of that size is subtracted from the stress, so that the faces are free of load.
   AffineIntensity at(const GrowingTip& tip, const pd::TipLaw& law, const coupling::Affine& displacement,
                      const Eigen::RowVector2d& pressure) const;
-  // fitted(): Williams' series fitted ahead of the tip. as_read(): its factors as those of the tip, with K_II
-  // corrected, which the fit gives too large.
+  // fitted(): Williams' series fitted to the stress ahead of the tip. as_read(): the tip's stress intensity factors
+  // from those of the fit. If loads come from energies, it reduces K_II, which the fit gives too large.
   WilliamsFit fitted(const GrowingTip& tip, const pd::TipLaw& law, const coupling::Affine& displacement,
                      const Eigen::RowVector2d& pressure) const;
   AffineIntensity as_read(AffineIntensity fitted) const;

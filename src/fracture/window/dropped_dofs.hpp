@@ -55,8 +55,10 @@ class DroppedDofs {
   // Displacements of the given states, completed by the dropped degrees of freedom.
   std::vector<coupling::Affine> complete(const std::vector<State>& states, bool has_constant_part) const;
 
-  // Transfers the part of `force` on dropped degrees of freedom to the followed ones: it is added to their forces and,
-  // as displacements, to `answer`. The followed displacements are then the response to `force` on them plus `answer`.
+  // Replaces forces on dropped degrees of freedom by their effect on the followed ones. `answer` gains the followed
+  // displacements that they cause with the stiffness at the time of dropping. `force` gains, on followed ones, the
+  // forces that correct this for terms broken since. The followed displacements are then `answer` plus the response to
+  // `force` on followed degrees of freedom.
   void hand_over(coupling::Affine& force, coupling::Affine& answer) const;
 
   // Index of the first state with a failed check of a bond on dropped degrees of freedom; the number of states if there

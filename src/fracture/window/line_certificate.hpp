@@ -17,7 +17,7 @@ class LineCertificate {
   LineCertificate(const coupling::EquilibriumSystem& system, const coupling::Condensation& condensation,
                   const StretchRatios& ratios, const LineSteps& steps);
 
-  // Step of a line from one state to the next.
+  // Step of a crack line, which takes the window from one state (of displacements) to the next.
   struct Step {
     double load_factor;
     std::vector<GrowingTip> growing;                    // tips beside which nothing breaks by itself

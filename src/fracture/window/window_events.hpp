@@ -34,9 +34,10 @@ class WindowEvents final : public EventSource {
   void forget();            // and where the window was; the body's state is no longer brought up to date
   void abandon() noexcept;  // the same, but for where it was
 
-  // Saving and restoring the window: how the open window has got to its present state, and the location of the last
-  // one. To restore, call remember() in the state in which the window was opened, then open_again(), which also
-  // restores the body's state; false if the result differs.
+  // Saving and restoring the window. origin() tells how the open window has got to its present state, place_of_last()
+  // where the present window or the last one is. To restore, call remember() in the state in which the window was
+  // opened, then open_again(). This also restores the body's state; it returns false if the result differs from what
+  // was saved.
   WindowOrigin origin() const;
   WindowLocation place_of_last() const { return forecast_.place(); }
   int most_events() const { return is_open() ? most_events_at_first_ : forecast_.most_events(); }

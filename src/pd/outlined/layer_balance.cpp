@@ -74,8 +74,8 @@ class PartBalance {
     normal_ = std::make_unique<ProfileCholesky>(first_group);
   }
 
-  // Sets the kernel of the normal matrix (Killing tensor fields), to which multipliers are made orthogonal. Rounding in
-  // it would exceed multipliers that vary slowly along the outline, whose eigenvalues are nearly zero, too.
+  // Sets the null space of the normal equations (Killing tensor fields), to which multipliers are made orthogonal.
+  // Rounding errors in it would exceed multipliers that vary slowly along the outline, whose eigenvalues are tiny, too.
   void set_kernel(const std::vector<int>& points, const std::vector<Point>& places) {
     std::vector<Point> ordered;
     for (const int k : order_) ordered.push_back(places[points[k]]);
@@ -245,7 +245,7 @@ class PartBalance {
     return changed;
   }
 
-  // Whether this set of held values is new, else the rounds repeat themselves; adds it to `known`.
+  // Adds the set of values held at the bound to `known`; false if it is there already, so that the rounds repeat.
   bool is_new(std::vector<std::vector<char>>& known) const {
     std::vector<char> held;
     for (const Bond& b : bonds_) held.push_back(b.held);

@@ -2,8 +2,8 @@
 
 namespace bempd::pd {
 
-// Goal for the bonds near an outline besides constant stress, which they carry exactly: none, or to carry linear stress
-// as nearly as stiffnesses close to the kernel's can.
+// Goal for the bonds near an outline. They carry constant stress exactly. With linear_stress they also carry linear
+// stress, as nearly as is possible with stiffnesses close to those that the peridynamic kernel gives.
 enum class OutlineBalance { constant_stress, linear_stress };
 
 }  // namespace bempd::pd

@@ -33,8 +33,9 @@ struct Layer {
 };
 void mark_layer(const OutlinedPoints& points, const Layer& layer, OutlinedBonds& bonds);
 
-// Multiplies the stiffnesses in the layer by factors of both ends, so that every point resists a change of volume in
-// proportion to its area: half of the sum of k L^2 over its bonds becomes 8/3 C1111 times the area.
+// Multiplies the stiffness k of every bond in the layer by a factor of either end, so that points resist a change of
+// volume in proportion to their area. Half of the sum of k L^2 over a point's bonds of lengths L becomes 8/3 C1111
+// times its area.
 void share_by_area(const std::vector<double>& areas, OutlinedBonds& bonds);
 
 // Missing third moments 111, 112, 122, 222 of every point; `surface` has the surface vectors of the points.

@@ -27,7 +27,7 @@ class RegionCracks {
 
   // Mouths: places on the region's boundary where cracks start or end.
   std::vector<Point> mouths() const;
-  // Whether the crack at a mouth continues in a lattice.
+  // Whether a mouth lies on the row of points that the region shares with a lattice, in which its crack continues.
   bool is_on_row(const Point& mouth) const;
   const bem::CrackSizes& sizes() const { return sizes_; }
 

@@ -31,7 +31,7 @@ class EdgePart : public scene::Place {
   virtual Point traction(const Edge& /*edge*/, double /*fraction*/, const Point& value) const { return value; }
 
   // Throws Error (argument) if this part of the edge touches another region: loads act on free edges only. `load` is
-  // the load's number (from 0) for the sentence.
+  // the load's index (from 0) for the error message.
   void require_free_edge(const scene::Scene& scene, const Discretization& discretization, int load) const;
 
  private:
