@@ -52,6 +52,7 @@ if(BEMPD_INSTALL)
   bempd_add_rust_test(package.rust_lines bash "${PROJECT_SOURCE_DIR}/tests/package/rust_lines.sh" "${PROJECT_SOURCE_DIR}"
     "${PROJECT_BINARY_DIR}/tests/package/with space/prefix moved" "${CMAKE_INSTALL_LIBDIR}" "${rust_build}/lines"
     "${PROJECT_VERSION}" "${BEMPD_CARGO}")
-  set_tests_properties(package.cargo package.rust_lines PROPERTIES LABELS delivery)
+  set_tests_properties(package.cargo PROPERTIES LABELS delivery)
+  set_tests_properties(package.rust_lines PROPERTIES LABELS long)
   set_tests_properties(package.rust_lines PROPERTIES FIXTURES_REQUIRED installed_package ENVIRONMENT "PATH=${rust_programs}:$ENV{PATH}")
 endif()
