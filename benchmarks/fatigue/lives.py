@@ -37,7 +37,7 @@ def centre_crack(**options: Any) -> bempd.FatigueLife:
 
 
 def centre_crack_by_handbook() -> float:
-    """The same by the formula of Tada, Paris and Irwin, section 2.1, whose error is 0.1 %: Simpson's rule."""
+    """The life by the formula of Tada, Paris and Irwin, section 2.1, whose error is 0.1 %: Simpson's rule."""
     a = np.linspace(0.05, 0.5, 20001)
     factor = (1 - 0.025 * a**2 + 0.06 * a**4) / np.sqrt(np.cos(0.5 * math.pi * a)) * np.sqrt(math.pi * a)
     cycles = 1 / (COEFFICIENT * factor**EXPONENT)

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "crack/cannot_grow.hpp"
 #include "model/crack_way.hpp"
@@ -44,7 +45,8 @@ FatigueReport FatigueRun::run() {
   record();
   while (step()) lengthening_.report_progress();
   const double passed = report_.cycles - options_.first_cycle;
-  report_.error = passed > 0 ? error_ / passed : 0;
+  const bool is_unknown = report_.steps > 0 && !has_estimate_;
+  report_.error = is_unknown ? std::numeric_limits<double>::quiet_NaN() : passed > 0 ? error_ / passed : 0;
   return report_;
 }
 
@@ -73,8 +75,9 @@ bool FatigueRun::step() {
     try {
       Trial trial = made(*plan);
       if (is_too_short(trial, plan->leader)) return pass(trial.cycles);
-      const bool is_good = largest_turn(trial) <= turns_too_much && choose_step(trial, plan->leader);
-      if (is_good || halvings == most_halvings) return accept(std::move(trial), plan->leader);
+      const bool is_last = halvings == most_halvings;
+      const bool may_stand = is_last || largest_turn(trial) <= turns_too_much;
+      if (may_stand && choose_step(trial, plan->leader, is_last)) return accept(std::move(trial), plan->leader);
     } catch (const Error& error) {
       // A crack ends where the remaining ligament is too thin for a solution, or where no scene with the longer crack
       // is possible.
@@ -171,8 +174,9 @@ bool FatigueRun::is_off(const Trial& trial, std::size_t leader, double share) co
 
 // Chooses the length of the next step. The rate varies as a power of the length; a twelfth of the change of that power
 // between steps, times the logarithm of the ratio of lengths, is the error of a step. Returns false if that is much
-// more than the tolerance, which is wider for steps with few of the cycles so far.
-bool FatigueRun::choose_step(const Trial& trial, std::size_t leader) {
+// more than the tolerance, which is wider for steps with few of the cycles so far; a step that must stand counts with
+// its error. A tip's first step takes the change of the power to its second one.
+bool FatigueRun::choose_step(const Trial& trial, std::size_t leader, bool must_stand) {
   constexpr double much = 4, most_change = 2, least_change = 0.3, few = 0.1;
   const crack::TipOnStep& tip = trial.on_step[leader];
   const double before = rates_[leader], after = crack::mean_rate(tip, tip.growth, program_);
@@ -182,16 +186,19 @@ bool FatigueRun::choose_step(const Trial& trial, std::size_t leader) {
   const auto known = powers_.find(tip.tip);
   if (known == powers_.end()) {
     powers_[tip.tip] = power;
+    first_steps_[tip.tip] = way * trial.cycles.cycles;
     return true;
   }
-  const double error = std::abs(power - known->second) * way / 12;
+  const double change_of_power = std::abs(power - known->second) / 12, error = change_of_power * way;
   const double so_far = report_.cycles - options_.first_cycle + trial.cycles.cycles;
   const double allowed = options_.tolerance * std::max(1.0, few * so_far / std::max(trial.cycles.cycles, 1e-300));
-  if (error > much * allowed && step_ > 1e-3) return false;
+  if (error > much * allowed && step_ > 1e-3 && !must_stand) return false;
   const double change = error > 0 ? 0.9 * std::sqrt(allowed / error) : most_change;
   step_ = std::min(options_.largest_step, step_ * std::clamp(change, least_change, most_change));
   known->second = power;
+  has_estimate_ = true;
   error_ += error * trial.cycles.cycles;
+  if (const auto first = first_steps_.extract(tip.tip)) error_ += change_of_power * first.mapped();
   return true;
 }
 

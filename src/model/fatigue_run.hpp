@@ -56,7 +56,7 @@ class FatigueRun {
   double largest_turn(const Trial& trial) const;
   bool is_too_short(const Trial& trial, std::size_t leader) const;
   bool is_off(const Trial& trial, std::size_t leader, double share) const;
-  bool choose_step(const Trial& trial, std::size_t leader);
+  bool choose_step(const Trial& trial, std::size_t leader, bool must_stand);
   bool accept(Trial trial, std::size_t leader);
   bool pass(const crack::CyclesOnStep& cycles);
   bool pass_without_growth();
@@ -75,10 +75,12 @@ class FatigueRun {
   std::map<crack::TipId, double> grown_;
   std::map<crack::TipId, double> last_growth_;                            // in the step before [m]
   std::map<crack::TipId, std::vector<crack::LevelFactors>> last_levels_;  // before that
-  std::map<crack::TipId, double> powers_;  // of its rate in its length, in the last step that it led
+  std::map<crack::TipId, double> powers_;       // of its rate in its length, in the last step that it led
+  std::map<crack::TipId, double> first_steps_;  // cycles of a tip's first step times the logarithm of its lengths
   crack::CycleProgram::Place place_;
-  double step_;       // share of the leader's size
-  double error_ = 0;  // [cycles]
+  double step_;                // share of the leader's size
+  double error_ = 0;           // [cycles]
+  bool has_estimate_ = false;  // whether the error of a step is known
   FatigueReport report_;
   std::vector<FatigueRecord> records_;
 };

@@ -57,7 +57,7 @@ def values_of(answer: Any) -> dict[str, Plain]:
 
 
 def plain(value: Any, what: str) -> Plain:
-    """The same without classes of numpy and tuples; an ArgumentError names what JSON cannot keep."""
+    """Return a value without classes of numpy and tuples; an ArgumentError names what JSON cannot keep."""
     if isinstance(value, enum.Enum):
         return value.name
     if isinstance(value, (np.generic, np.ndarray)):

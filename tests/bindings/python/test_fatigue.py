@@ -32,6 +32,13 @@ def test_wide_plate_has_the_life_of_the_closed_form() -> None:
     assert life.cycles == pytest.approx(exact, rel=1e-3)
 
 
+def test_the_error_counts_all_steps_and_is_not_known_after_one() -> None:
+    assert np.isnan(plate(0.01).grow_fatigue(most_length=0.1, most_steps=1).error)
+    lives = [plate(0.01).grow_fatigue(most_length=0.1, tolerance=tolerance) for tolerance in (1e-2, 1e-3, 1e-5)]
+    for life in lives[:2]:
+        assert abs(life.cycles / lives[2].cycles - 1) < life.error < 1e-2
+
+
 def test_walker_and_sustained_rates_follow_from_the_range() -> None:
     amplitude = plate(0.01).grow_fatigue(most_length=0.1)
     walker = plate(0.01, walker=0.5).grow_fatigue(1.0, 0.5, most_length=0.1)

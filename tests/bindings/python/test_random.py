@@ -32,7 +32,7 @@ def test_a_field_is_normal_with_its_correlation():
 
 
 def test_the_weakest_place_follows_the_volume_whatever_the_grid():
-    """Of a body of the volume V it has the mean strength (volume / V)^(1/m) Gamma(1 + 1/m)."""
+    """A body of the volume V has the mean strength (volume / V)^(1/m) Gamma(1 + 1/m)."""
     for side, step in ((0.1, 0.01), (0.2, 0.01), (0.1, 0.04)):
         least = [bempd.weibull_field(seed, (0, 0, side, side), step, modulus=4, strength=3e6, volume=1e-6, thickness=0.004)[1].min()
                  for seed in range(500)]
