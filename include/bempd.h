@@ -1911,7 +1911,7 @@ typedef struct bempd_fatigue_report {
   int64_t steps;       /**< steps made */
   double cycles;       /**< cycles that have passed, with those before [-] */
   double growth;       /**< sum of the growth of all tips [m] */
-  double error; /**< estimated error of the cycles of this call, as a share of them; NaN where no tip has led two steps [-] */
+  double error; /**< estimated error of the cycles of this call, as a share of them; NaN if no tip led two steps [-] */
 } bempd_fatigue_report;
 
 /** @brief Set struct_size and zeros. @param[out] report the struct to fill

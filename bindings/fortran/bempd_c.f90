@@ -808,7 +808,7 @@ module bempd_c
     real(c_double) :: cycles
     !> sum of the growth of all tips [m]
     real(c_double) :: growth
-    !> estimated error of the cycles of this call, as a share of them; NaN where no tip has led two steps [-]
+    !> estimated error of the cycles of this call, as a share of them; NaN if no tip led two steps [-]
     real(c_double) :: error
   end type bempd_fatigue_report
 

@@ -2758,8 +2758,7 @@ since: 0.3""",
     "bempd_fatigue_report.cycles": """cycles that have passed, with those before [-]""",
     "bempd_fatigue_report.growth": """sum of the growth of all tips [m]""",
     "bempd_fatigue_report.error": """\
-estimated error of the cycles of this call, as a share of them; NaN where no tip has led two steps
-[-]""",
+estimated error of the cycles of this call, as a share of them; NaN if no tip led two steps [-]""",
     "bempd_fatigue_report_init": """\
 Set struct_size and zeros.
 

@@ -38,7 +38,7 @@ class FatigueLife:
     steps: int
     cycles: float  #: that have passed, with those before
     growth: float  #: of all tips [m]
-    error: float  #: estimate for the cycles, as a share of them; NaN where no tip has led two steps
+    error: float  #: estimate for the cycles, as a share of them; NaN if no tip led two steps
     table: npt.NDArray[Any] = dataclasses.field(repr=False, compare=False)
 
     def tip(self, crack: int, end: Union[TipEnd, int] = TipEnd.END) -> npt.NDArray[Any]:

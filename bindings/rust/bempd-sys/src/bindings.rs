@@ -3292,8 +3292,8 @@ pub struct bempd_fatigue_report {
     pub cycles: f64,
     /// sum of the growth of all tips \[m\]
     pub growth: f64,
-    /// estimated error of the cycles of this call, as a share of them; NaN where no tip has led two
-    /// steps \[-\]
+    /// estimated error of the cycles of this call, as a share of them; NaN if no tip led two steps
+    /// \[-\]
     pub error: f64,
 }
 extern "C" {
