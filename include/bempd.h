@@ -2003,6 +2003,9 @@ typedef struct bempd_statistics {
   double seconds_search;         /**< stretches, choice of bonds, connectivity [s] */
   double reciprocal_condition;   /**< crude reciprocal condition number of the worst equations solved so far: about
                                     -log10 of it digits of the displacement are lost; 1 if nothing was solved [-] */
+  int64_t subdomains;            /**< subdomains into which large BEM regions without cracks are cut; 0 if all are whole.
+                                    @since 0.4 */
+  int64_t cut_nodes;             /**< nodes on the cuts between subdomains @since 0.4 */
 } bempd_statistics;
 
 /** @brief Set struct_size and zeros. @param[out] statistics the struct to fill

@@ -906,6 +906,14 @@ module bempd_c
     !> crude reciprocal condition number of the worst equations solved so far: about -log10 of it digits of the
     !> displacement are lost; 1 if nothing was solved [-]
     real(c_double) :: reciprocal_condition
+    !> subdomains into which large BEM regions without cracks are cut; 0 if all are whole.
+    !>
+    !> since: 0.4
+    integer(c_int64_t) :: subdomains
+    !> nodes on the cuts between subdomains
+    !>
+    !> since: 0.4
+    integer(c_int64_t) :: cut_nodes
   end type bempd_statistics
 
   !> One line of the history. Fill it with bempd_history_entry_init(). An event breaks bonds, or is a call of

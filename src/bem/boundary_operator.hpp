@@ -9,6 +9,7 @@ namespace bempd::bem {
 struct AssemblyOptions {
   double quadrature_tolerance = 1e-14;  // of every integral; the stiffness is some ten times as far off
   int threads = 0;                      // 0: one a core
+  bool compact = false;                 // operators keep less memory and take longer to build
 
   // Number of threads that a boundary of this many elements can use.
   int threads_for(std::size_t elements) const;

@@ -24,11 +24,14 @@ GalerkinOperator::GalerkinOperator(const BoundaryMesh& mesh, const PlaneElastici
   stiffness_ *= elasticity.thickness * elasticity.shear_modulus();
   copy_lower_to_upper(stiffness_);
   traction_scale_ = elasticity.shear_modulus() / boundary.length;
+  if (!options.compact) return;
+  single_layer_.lower().triangularView<Eigen::Lower>().solveInPlace<Eigen::OnTheRight>(reduced_transpose_);
+  single_layer_ = {};
 }
 
 Eigen::MatrixXd GalerkinOperator::tractions(const Eigen::Ref<const Eigen::MatrixXd>& displacements) const {
   Eigen::MatrixXd t = reduced_transpose_.transpose() * displacements;
-  single_layer_.matrixU().solveInPlace(t);
+  if (single_layer_.rows() > 0) single_layer_.matrixU().solveInPlace(t);
   return traction_scale_ * t;
 }
 

@@ -26,8 +26,8 @@ class GalerkinOperator final : public BoundaryOperator {
 
  private:
   Eigen::MatrixXd stiffness_;
-  linalg::DenseCholesky single_layer_;
-  Eigen::MatrixXd reduced_transpose_;  // (L^-1 B)^T, V = L L^T
+  linalg::DenseCholesky single_layer_;  // empty if compact
+  Eigen::MatrixXd reduced_transpose_;   // (L^-1 B)^T, V = L L^T, or (V^-1 B)^T if compact
   double traction_scale_ = 1;          // shear modulus over length scale
   std::int64_t kernel_evaluations_ = 0;
 };

@@ -233,6 +233,8 @@ bempd_status bempd_get_statistics(const bempd_model* model, bempd_statistics* st
       s.seconds_update = c.seconds_update;
       s.seconds_search = p->evolution->seconds_search();
       s.reciprocal_condition = c.reciprocal_condition;
+      s.subdomains = r.subdomains;
+      s.cut_nodes = r.cut_nodes;
     }
     write_struct(statistics, s, "statistics");
   });

@@ -34,6 +34,10 @@ void Model::tell_of_preparation() const {
     for (const std::string& warning : advice.warnings) log(1, warning);
     for (const std::string& fact : advice.facts) log(2, fact);
   }
+  const regions::RegionStatistics sizes = prepared_->discretization.statistics();
+  if (sizes.subdomains > 0)
+    log(2, text("large BEM regions are cut into ", sizes.subdomains, " subdomains with ", sizes.cut_nodes,
+                " nodes on the cuts"));
   log(2, text("prepared: ", prepared_->discretization.positions.size(), " nodes, ",
               prepared_->system->terms().bond_count(), " bonds, ", prepared_->cut_bonds.size(),
               " of them cut by initial cracks"));

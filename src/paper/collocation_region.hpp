@@ -25,6 +25,7 @@ class CollocationRegion final : public regions::BoundaryRegion {
 
  protected:
   regions::MeshingRules meshing_rules(const regions::Preparation&) const override { return {true, false}; }
+  bool can_be_cut() const override { return false; }
   BoundaryMesh make_mesh(const std::vector<std::vector<Panel>>& loops) const override;
   std::shared_ptr<const bem::BoundaryOperator> make_operator(const regions::Preparation& preparation,
                                                              const bem::AssemblyOptions& assembly) const override;

@@ -59,7 +59,7 @@ std::vector<coupling::DenseOperator> Discretization::dense_operators() const {
   std::vector<RegionOperator> known;
   for (const auto& region : regions) {
     check_cancelled();
-    if (auto dense = region->dense_operator(known)) known.push_back({region.get(), std::move(*dense)});
+    for (coupling::DenseOperator& one : region->dense_operators(known)) known.push_back({region.get(), std::move(one)});
   }
   std::vector<coupling::DenseOperator> operators;
   operators.reserve(known.size());

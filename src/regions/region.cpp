@@ -46,10 +46,6 @@ void Region::follow(const LeadingElements&, int leader, coupling::NodeTies&) con
   throw std::logic_error(text("region ", id_, " cannot follow the elements of region ", leader));
 }
 
-std::optional<coupling::DenseOperator> Region::dense_operator(std::span<const RegionOperator>) const {
-  return std::nullopt;
-}
-
 std::vector<int> Region::entries_of_nodes() const {
   std::vector<int> entries(nodes_.size());
   std::iota(entries.begin(), entries.end(), 0);

@@ -165,8 +165,8 @@ class Region {
   virtual void swell(const Swelling& /*strain*/, LatticeSwelling& /*lattices*/) {}
   // Sets the rest elongations of the region's terms. Called after swell() of all regions.
   virtual void set_rests(const LatticeSwelling& /*lattices*/, coupling::Terms& /*terms*/) const {}
-  // Displacement of the dense operator's nodes in the stress-free, swollen state; null without swelling.
-  virtual const coupling::Affine* rest_of_operator() const { return nullptr; }
+  // Displacements of the nodes of each dense operator in the stress-free, swollen state; empty without swelling.
+  virtual std::vector<coupling::Affine> rests_of_operators() const { return {}; }
   // Displacement when the region swells freely (columns: constant, proportional part); empty if that causes stress.
   virtual std::optional<Eigen::Matrix2d> free_displacement(const Point& /*place*/) const {
     return Eigen::Matrix2d::Zero();
@@ -174,8 +174,12 @@ class Region {
 
   // --- Contribution to equilibrium
 
-  // Stiffness on the nodes as a dense matrix, empty without one; an equal region in `before` shares its matrix.
-  virtual std::optional<coupling::DenseOperator> dense_operator(std::span<const RegionOperator> before) const;
+  // Stiffness on the nodes as dense matrices, none without; an equal region in `before` shares its matrix. Then the
+  // nodes of each of them, in the same order.
+  virtual std::vector<coupling::DenseOperator> dense_operators(std::span<const RegionOperator> /*before*/) const {
+    return {};
+  }
+  virtual std::vector<std::vector<int>> nodes_of_operators() const { return {}; }
   // Volume that flows out of an incompressible region per displacement of each degree of freedom; empty otherwise.
   virtual std::optional<Eigen::VectorXd> outflow(Eigen::Index /*dof_count*/) const { return std::nullopt; }
 

@@ -8,6 +8,7 @@ namespace bempd::regions {
 // Sizes and preparation times of regions, added up.
 struct RegionStatistics {
   std::int64_t boundary_nodes = 0, boundary_elements = 0, material_points = 0, kernel_evaluations = 0;
+  std::int64_t subdomains = 0, cut_nodes = 0;  // of boundary element regions that are cut, and nodes on the cuts
   double seconds_boundary = 0, seconds_lattice = 0;
   std::set<const void*> counted;  // shared data counts once
 };

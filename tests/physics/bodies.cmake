@@ -1,5 +1,5 @@
 # Solids of boundary elements, of lattices and of both, whose fields are known, against the engine's layers.
-set(files bem_patch_test.cpp bem_thin_patch_test.cpp bem_cantilever_test.cpp bem_interior_test.cpp curved_patch_test.cpp
+set(files bem_patch_test.cpp bem_thin_patch_test.cpp bem_cantilever_test.cpp bem_interior_test.cpp bem_subdomains_test.cpp curved_patch_test.cpp
   pd_patch_test.cpp pd_kirsch_test.cpp pd_any_ratio_test.cpp coupled_operator_test.cpp free_expansion_test.cpp
   economy_sharing_test.cpp)
 if(BEMPD_SCHEME_PAPER)

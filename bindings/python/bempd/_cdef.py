@@ -605,6 +605,8 @@ typedef struct bempd_statistics {
   double seconds_update;
   double seconds_search;
   double reciprocal_condition;
+  int64_t subdomains;
+  int64_t cut_nodes;
 } bempd_statistics;
 bempd_status bempd_statistics_init(bempd_statistics *statistics, int64_t struct_size);
 bempd_status bempd_get_statistics(const bempd_model *model, bempd_statistics *statistics);
@@ -2869,6 +2871,13 @@ evaluations of the boundary kernels, also for places inside BEM regions""",
     "bempd_statistics.reciprocal_condition": """\
 crude reciprocal condition number of the worst equations solved so far: about -log10 of it digits of
 the displacement are lost; 1 if nothing was solved [-]""",
+    "bempd_statistics.subdomains": """\
+subdomains into which large BEM regions without cracks are cut; 0 if all are whole.
+
+since: 0.4""",
+    "bempd_statistics.cut_nodes": """nodes on the cuts between subdomains
+
+since: 0.4""",
     "bempd_statistics_init": """\
 Set struct_size and zeros.
 

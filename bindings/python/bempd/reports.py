@@ -279,6 +279,8 @@ class Statistics:
     seconds_update: float
     seconds_search: float
     reciprocal_condition: float  #: crude, of the worst equations solved so far; 1 if nothing was solved
+    subdomains: int  #: into which large BEM regions without cracks are cut; 0 if all are whole
+    cut_nodes: int  #: on the cuts between subdomains
 
     def _repr_html_(self) -> str:
         return table(self)._repr_html_()

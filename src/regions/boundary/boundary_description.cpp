@@ -4,16 +4,13 @@
 #include <cmath>
 
 #include "error.hpp"
+#include "regions/boundary/region_subdomains.hpp"
 #include "regions/scheme.hpp"
 #include "scene/outline_rules.hpp"
 
 namespace bempd::regions {
 
 namespace {
-
-// Memory estimate: bytes per square of the number of elements (four unknowns each), for the matrices that exist at the
-// same time while an operator is built. Measured as 500 to 600 with 220 and 420 elements.
-constexpr double bytes_per_square = 500;
 
 // Largest number of elements in a region. No machine holds the operators of more, so more come from a mistyped length.
 constexpr double most_elements = 1e6;
@@ -98,7 +95,7 @@ void BoundaryDescription::add_size(scene::SizeEstimate& size) const {
   for (int edge = 1; edge <= edge_count(); ++edge)
     elements += std::ceil(this->edge(edge).length() / edge_mesh(edge).element_length);
   size.elements += elements;
-  size.bytes += bytes_per_square * elements * elements;
+  size.bytes += least_memory_of_region(elements);
 }
 
 void BoundaryDescription::identify(Hash& hash) const {

@@ -4,6 +4,7 @@
 #include "error.hpp"
 #include "regions/boundary/boundary_region.hpp"
 #include "regions/boundary/region_cracks.hpp"
+#include "regions/boundary/region_subdomains.hpp"
 
 namespace bempd::regions {
 
@@ -26,7 +27,7 @@ std::vector<PlacedNode> BoundaryRegion::nodes_on(const EdgeSpan& span, double to
 
 void BoundaryRegion::add_traction(const EdgeSpan& span, const std::function<Point(const Point&)>& traction,
                                   Eigen::Ref<Eigen::VectorXd> force) const {
-  Eigen::VectorXd nodal = Eigen::VectorXd::Zero(2 * static_cast<Eigen::Index>(mesh_.nodes.size()));
+  Eigen::VectorXd nodal = Eigen::VectorXd::Zero(trace_.rows());
   for (std::size_t panel = 0; panel < panels_.size(); ++panel) {
     const PanelSource& source = panels_[panel];
     const double middle = 0.5 * (source.from + source.to);
@@ -39,7 +40,7 @@ void BoundaryRegion::add_traction(const EdgeSpan& span, const std::function<Poin
 std::vector<Point> BoundaryRegion::forces_on_edge(const EdgeSpan& span, const std::vector<int>& nodes_of_scene,
                                                   const FieldsOfRegion& fields) const {
   const std::vector<double>& tractions = fields(Field::traction).values;
-  Eigen::VectorXd nodal = Eigen::VectorXd::Zero(2 * static_cast<Eigen::Index>(mesh_.nodes.size()));
+  Eigen::VectorXd nodal = Eigen::VectorXd::Zero(trace_.rows());
   for (std::size_t e = 0; e < mesh_.elements.size(); ++e) {
     if (panels_[mesh_.elements[e].panel].edge != span.edge) continue;
     const Eigen::Map<const Eigen::Matrix<double, 2, 3>> at_nodes(&tractions[6 * e]);
@@ -70,17 +71,18 @@ void BoundaryRegion::add_body_force(const BodyForce& body_force, Eigen::Ref<Eige
 }
 
 Eigen::VectorXd BoundaryRegion::displacement_of(const LinearBodyForce& particular) const {
-  Eigen::VectorXd displacement(2 * static_cast<Eigen::Index>(mesh_.nodes.size()));
-  for (std::size_t i = 0; i < mesh_.nodes.size(); ++i)
-    displacement.segment<2>(2 * static_cast<Eigen::Index>(i)) = particular.displacement(mesh_.nodes[i]);
+  Eigen::VectorXd displacement(2 * static_cast<Eigen::Index>(places().size()));
+  for (std::size_t i = 0; i < places().size(); ++i)
+    displacement.segment<2>(2 * static_cast<Eigen::Index>(i)) = particular.displacement(places()[i]);
   return displacement;
 }
 
 Eigen::VectorXd BoundaryRegion::force_besides(const LinearBodyForce& particular) const {
   const Eigen::VectorXd displacement = displacement_of(particular);
+  const auto stress = [&](const Point& place) { return particular.stress(place); };
+  if (subdomains_) return subdomains_->forces_besides(displacement, stress, elasticity().thickness);
   Eigen::VectorXd of_tractions = Eigen::VectorXd::Zero(displacement.size());
-  bem::add_stress_forces(
-      mesh_, [&](const Point& place) { return particular.stress(place); }, elasticity().thickness, of_tractions);
+  bem::add_stress_forces(mesh_, stress, elasticity().thickness, of_tractions);
   Eigen::VectorXd forces = mesh_stiffness() * displacement - of_tractions;
   if (cracks_) forces -= cracked().forces_on_boundary(face_forces_of(particular));
   return forces;
@@ -117,7 +119,7 @@ Eigen::Matrix2d BoundaryRegion::work_within(const std::array<BodyForce, 2>& body
 }
 
 void BoundaryRegion::swell(const Swelling& strain, LatticeSwelling&) {
-  std::optional<FreeSwelling> free_swelling = FreeSwelling::through(mesh_.nodes, strain);
+  std::optional<FreeSwelling> free_swelling = FreeSwelling::through(places(), strain);
   require(free_swelling.has_value(), "region ", id(),
           " is a BEM region, and its temperature is not linear in x and y; boundary elements know nothing of others: "
           "make it a peridynamic region, or several regions");
@@ -129,6 +131,10 @@ void BoundaryRegion::swell(const Swelling& strain, LatticeSwelling&) {
     if (const int node = node_of_mesh_node_[i]; node >= 0)
       rest_.middleRows<2>(2 * own[node]) = free_swelling_->displacement(mesh_.nodes[i]);
   }
+  const std::size_t cut_nodes = places().size() - mesh_.nodes.size();
+  for (std::size_t i = 0; i < cut_nodes; ++i)
+    rest_.middleRows<2>(2 * static_cast<Eigen::Index>(nodes_.size() - cut_nodes + i)) =
+        free_swelling_->displacement(places()[mesh_.nodes.size() + i]);
 }
 
 std::optional<Eigen::Matrix2d> BoundaryRegion::free_displacement(const Point& place) const {
@@ -146,8 +152,8 @@ Eigen::VectorXd BoundaryRegion::displacement_without(const LinearBodyForce& part
                                                      const Solution& solution) const {
   Eigen::VectorXd displacement = elastic(solution.displacement, 1, solution.load_factor);
   if (solution.body_force(id()).is_zero()) return displacement;
-  for (std::size_t i = 0; i < mesh_.nodes.size(); ++i)
-    displacement.segment<2>(2 * static_cast<Eigen::Index>(i)) -= particular.displacement(mesh_.nodes[i]);
+  for (std::size_t i = 0; i < places().size(); ++i)
+    displacement.segment<2>(2 * static_cast<Eigen::Index>(i)) -= particular.displacement(places()[i]);
   return displacement;
 }
 

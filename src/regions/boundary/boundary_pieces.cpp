@@ -2,6 +2,7 @@
 
 #include "regions/boundary/boundary_region.hpp"
 #include "regions/boundary/region_cracks.hpp"
+#include "regions/boundary/region_subdomains.hpp"
 
 // Pieces: the separate bodies into which cracks cut a region.
 namespace bempd::regions {
@@ -61,6 +62,8 @@ std::vector<int> BoundaryRegion::nodes_of_entries() const {
 }
 
 InteriorOfPieces BoundaryRegion::inside_without(const LinearBodyForce& particular, const Solution& solution) const {
+  if (subdomains_)
+    return {subdomains_->interiors(elasticity(), displacement_without(particular, solution)), subdomains_->edges()};
   if (piece_count() == 1) return InteriorOfPieces(interior_without(particular, solution));
   const bem::CrackedState state = cracked_state(solution);
   std::vector<bem::InteriorEvaluator> interiors;

@@ -6,6 +6,7 @@
 #include "bem/boundary_loads.hpp"
 #include "bem/galerkin_operator.hpp"
 #include "regions/boundary/region_cracks.hpp"
+#include "regions/boundary/region_subdomains.hpp"
 #include "regions/crack_crossings.hpp"
 
 namespace bempd::regions {
@@ -52,7 +53,7 @@ void BoundaryRegion::mesh(const Preparation& preparation) {
   refine_at_cracks(preparation, cracks_.get(), panels);
   panels_ = std::move(panels.sources);
   mesh_ = make_mesh(panels.loops);
-  if (!cracks_) return;
+  if (!cracks_) return cut_if_large(preparation);
   cracks_->mesh(mesh_);
   // Panels of crack faces come from no edge: their source has the edge number 0.
   if (!mesh_.elements.empty())
@@ -154,12 +155,20 @@ void BoundaryRegion::number_nodes(const Preparation& preparation, NodeRegistry& 
         entries.emplace_back(row + component, 2 * column[master] + component, weight);
     }
   }
-  trace_.resize(2 * static_cast<Eigen::Index>(count), 2 * static_cast<Eigen::Index>(nodes_.size()));
+  for (std::size_t i = count; i < places().size(); ++i) {
+    for (const int component : {0, 1})
+      entries.emplace_back(2 * static_cast<int>(i) + component, 2 * static_cast<int>(nodes_.size()) + component, 1.0);
+    nodes_.push_back(registry.add(places()[i]));
+  }
+  trace_.resize(2 * static_cast<Eigen::Index>(places().size()), 2 * static_cast<Eigen::Index>(nodes_.size()));
   trace_.setFromTriplets(entries.begin(), entries.end());
 }
 
 void BoundaryRegion::build(const Preparation& preparation, Contributions& contributions) {
   number_nodes(preparation, contributions.registry);
+  const bem::AssemblyOptions assembly{preparation.options.number("bem.quadrature_tolerance"),
+                                      preparation.options.whole_number("threads")};
+  if (subdomains_) return build_subdomains(preparation, assembly);
   if (cracks_) cracks_->warn_of_gap(mesh_, contributions.warnings);
   // Operators are shared: an earlier region of the same kind and material whose mesh differs by a translation only
   // lends its operator. Regions with cracks have operators of their own.
@@ -168,15 +177,12 @@ void BoundaryRegion::build(const Preparation& preparation, Contributions& contri
     const Region& before = *other;
     if (typeid(before) != typeid(*this)) continue;
     const auto& alike = static_cast<const BoundaryRegion&>(before);
-    if (cracks_ || alike.cracks_) continue;
+    if (cracks_ || alike.cracks_ || alike.subdomains_) continue;
     if (elasticity() != alike.elasticity() || !differ_by_translation(mesh_, alike.mesh_)) continue;
     operator_ = alike.operator_;
     break;
   }
-  if (!operator_) {
-    operator_ = make_operator(preparation, {preparation.options.number("bem.quadrature_tolerance"),
-                                            preparation.options.whole_number("threads")});
-  }
+  if (!operator_) operator_ = make_operator(preparation, assembly);
   // The stiffness may depend on the interfaces of a region, so regions that share an operator may have different
   // stiffnesses.
   stiffness_ = own_stiffness(preparation);
@@ -214,18 +220,18 @@ std::vector<Point> BoundaryRegion::places_facing(int other_region) const {
 }
 
 bool BoundaryRegion::has_operator_of(const BoundaryRegion& other) const {
-  return other.operator_ == operator_ && other.stiffness_.size() == stiffness_.size() &&
+  return operator_ && other.operator_ == operator_ && other.stiffness_.size() == stiffness_.size() &&
          (stiffness_.size() == 0 || other.stiffness_ == stiffness_) && other.trace_.rows() == trace_.rows() &&
          other.trace_.cols() == trace_.cols() && other.trace_.isApprox(trace_, 0);
 }
 
-std::optional<coupling::DenseOperator> BoundaryRegion::dense_operator(std::span<const RegionOperator> before) const {
+std::vector<coupling::DenseOperator> BoundaryRegion::dense_operators(std::span<const RegionOperator> before) const {
+  if (subdomains_) return subdomains_->dense_operators(nodes_, trace_, rest_);
   for (const RegionOperator& other : before) {
     if (typeid(*other.region) == typeid(*this) && has_operator_of(static_cast<const BoundaryRegion&>(*other.region)))
-      return coupling::DenseOperator{nodes_, other.dense.stiffness, &solution_method(), rest_};
+      return {{nodes_, other.dense.stiffness, &solution_method(), rest_}};
   }
-  return coupling::DenseOperator{nodes_, stiffness_of_nodes(), &solution_method(),
-                                 rest_,  exact_constraints(),  pieces()};
+  return {{nodes_, stiffness_of_nodes(), &solution_method(), rest_, exact_constraints(), pieces()}};
 }
 
 std::shared_ptr<const Eigen::MatrixXd> BoundaryRegion::stiffness_of_nodes() const {
@@ -252,6 +258,7 @@ void BoundaryRegion::add_statistics(RegionStatistics& statistics) const {
   statistics.boundary_elements += static_cast<std::int64_t>(mesh_.elements.size());
   if (cracks_) statistics.boundary_elements += static_cast<std::int64_t>(cracks_->elements().elements.size());
   statistics.seconds_boundary += seconds_preparing;
+  if (subdomains_) return subdomains_->add_statistics(statistics);
   if (statistics.counted.insert(operator_.get()).second)
     statistics.kernel_evaluations += operator_->kernel_evaluations();
 }

@@ -17,6 +17,7 @@
 namespace bempd::regions {
 
 class RegionCracks;
+class RegionSubdomains;
 
 // Boundary element region of the symmetric scheme. Mid nodes of elements at a grid are not nodes of the scene: the
 // displacement there is linear between grid points, so that a constant traction has its exact nodal forces. Other
@@ -38,7 +39,8 @@ class BoundaryRegion : public Region {
   std::vector<LeadingElements> leading_elements() const override;
   std::vector<Point> places_facing(int other_region) const override;
 
-  std::optional<coupling::DenseOperator> dense_operator(std::span<const RegionOperator> before) const override;
+  std::vector<coupling::DenseOperator> dense_operators(std::span<const RegionOperator> before) const override;
+  std::vector<std::vector<int>> nodes_of_operators() const override;
   std::optional<Eigen::VectorXd> outflow(Eigen::Index dof_count) const override;
 
   std::vector<PlacedNode> nodes_on(const EdgeSpan& span, double tolerance) const override;
@@ -59,7 +61,7 @@ class BoundaryRegion : public Region {
   // Takes a swelling strain. Throws Error (argument) if it is not linear in the place, because the interior could not
   // swell without stress.
   void swell(const Swelling& strain, LatticeSwelling& lattices) override;
-  const coupling::Affine* rest_of_operator() const override { return rest_.rows() > 0 ? &rest_ : nullptr; }
+  std::vector<coupling::Affine> rests_of_operators() const override;
   std::optional<Eigen::Matrix2d> free_displacement(const Point& place) const override;
 
   // Functions about cracks of the region (crack_results.cpp).
@@ -89,6 +91,8 @@ class BoundaryRegion : public Region {
  protected:
   virtual MeshingRules meshing_rules(const Preparation& preparation) const;
   virtual BoundaryMesh make_mesh(const std::vector<std::vector<Panel>>& loops) const { return mesh_boundary(loops); }
+  // Whether the region may be cut into subdomains if it is large.
+  virtual bool can_be_cut() const { return true; }
   // Solver for systems that contain the stiffness of this region.
   virtual const coupling::SolutionMethod& solution_method() const { return coupling::symmetric_solution(); }
   virtual std::shared_ptr<const bem::BoundaryOperator> make_operator(const Preparation& preparation,
@@ -106,12 +110,16 @@ class BoundaryRegion : public Region {
   void follow_rows_to_mouths(NodeRoles& roles) const;
   std::vector<int> sides_of_cracks(const Preparation& preparation) const;
   void number_nodes(const Preparation& preparation, NodeRegistry& registry);
+  void cut_if_large(const Preparation& preparation);
+  void build_subdomains(const Preparation& preparation, const bem::AssemblyOptions& assembly);
+  // Places of the mesh's nodes, and of those on cuts between subdomains.
+  const std::vector<Point>& places() const;
   std::shared_ptr<const Eigen::MatrixXd> stiffness_of_nodes() const;
   const Eigen::MatrixXd& mesh_stiffness() const { return stiffness_.size() > 0 ? stiffness_ : operator_->stiffness(); }
   bool has_operator_of(const BoundaryRegion& other) const;
   std::vector<coupling::BodyPiece> pieces() const;
   LinearBodyForce particular(const BodyForce& body_force) const;
-  // Particular solution of a body force at the mesh's nodes: displacement_of() gives its displacements u_p,
+  // Particular solution of a body force at places(): displacement_of() gives its displacements u_p,
   // force_besides() the forces K u_p - f(t_p) by which it changes the nodal forces.
   Eigen::VectorXd displacement_of(const LinearBodyForce& particular) const;
   Eigen::VectorXd force_besides(const LinearBodyForce& particular) const;
@@ -127,10 +135,10 @@ class BoundaryRegion : public Region {
   Eigen::Matrix2d work_within_cracks(const std::array<BodyForce, 2>& body_force,
                                      const std::vector<CrackLoad>& loads) const;
   std::shared_ptr<const coupling::ExactConstraints> exact_constraints() const;
-  // Displacements of the mesh's nodes without those of free swelling. `displacement` is that of the scene's nodes;
+  // Displacements of places() without those of free swelling. `displacement` is that of the scene's nodes;
   // `constant` and `proportional` are the factors of the swelling's two parts.
   Eigen::VectorXd elastic(const Eigen::VectorXd& displacement, double constant, double proportional) const;
-  // Displacements of the mesh's nodes without those of free swelling and of a particular solution; interior_without()
+  // Displacements of places() without those of free swelling and of a particular solution; interior_without()
   // evaluates the interior for them.
   Eigen::VectorXd displacement_without(const LinearBodyForce& particular, const Solution& solution) const;
   bem::InteriorEvaluator interior_without(const LinearBodyForce& particular, const Solution& solution) const;
@@ -143,18 +151,20 @@ class BoundaryRegion : public Region {
   bem::CrackedState cracked_state(const Eigen::VectorXd& displacement, const Solution& solution, double constant,
                                   double proportional) const;
   bem::CrackedState cracked_state(const Solution& solution) const;
-  // Tractions on the boundary for displacements of the mesh's nodes.
+  // Tractions on the boundary for displacements of places().
   Eigen::VectorXd tractions_under(const Eigen::VectorXd& displacement, const Solution& solution) const;
   FieldValues element_tractions(const Solution& solution) const;
   FieldValues element_stress(const Solution& solution) const;
+  FieldValues element_stress_by_subdomains(const LinearBodyForce& particular, const Solution& solution) const;
   FieldValues boundary_stress(const Solution& solution) const;
 
   std::vector<PanelSource> panels_;
   BoundaryMesh mesh_;
   std::vector<int> node_of_mesh_node_;                     // of the scene, or -1
-  Eigen::SparseMatrix<double> trace_;                      // mesh displacements from those of the region's nodes
+  Eigen::SparseMatrix<double> trace_;                      // displacements of places() from the region's nodes'
   std::shared_ptr<const bem::BoundaryOperator> operator_;  // shared by regions that are alike
   std::unique_ptr<RegionCracks> cracks_;                   // null without
+  std::unique_ptr<RegionSubdomains> subdomains_;           // null if one operator serves the region
   std::unique_ptr<const bem::NormalOpenings> closing_;     // null unless cracks close
   Eigen::MatrixXd stiffness_;                              // on the mesh's nodes, if not the operator's own
   std::optional<FreeSwelling> free_swelling_;

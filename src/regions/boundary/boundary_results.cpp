@@ -54,6 +54,7 @@ std::vector<int> BoundaryRegion::entries_of_nodes() const {
   std::vector<int> entries;
   for (std::size_t i = 0; i < node_of_mesh_node_.size(); ++i)
     if (node_of_mesh_node_[i] >= 0) entries.push_back(static_cast<int>(i));
+  entries.resize(nodes_.size(), -1);  // nodes on cuts have no entry
   return entries;
 }
 
@@ -73,7 +74,7 @@ FieldValues BoundaryRegion::field(Field field, const Solution& solution) const {
       return positions;
     }
     case Field::displacement:
-      return pairs_of(trace_ * gather(solution.displacement));
+      return pairs_of((trace_ * gather(solution.displacement)).head(2 * static_cast<Eigen::Index>(mesh_.nodes.size())));
     case Field::traction:
       return element_tractions(solution);
     case Field::stress:
@@ -108,6 +109,7 @@ FieldValues BoundaryRegion::element_tractions(const Solution& solution) const {
 // Stress at the three nodes of every element, from the element's traction and tangential strain.
 FieldValues BoundaryRegion::element_stress(const Solution& solution) const {
   const LinearBodyForce particular = this->particular(solution.body_force(id()));
+  if (subdomains_) return element_stress_by_subdomains(particular, solution);
   const bem::InteriorEvaluator rest = interior_without(particular, solution);
   FieldValues field{{}, 3};
   for (int e = 0; e < static_cast<int>(mesh_.elements.size()); ++e) {

@@ -6,6 +6,7 @@
 #include "number_range.hpp"
 #include "regions/boundary/boundary_region.hpp"
 #include "regions/boundary/region_cracks.hpp"
+#include "regions/boundary/region_subdomains.hpp"
 #include "regions/boundary_conditions.hpp"
 
 namespace bempd::regions {
@@ -82,6 +83,7 @@ bem::CrackedState BoundaryRegion::cracked_state(const Solution& solution) const 
 }
 
 Eigen::VectorXd BoundaryRegion::tractions_under(const Eigen::VectorXd& displacement, const Solution& solution) const {
+  if (subdomains_) return subdomains_->tractions(displacement);
   return cracks_ ? cracked_state(solution).tractions : Eigen::VectorXd(operator_->tractions(displacement));
 }
 

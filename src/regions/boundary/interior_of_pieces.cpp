@@ -20,6 +20,14 @@ InteriorOfPieces::InteriorOfPieces(std::vector<bem::InteriorEvaluator> interiors
                      static_cast<std::size_t>(cracks.pieces.right_of(e.line))});
 }
 
+InteriorOfPieces::InteriorOfPieces(std::vector<bem::InteriorEvaluator> interiors, std::vector<std::vector<Edge>> edges)
+    : interiors_(std::move(interiors)), edges_(std::move(edges)) {
+  for (const std::vector<Edge>& own : edges_) {
+    boxes_.emplace_back();
+    for (const Edge& edge : own) boxes_.back().extend(bounding_box(edge));
+  }
+}
+
 void InteriorOfPieces::choose_right_face(bool right) {
   from_right_ = right;
   for (bem::InteriorEvaluator& interior : interiors_) interior.choose_right_face(right);
@@ -38,8 +46,10 @@ std::size_t InteriorOfPieces::piece_at(const Point& x) const {
     if (distance(cut.segment, x) <= tolerance_) return from_right_ ? cut.right : cut.left;
   std::size_t nearest = 0;
   double least = std::numeric_limits<double>::infinity();
+  for (std::size_t piece = 0; piece < boxes_.size(); ++piece)
+    if (boxes_[piece].contains(x) && locate(edges_[piece], x, 0) != Location::outside) return piece;
   for (std::size_t piece = 0; piece < edges_.size(); ++piece) {
-    if (locate(edges_[piece], x, 0) != Location::outside) return piece;
+    if (boxes_.empty() && locate(edges_[piece], x, 0) != Location::outside) return piece;
     for (const Edge& edge : edges_[piece])
       if (const double gap = distance(edge, x); gap < least) least = gap, nearest = piece;
   }

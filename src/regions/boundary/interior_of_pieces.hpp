@@ -17,6 +17,8 @@ class InteriorOfPieces {
   // Creates the evaluator for a region of several pieces out of one evaluator for each piece.
   InteriorOfPieces(std::vector<bem::InteriorEvaluator> interiors, const BoundaryMesh& mesh,
                    const bem::CrackMesh& cracks, double tolerance);
+  // Creates the evaluator for a region in pieces with these edges, which no crack separates.
+  InteriorOfPieces(std::vector<bem::InteriorEvaluator> interiors, std::vector<std::vector<Edge>> edges);
 
   bem::InteriorEvaluator::Value at(const Point& x) const { return interiors_[piece_at(x)].at(x); }
   Point displacement_at(const Point& x) const { return interiors_[piece_at(x)].displacement_at(x); }
@@ -33,6 +35,7 @@ class InteriorOfPieces {
 
   std::vector<bem::InteriorEvaluator> interiors_;
   std::vector<std::vector<Edge>> edges_;  // of each piece
+  std::vector<Box> boxes_;                // around them, of pieces that no crack separates
   std::vector<Cut> cuts_;
   double tolerance_ = 0;
   bool from_right_ = false;

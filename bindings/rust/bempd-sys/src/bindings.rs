@@ -3478,6 +3478,14 @@ pub struct bempd_statistics {
     /// crude reciprocal condition number of the worst equations solved so far: about -log10 of it
     /// digits of the displacement are lost; 1 if nothing was solved \[-\]
     pub reciprocal_condition: f64,
+    /// subdomains into which large BEM regions without cracks are cut; 0 if all are whole.
+    ///
+    /// * since: 0.4
+    pub subdomains: i64,
+    /// nodes on the cuts between subdomains
+    ///
+    /// * since: 0.4
+    pub cut_nodes: i64,
 }
 extern "C" {
     /// Set struct_size and zeros.

@@ -528,5 +528,9 @@ mirror! {
         seconds_search: f64,
         /// Crude reciprocal condition number of the worst equations solved so far; 1 if nothing was solved [-].
         reciprocal_condition: f64,
+        /// Subdomains into which large BEM regions without cracks are cut; 0 if all are whole.
+        subdomains: i64,
+        /// Nodes on the cuts between subdomains.
+        cut_nodes: i64,
     }
 }

@@ -1,0 +1,211 @@
+#include "geometry/material_cut.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "geometry/segment.hpp"
+
+namespace bempd {
+
+namespace {
+
+// Growth of a cut's elements with the distance from the boundary.
+constexpr double growth_with_distance = 0.35;
+// Smallest distance of a cut from a side, as a share of the side's length.
+constexpr double least_clearance = 0.3;
+// Angles between a cut and the boundary at its ends: the best, and those accepted if there is none [rad].
+constexpr std::array<double, 3> least_angles{0.8, 0.5, 0.35};
+// Shares of elements before the lines that are tried, in their order; the search ends after some successes.
+constexpr double farthest_from_half = 0.2, step_of_share = 0.02;
+constexpr int enough_divisions = 5;
+
+Point turned(const Point& direction, double angle) {
+  const double c = std::cos(angle), s = std::sin(angle);
+  return {c * direction.x() - s * direction.y(), s * direction.x() + c * direction.y()};
+}
+
+// Angle from one direction to another, counter-clockwise, 0 to 2 pi.
+double angle_between(const Point& from, const Point& to) {
+  const double angle = std::atan2(cross(from, to), from.dot(to));
+  return angle < 0 ? angle + 2 * std::numbers::pi : angle;
+}
+
+// Largest distance of a circular side from its chord.
+double sagitta(double chord, double sweep) { return 0.5 * chord * std::abs(std::tan(0.25 * sweep)); }
+
+}  // namespace
+
+MaterialCutSearch::MaterialCutSearch(const SubdomainLoops& loops, const std::vector<Point>& positions)
+    : positions_(positions), uses_(positions.size(), 0) {
+  for (const SubdomainLoop& loop : loops) {
+    const int first = static_cast<int>(sides_.size()), count = static_cast<int>(loop.size());
+    for (int i = 0; i < count; ++i) {
+      sides_.push_back(loop[i]);
+      before_.push_back(first + (i + count - 1) % count);
+      after_.push_back(first + (i + 1) % count);
+      loop_size_.push_back(count);
+      ++uses_[loop[i].nodes[0]];
+    }
+  }
+  std::vector<Box> boxes;
+  for (int side = 0; side < static_cast<int>(sides_.size()); ++side) {
+    Box box(start(side), start(side));
+    box.extend(end(side));
+    boxes.push_back(box);
+    box_.extend(box);
+  }
+  tree_ = BoxTree(boxes);
+}
+
+int MaterialCutSearch::longer_axis() const { return box_.sizes().x() >= box_.sizes().y() ? 0 : 1; }
+
+std::optional<MaterialCutSearch::Division> MaterialCutSearch::along(int axis) const {
+  std::vector<double> middles;
+  for (const SubdomainSide& side : sides_) middles.push_back(positions_[side.nodes[1]][axis]);
+  std::sort(middles.begin(), middles.end());
+  std::optional<Division> best;
+  int found = 0;
+  for (int k = 0; k * step_of_share <= farthest_from_half && found < enough_divisions; ++k) {
+    for (const double sign : {1.0, -1.0}) {
+      if (k == 0 && sign < 0) continue;
+      const double off = sign * k * step_of_share;
+      const auto place = static_cast<std::size_t>((0.5 + off) * static_cast<double>(middles.size()));
+      if (place == 0 || place >= middles.size()) continue;
+      std::optional<std::vector<MaterialCut>> cuts = cuts_on(axis, 0.5 * (middles[place - 1] + middles[place]));
+      if (!cuts) continue;
+      ++found;
+      double elements = 0;
+      for (const MaterialCut& cut : *cuts) elements += static_cast<double>(cut.stations.size()) - 1;
+      const double cost = elements * (1 + 4 * off * off);
+      if (!best || cost < best->cost) best = Division{std::move(*cuts), cost};
+    }
+  }
+  return best;
+}
+
+// Sides that a line crosses, in order. Of its two ends a side owns the one with the smaller coordinate only, so that
+// the line crosses every loop an even number of times.
+std::vector<MaterialCutSearch::Hit> MaterialCutSearch::hits(int axis, double at) const {
+  std::vector<Hit> found;
+  for (int side = 0; side < static_cast<int>(sides_.size()); ++side) {
+    const Point &a = start(side), &b = end(side);
+    if ((a[axis] > at) == (b[axis] > at)) continue;
+    const double share = (at - a[axis]) / (b[axis] - a[axis]);
+    found.push_back({a[1 - axis] + share * (b[1 - axis] - a[1 - axis]), side});
+  }
+  std::sort(found.begin(), found.end(), [](const Hit& a, const Hit& b) { return a.along < b.along; });
+  return found;
+}
+
+std::optional<std::vector<MaterialCut>> MaterialCutSearch::cuts_on(int axis, double at) const {
+  const std::vector<Hit> on_line = hits(axis, at);
+  if (on_line.empty()) return std::nullopt;
+  std::vector<MaterialCut> cuts;
+  for (std::size_t i = 0; i + 1 < on_line.size(); i += 2) {
+    std::optional<MaterialCut> cut = cut_between(on_line[i], on_line[i + 1], cuts);
+    if (!cut) return std::nullopt;
+    cuts.push_back(std::move(*cut));
+  }
+  for (MaterialCut& cut : cuts) {
+    cut.stations = {positions_[cut.from]};
+    divide(positions_[cut.from], positions_[cut.to], 0, cut.stations);
+  }
+  return cuts;
+}
+
+// Sides whose starts are candidates for the end of a cut near a side, the nearest first.
+std::vector<int> MaterialCutSearch::ends_near(int side) const {
+  const int reach = std::clamp(loop_size_[side] / 8, 1, 12);
+  std::vector<int> found;
+  int back = side, ahead = after_[side];
+  for (int i = 0; i < reach; ++i) {
+    for (const int one : {back, ahead})
+      if (uses_[sides_[one].nodes[0]] == 1) found.push_back(one);
+    back = before_[back], ahead = after_[ahead];
+  }
+  return found;
+}
+
+// Smaller of the two angles between a direction and the boundary at the start of a side; negative if the direction
+// leads out of the material.
+double MaterialCutSearch::least_angle(int side, const Point& direction) const {
+  const int before = before_[side];
+  const Point leaving = turned(end(side) - start(side), -0.5 * sides_[side].sweep);
+  const Point back = turned(start(before) - end(before), 0.5 * sides_[before].sweep);
+  const double inside = angle_between(leaving, back), angle = angle_between(leaving, direction);
+  return std::min(angle, inside - angle);
+}
+
+std::optional<MaterialCut> MaterialCutSearch::cut_between(const Hit& a, const Hit& b,
+                                                          const std::vector<MaterialCut>& others) const {
+  const std::vector<int> from = ends_near(a.side), to = ends_near(b.side);
+  const auto fits = [&](int one, int other, double least) {
+    const int p = sides_[one].nodes[0], q = sides_[other].nodes[0];
+    if (p == q) return false;
+    for (const MaterialCut& cut : others)
+      for (const int taken : {cut.from, cut.to})
+        if (taken == p || taken == q) return false;
+    const Point way = positions_[q] - positions_[p];
+    return least_angle(one, way) >= least && least_angle(other, -way) >= least && is_clear(p, q, others);
+  };
+  for (const double least : least_angles) {
+    for (std::size_t sum = 0; sum + 1 < from.size() + to.size(); ++sum) {
+      for (std::size_t i = 0; i <= sum && i < from.size(); ++i) {
+        if (sum - i >= to.size() || !fits(from[i], to[sum - i], least)) continue;
+        return MaterialCut{sides_[from[i]].nodes[0], sides_[to[sum - i]].nodes[0], {}};
+      }
+    }
+  }
+  return std::nullopt;
+}
+
+// Whether a cut keeps its distance from all sides but those at its ends, and crosses no other cut.
+bool MaterialCutSearch::is_clear(int from, int to, const std::vector<MaterialCut>& others) const {
+  const Segment cut{positions_[from], positions_[to]};
+  for (const MaterialCut& other : others)
+    if (proper_crossing(cut, {positions_[other.from], positions_[other.to]})) return false;
+  Box around(cut.start, cut.start);
+  around.extend(cut.end);
+  const auto is_near = [&](const Box& box) {
+    const double reach = least_clearance * box.diagonal().norm();
+    return around.intersects(Box(box.min().array() - reach, box.max().array() + reach));
+  };
+  return !tree_.any(is_near, [&](int side) {
+    const auto& nodes = sides_[side].nodes;
+    if (nodes[0] == from || nodes[0] == to || nodes[2] == from || nodes[2] == to) return false;
+    const Segment chord{start(side), end(side)};
+    const double length = chord.length();
+    return proper_crossing(cut, chord).has_value() ||
+           closest_approach(cut, chord).distance < least_clearance * length + sagitta(length, sides_[side].sweep);
+  });
+}
+
+// Length that an element of a cut should have at a place: the least, over all sides, of the side's length and a share
+// of the distance from it.
+double MaterialCutSearch::element_length_at(const Point& place) const {
+  const double whole = 2 * box_.diagonal().norm();
+  double least = growth_with_distance * whole + whole;
+  const auto shorten = [&](int side) {
+    const Segment chord{start(side), end(side)};
+    least = std::min(least, chord.length() + growth_with_distance * distance(chord, place));
+    return false;
+  };
+  for (double reach = 1e-3 * whole; reach <= whole; reach *= 2) {
+    const double known = std::min(reach, least / growth_with_distance);
+    const Box around(place.array() - known, place.array() + known);
+    tree_.any([&](const Box& box) { return box.intersects(around); }, shorten);
+    if (least <= growth_with_distance * reach) break;
+  }
+  return least;
+}
+
+void MaterialCutSearch::divide(const Point& from, const Point& to, int depth, std::vector<Point>& stations) const {
+  constexpr int deepest = 40;
+  const Point middle = 0.5 * (from + to);
+  if (depth == deepest || (to - from).norm() <= element_length_at(middle)) return stations.push_back(to);
+  divide(from, middle, depth + 1, stations);
+  divide(middle, to, depth + 1, stations);
+}
+
+}  // namespace bempd

@@ -1,0 +1,252 @@
+#include "regions/boundary/region_subdomains.hpp"
+
+#include <algorithm>
+#include <map>
+
+#include "bem/boundary_loads.hpp"
+#include "bem/galerkin_operator.hpp"
+#include "linalg/blas_threads.hpp"
+#include "parallel.hpp"
+#include "regions/memory_limit.hpp"
+
+namespace bempd::regions {
+
+namespace {
+
+// Regions with more elements are cut (their nodes are twice as many), into subdomains of at most `most_elements`.
+constexpr std::size_t most_undivided = 500, most_elements = 80;
+
+// Memory estimate: bytes per square of the number of elements (four unknowns each), for the matrices that exist at the
+// same time while an operator is built. Measured as 500 to 600 with 220 and 420 elements.
+constexpr double bytes_per_square_of_elements = 500;
+
+// Sum of the squares of the subdomains' elements over the product of the region's elements and `most_elements`.
+// Measured as 1.1 to 1.5.
+constexpr double squares_of_subdomains = 1.1;
+
+// Columns of `trace`, which are the region's nodes, that the displacements of a subdomain depend on, in the order of
+// its nodes.
+std::vector<int> columns_of(const Subdomain& part, const Eigen::SparseMatrix<double, Eigen::RowMajor>& trace) {
+  std::vector<int> columns;
+  std::vector<char> known(static_cast<std::size_t>(trace.cols()) / 2, 0);
+  for (const int node : part.nodes)
+    for (Eigen::SparseMatrix<double, Eigen::RowMajor>::InnerIterator entry(trace, 2 * node); entry; ++entry) {
+      const auto column = static_cast<std::size_t>(entry.col()) / 2;
+      if (!known[column]) columns.push_back(static_cast<int>(column));
+      known[column] = 1;
+    }
+  return columns;
+}
+
+// Part of the trace that gives the displacements of a subdomain's nodes from those of `columns`.
+Eigen::SparseMatrix<double> trace_of(const Subdomain& part, const std::vector<int>& columns,
+                                     const Eigen::SparseMatrix<double, Eigen::RowMajor>& trace) {
+  std::vector<int> place(static_cast<std::size_t>(trace.cols()) / 2, -1);
+  for (std::size_t i = 0; i < columns.size(); ++i) place[static_cast<std::size_t>(columns[i])] = static_cast<int>(i);
+  std::vector<Eigen::Triplet<double>> entries;
+  for (std::size_t i = 0; i < part.nodes.size(); ++i)
+    for (int component = 0; component < 2; ++component)
+      for (Eigen::SparseMatrix<double, Eigen::RowMajor>::InnerIterator entry(trace, 2 * part.nodes[i] + component);
+           entry; ++entry)
+        entries.emplace_back(2 * static_cast<int>(i) + component,
+                             2 * place[static_cast<std::size_t>(entry.col()) / 2] + component, entry.value());
+  Eigen::SparseMatrix<double> own(2 * static_cast<Eigen::Index>(part.nodes.size()),
+                                  2 * static_cast<Eigen::Index>(columns.size()));
+  own.setFromTriplets(entries.begin(), entries.end());
+  return own;
+}
+
+std::vector<int> numbers_of(const std::vector<int>& columns, const std::vector<int>& nodes) {
+  std::vector<int> numbers;
+  numbers.reserve(columns.size());
+  for (const int column : columns) numbers.push_back(nodes[static_cast<std::size_t>(column)]);
+  return numbers;
+}
+
+}  // namespace
+
+double memory_of_operator(double elements) { return bytes_per_square_of_elements * elements * elements; }
+
+double least_memory_of_region(double elements) {
+  if (elements <= static_cast<double>(most_undivided)) return memory_of_operator(elements);
+  return bytes_per_square_of_elements * squares_of_subdomains * elements * static_cast<double>(most_elements);
+}
+
+std::unique_ptr<RegionSubdomains> RegionSubdomains::of(const BoundaryMesh& body) {
+  if (body.elements.size() <= most_undivided) return nullptr;
+  Subdivision subdivision = subdivide(body, most_elements);
+  if (subdivision.subdomains.size() == 1) return nullptr;
+  return std::make_unique<RegionSubdomains>(std::move(subdivision), body);
+}
+
+RegionSubdomains::RegionSubdomains(Subdivision subdivision, const BoundaryMesh& body)
+    : subdivision_(std::move(subdivision)), places_(body.nodes), traction_node_count_(body.traction_node_count) {
+  places_.insert(places_.end(), subdivision_.cut_nodes.begin(), subdivision_.cut_nodes.end());
+  for (const BoundaryElement& element : body.elements) traction_nodes_.push_back(element.traction_nodes);
+}
+
+void RegionSubdomains::require_memory(const scene::Options& options) const {
+  double bytes = 0;
+  for (const Subdomain& part : subdivision_.subdomains)
+    bytes += memory_of_operator(static_cast<double>(part.mesh.elements.size()));
+  require_memory_for(bytes, text(traction_nodes_.size(), " boundary elements in ", count(), " subdomains"),
+                     "choose longer elements", options);
+}
+
+void RegionSubdomains::build(const PlaneElasticity& elasticity, const bem::AssemblyOptions& assembly,
+                             const std::vector<const RegionSubdomains*>& before) {
+  using Source = std::pair<const RegionSubdomains*, std::size_t>;
+  std::map<std::pair<std::size_t, int>, std::vector<Source>> known;  // by numbers of elements and traction nodes
+  const auto kin = [&](const BoundaryMesh& mesh) -> std::vector<Source>& {
+    return known[{mesh.elements.size(), mesh.traction_node_count}];
+  };
+  for (const RegionSubdomains* other : before)
+    for (std::size_t i = 0; i < other->count(); ++i) kin(other->subdivision_.subdomains[i].mesh).emplace_back(other, i);
+  std::vector<Source> source(count());
+  std::vector<std::size_t> own;
+  for (std::size_t i = 0; i < count(); ++i) {
+    const BoundaryMesh& mesh = subdivision_.subdomains[i].mesh;
+    std::vector<Source>& candidates = kin(mesh);
+    const auto alike = std::find_if(candidates.begin(), candidates.end(), [&](const Source& one) {
+      return differ_by_translation(mesh, one.first->subdivision_.subdomains[one.second].mesh);
+    });
+    source[i] = alike != candidates.end() ? *alike : Source(this, i);
+    if (alike != candidates.end()) continue;
+    candidates.emplace_back(this, i);
+    own.push_back(i);
+  }
+  operators_.resize(count());
+  {
+    const linalg::BlasThreads one_each(1);
+    bem::AssemblyOptions serial = assembly;
+    serial.threads = 1;
+    serial.compact = true;
+    parallel_for(own.size(), assembly.threads, [&](std::size_t i) {
+      operators_[own[i]] =
+          std::make_shared<const bem::GalerkinOperator>(subdivision_.subdomains[own[i]].mesh, elasticity, serial);
+    });
+  }
+  for (std::size_t i = 0; i < count(); ++i) operators_[i] = source[i].first->operators_[source[i].second];
+}
+
+std::vector<std::vector<int>> RegionSubdomains::nodes_of_operators(const std::vector<int>& nodes,
+                                                                   const Eigen::SparseMatrix<double>& trace) const {
+  const Eigen::SparseMatrix<double, Eigen::RowMajor> rows = trace;
+  std::vector<std::vector<int>> all;
+  for (const Subdomain& part : subdivision_.subdomains) all.push_back(numbers_of(columns_of(part, rows), nodes));
+  return all;
+}
+
+std::vector<coupling::Affine> RegionSubdomains::rests_of_operators(const coupling::Affine& rest,
+                                                                   const Eigen::SparseMatrix<double>& trace) const {
+  const Eigen::SparseMatrix<double, Eigen::RowMajor> rows = trace;
+  std::vector<coupling::Affine> all;
+  for (const Subdomain& part : subdivision_.subdomains) {
+    const std::vector<int> columns = columns_of(part, rows);
+    coupling::Affine own(rest.rows() > 0 ? 2 * static_cast<Eigen::Index>(columns.size()) : 0, 2);
+    for (Eigen::Index i = 0; 2 * i < own.rows(); ++i)
+      own.middleRows<2>(2 * i) = rest.middleRows<2>(2 * columns[static_cast<std::size_t>(i)]);
+    all.push_back(std::move(own));
+  }
+  return all;
+}
+
+std::vector<coupling::DenseOperator> RegionSubdomains::dense_operators(const std::vector<int>& nodes,
+                                                                       const Eigen::SparseMatrix<double>& trace,
+                                                                       const coupling::Affine& rest) const {
+  const Eigen::SparseMatrix<double, Eigen::RowMajor> rows = trace;
+  std::vector<coupling::Affine> rests = rests_of_operators(rest, trace);
+  std::vector<coupling::DenseOperator> all;
+  for (std::size_t i = 0; i < count(); ++i) {
+    const Subdomain& part = subdivision_.subdomains[i];
+    const std::vector<int> columns = columns_of(part, rows);
+    std::shared_ptr<const Eigen::MatrixXd> stiffness(operators_[i], &operators_[i]->stiffness());
+    // A subdomain without slaved nodes has the nodes of its mesh, in their order.
+    if (columns.size() != part.nodes.size()) {
+      const Eigen::SparseMatrix<double> own = trace_of(part, columns, rows);
+      const Eigen::MatrixXd half = *stiffness * own;
+      stiffness = std::make_shared<const Eigen::MatrixXd>(own.transpose() * half);
+    }
+    all.push_back(
+        {numbers_of(columns, nodes), std::move(stiffness), &coupling::symmetric_solution(), std::move(rests[i])});
+  }
+  return all;
+}
+
+Eigen::VectorXd RegionSubdomains::values_of(const Subdomain& part, const Eigen::VectorXd& all) const {
+  Eigen::VectorXd own(2 * static_cast<Eigen::Index>(part.nodes.size()));
+  for (std::size_t i = 0; i < part.nodes.size(); ++i)
+    own.segment<2>(2 * static_cast<Eigen::Index>(i)) = all.segment<2>(2 * part.nodes[i]);
+  return own;
+}
+
+void RegionSubdomains::for_each_outline_element(const std::function<void(std::size_t, int, int)>& visit) const {
+  for (std::size_t i = 0; i < count(); ++i) {
+    const std::vector<int>& elements = subdivision_.subdomains[i].elements;
+    for (std::size_t e = 0; e < elements.size(); ++e)
+      if (elements[e] >= 0) visit(i, static_cast<int>(e), elements[e]);
+  }
+}
+
+Eigen::VectorXd RegionSubdomains::tractions(const Eigen::VectorXd& displacement) const {
+  std::vector<Eigen::VectorXd> of_part(count());
+  for (std::size_t i = 0; i < count(); ++i)
+    of_part[i] = operators_[i]->tractions(values_of(subdivision_.subdomains[i], displacement));
+  Eigen::VectorXd sums = Eigen::VectorXd::Zero(2 * static_cast<Eigen::Index>(traction_node_count_));
+  std::vector<int> counts(static_cast<std::size_t>(traction_node_count_), 0);
+  for_each_outline_element([&](std::size_t part, int element, int of_body) {
+    const auto& own = subdivision_.subdomains[part].mesh.elements[static_cast<std::size_t>(element)].traction_nodes;
+    const auto& theirs = traction_nodes_[static_cast<std::size_t>(of_body)];
+    for (std::size_t k = 0; k < 3; ++k) {
+      sums.segment<2>(2 * theirs[k]) += of_part[part].segment<2>(2 * own[k]);
+      ++counts[static_cast<std::size_t>(theirs[k])];
+    }
+  });
+  for (std::size_t i = 0; i < counts.size(); ++i) sums.segment<2>(2 * static_cast<Eigen::Index>(i)) /= counts[i];
+  return sums;
+}
+
+Eigen::VectorXd RegionSubdomains::forces_besides(const Eigen::VectorXd& displacement,
+                                                 const std::function<Eigen::Vector3d(const Point&)>& stress,
+                                                 double thickness) const {
+  Eigen::VectorXd forces = Eigen::VectorXd::Zero(displacement.size());
+  for (std::size_t i = 0; i < count(); ++i) {
+    const Subdomain& part = subdivision_.subdomains[i];
+    Eigen::VectorXd of_stress = Eigen::VectorXd::Zero(2 * static_cast<Eigen::Index>(part.nodes.size()));
+    bem::add_stress_forces(part.mesh, stress, thickness, of_stress);
+    const Eigen::VectorXd own = operators_[i]->stiffness() * values_of(part, displacement) - of_stress;
+    for (std::size_t k = 0; k < part.nodes.size(); ++k)
+      forces.segment<2>(2 * part.nodes[k]) += own.segment<2>(2 * static_cast<Eigen::Index>(k));
+  }
+  return forces;
+}
+
+std::vector<bem::InteriorEvaluator> RegionSubdomains::interiors(const PlaneElasticity& elasticity,
+                                                                const Eigen::VectorXd& displacement) const {
+  std::vector<bem::InteriorEvaluator> all;
+  for (std::size_t i = 0; i < count(); ++i) {
+    const Subdomain& part = subdivision_.subdomains[i];
+    const Eigen::VectorXd own = values_of(part, displacement);
+    all.emplace_back(part.mesh, elasticity, own, operators_[i]->tractions(own));
+  }
+  return all;
+}
+
+std::vector<std::vector<Edge>> RegionSubdomains::edges() const {
+  std::vector<std::vector<Edge>> all;
+  for (const Subdomain& part : subdivision_.subdomains) {
+    all.emplace_back();
+    for (const BoundaryElement& element : part.mesh.elements)
+      all.back().emplace_back(Arc{part.mesh.nodes[element.nodes[0]], part.mesh.nodes[element.nodes[2]], element.sweep});
+  }
+  return all;
+}
+
+void RegionSubdomains::add_statistics(RegionStatistics& statistics) const {
+  statistics.subdomains += static_cast<std::int64_t>(count());
+  statistics.cut_nodes += static_cast<std::int64_t>(cut_nodes().size());
+  for (const auto& one : operators_)
+    if (statistics.counted.insert(one.get()).second) statistics.kernel_evaluations += one->kernel_evaluations();
+}
+
+}  // namespace bempd::regions

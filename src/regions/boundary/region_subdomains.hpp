@@ -1,0 +1,78 @@
+#pragma once
+
+#include <Eigen/SparseCore>
+#include <functional>
+#include <memory>
+#include <vector>
+
+#include "bem/boundary_operator.hpp"
+#include "bem/interior.hpp"
+#include "coupling/operators.hpp"
+#include "elasticity/plane_elasticity.hpp"
+#include "geometry/edge.hpp"
+#include "geometry/subdomains.hpp"
+#include "regions/region_statistics.hpp"
+#include "scene/options.hpp"
+
+namespace bempd::regions {
+
+// Estimate of the memory [B] of a boundary operator with this number of elements.
+double memory_of_operator(double elements);
+// Estimate of the least memory [B] of a region with this number of elements, cut into subdomains if it is large.
+double least_memory_of_region(double elements);
+
+// Subdomains into which a large region is cut, because the cost of one dense operator grows with the square and cube of
+// its nodes. Each subdomain has a boundary operator of its own, and the nodes on cuts join them. The region's mesh,
+// fields and loads stay those of its outline. Displacements are those of the mesh's nodes, then of the nodes on cuts.
+class RegionSubdomains {
+ public:
+  // Cuts the body of a mesh; null if it is so small that one operator serves, or if no cut was found.
+  static std::unique_ptr<RegionSubdomains> of(const BoundaryMesh& body);
+
+  RegionSubdomains(Subdivision subdivision, const BoundaryMesh& body);
+
+  // Throws Error (argument) if the operators need more memory than the option memory.limit allows.
+  void require_memory(const scene::Options& options) const;
+
+  std::size_t count() const { return subdivision_.subdomains.size(); }
+  const std::vector<Point>& cut_nodes() const { return subdivision_.cut_nodes; }
+  const std::vector<Point>& places() const { return places_; }  // of the mesh's nodes, then of those on cuts
+
+  // Builds the operators. Subdomains that differ by a translation share one, also with those of `before`, which has the
+  // same material.
+  void build(const PlaneElasticity& elasticity, const bem::AssemblyOptions& assembly,
+             const std::vector<const RegionSubdomains*>& before);
+
+  // Numbers in the scene of the nodes of each operator, and the operators themselves. `trace` has the displacements of
+  // places() for those of `nodes`; `rest` is the rest displacement of `nodes`, or empty.
+  std::vector<std::vector<int>> nodes_of_operators(const std::vector<int>& nodes,
+                                                   const Eigen::SparseMatrix<double>& trace) const;
+  std::vector<coupling::Affine> rests_of_operators(const coupling::Affine& rest,
+                                                   const Eigen::SparseMatrix<double>& trace) const;
+  std::vector<coupling::DenseOperator> dense_operators(const std::vector<int>& nodes,
+                                                       const Eigen::SparseMatrix<double>& trace,
+                                                       const coupling::Affine& rest) const;
+
+  // Tractions on the traction nodes of the body's mesh: the mean of the subdomains that meet there.
+  Eigen::VectorXd tractions(const Eigen::VectorXd& displacement) const;
+  // Nodal forces of a displacement less those of a stress field.
+  Eigen::VectorXd forces_besides(const Eigen::VectorXd& displacement,
+                                 const std::function<Eigen::Vector3d(const Point&)>& stress, double thickness) const;
+  std::vector<bem::InteriorEvaluator> interiors(const PlaneElasticity& elasticity,
+                                                const Eigen::VectorXd& displacement) const;
+  std::vector<std::vector<Edge>> edges() const;  // of each subdomain
+  // Calls visit(subdomain, element there, element of the body's mesh) for all elements on the outline.
+  void for_each_outline_element(const std::function<void(std::size_t, int, int)>& visit) const;
+  void add_statistics(RegionStatistics& statistics) const;
+
+ private:
+  Eigen::VectorXd values_of(const Subdomain& part, const Eigen::VectorXd& all) const;
+
+  Subdivision subdivision_;
+  std::vector<Point> places_;
+  std::vector<std::array<int, 3>> traction_nodes_;  // of the body's elements
+  int traction_node_count_;
+  std::vector<std::shared_ptr<const bem::BoundaryOperator>> operators_;
+};
+
+}  // namespace bempd::regions

@@ -1,0 +1,137 @@
+// Subdivision of bodies: the subdomains fill the body, keep its elements, and share the cuts.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <map>
+#include <numbers>
+#include <random>
+
+#include "geometry/outline.hpp"
+#include "geometry/subdomains.hpp"
+
+namespace geometry_subdomains_test {
+namespace {
+
+using namespace bempd;
+
+std::vector<Panel> loop_of(const std::vector<Point>& corners, double target) {
+  std::vector<Panel> loop;
+  for (std::size_t k = 0; k < corners.size(); ++k) {
+    const Point &from = corners[k], &to = corners[(k + 1) % corners.size()];
+    loop.push_back({from, to, element_stations((to - from).norm(), target)});
+  }
+  return loop;
+}
+
+// Clockwise circle of four panels.
+std::vector<Panel> round_hole(const Point& centre, double radius, int elements_of_quarter) {
+  constexpr double quarter = std::numbers::pi / 2;
+  const auto at = [&](int k) -> Point {
+    return centre + radius * Point(std::cos(k * quarter), -std::sin(k * quarter));
+  };
+  std::vector<Panel> loop;
+  for (int k = 0; k < 4; ++k)
+    loop.push_back({at(k), at(k + 1), element_stations(1, 1.0 / elements_of_quarter), -quarter});
+  return loop;
+}
+
+// Square plate with a hole of random size and place in each unit cell.
+BoundaryMesh random_sheet(int cells, unsigned seed) {
+  std::mt19937 random(seed);
+  std::uniform_real_distribution<double> uniform(0, 1);
+  const double side = cells;
+  std::vector<std::vector<Panel>> loops{loop_of({{0, 0}, {side, 0}, {side, side}, {0, side}}, 0.2)};
+  for (int i = 0; i < cells; ++i)
+    for (int j = 0; j < cells; ++j) {
+      const double radius = 0.1 + 0.35 * uniform(random), room = 0.9 * (1 - 2 * radius);
+      const Point low(i + 0.5 * (1 - room), j + 0.5 * (1 - room));
+      loops.push_back(round_hole(low + room * Point(uniform(random), uniform(random)), radius, 6));
+    }
+  return mesh_boundary(loops);
+}
+
+double area_of(const BoundaryMesh& mesh) {
+  std::vector<Edge> edges;
+  for (const BoundaryElement& e : mesh.elements)
+    edges.emplace_back(Arc{mesh.nodes[e.nodes[0]], mesh.nodes[e.nodes[2]], e.sweep});
+  return signed_area(edges);
+}
+
+// Checks what holds for every subdivision, and returns the number of elements on cuts.
+int check(const BoundaryMesh& body, const Subdivision& cut) {
+  std::vector<int> found(body.elements.size(), 0);
+  std::map<int, int> uses_of_middle;  // of elements on cuts
+  double area = 0;
+  const auto place = [&](int node) {
+    const int own = static_cast<int>(body.nodes.size());
+    return node < own ? body.nodes[node] : cut.cut_nodes[node - own];
+  };
+  for (const Subdomain& part : cut.subdomains) {
+    const double own = area_of(part.mesh);
+    EXPECT_GT(own, 0);
+    area += own;
+    for (std::size_t i = 0; i < part.nodes.size(); ++i) EXPECT_EQ(part.mesh.nodes[i], place(part.nodes[i]));
+    for (std::size_t e = 0; e < part.elements.size(); ++e) {
+      const BoundaryElement& element = part.mesh.elements[e];
+      if (part.elements[e] < 0) {
+        ++uses_of_middle[part.nodes[element.nodes[1]]];
+        continue;
+      }
+      const BoundaryElement& source = body.elements[part.elements[e]];
+      ++found[part.elements[e]];
+      for (int k = 0; k < 3; ++k) EXPECT_EQ(part.nodes[element.nodes[k]], source.nodes[k]);
+      EXPECT_EQ(element.sweep, source.sweep);
+    }
+  }
+  EXPECT_NEAR(area, area_of(body), 1e-12 * area);
+  for (const int count : found) EXPECT_EQ(count, 1);
+  for (const auto& [node, count] : uses_of_middle) EXPECT_EQ(count, 2) << "node " << node;
+  return static_cast<int>(uses_of_middle.size());
+}
+
+TEST(Subdomains, fill_sheets_with_random_holes) {
+  for (unsigned seed = 1; seed <= 20; ++seed) {
+    const BoundaryMesh body = random_sheet(6, seed);
+    const Subdivision cut = subdivide(body, 80);
+    const int on_cuts = check(body, cut);
+    EXPECT_LE(cut.largest(), 80U) << "seed " << seed;
+    EXPECT_GE(cut.subdomains.size(), body.elements.size() / 80);
+    EXPECT_LE(on_cuts, 2 * static_cast<int>(body.elements.size()));
+  }
+}
+
+TEST(Subdomains, of_one_outline_with_many_elements) {
+  const std::vector<Point> l_shape{{0, 0}, {2, 0}, {2, 0.3}, {0.4, 0.5}, {0.3, 3}, {0, 3}};
+  const BoundaryMesh body = mesh_boundary({loop_of(l_shape, 0.004)});
+  const Subdivision cut = subdivide(body, 80);
+  check(body, cut);
+  EXPECT_LE(cut.largest(), 95U);  // no part of a cut may keep more than 0.85 of the elements
+  const BoundaryMesh disc = mesh_boundary({[] {
+    std::vector<Panel> loop = round_hole({3, 1}, 2, 200), turned;
+    for (auto panel = loop.rbegin(); panel != loop.rend(); ++panel)
+      turned.push_back({panel->end, panel->start, panel->stations, -panel->sweep});
+    return turned;
+  }()});
+  check(disc, subdivide(disc, 80));
+}
+
+TEST(Subdomains, of_a_small_body_are_the_body_itself) {
+  const BoundaryMesh body = random_sheet(1, 3);
+  const Subdivision cut = subdivide(body, 80);
+  ASSERT_EQ(cut.subdomains.size(), 1U);
+  EXPECT_EQ(check(body, cut), 0);
+  EXPECT_TRUE(cut.cut_nodes.empty());
+}
+
+TEST(Subdomains, of_bodies_that_differ_by_a_translation_do_so_too) {
+  const BoundaryMesh body = random_sheet(5, 7);
+  BoundaryMesh shifted = body;
+  for (Point& node : shifted.nodes) node += Point(64, -32);
+  const Subdivision one = subdivide(body, 80), other = subdivide(shifted, 80);
+  ASSERT_EQ(one.subdomains.size(), other.subdomains.size());
+  for (std::size_t i = 0; i < one.subdomains.size(); ++i)
+    EXPECT_TRUE(differ_by_translation(one.subdomains[i].mesh, other.subdomains[i].mesh)) << i;
+}
+
+}  // namespace
+}  // namespace geometry_subdomains_test
