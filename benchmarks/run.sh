@@ -13,6 +13,7 @@
 #   benchmarks/run.sh mixed_cracks    cracks across borders of elements and lattices, into docs/mixed_cracks.md with --write
 #   benchmarks/run.sh fatigue         lives of cracks under cycles against closed forms, into docs/fatigue.md with --write
 #   benchmarks/run.sh line_loads      loads of lines against boundary elements on the same paths, into docs/cracks.md with --write
+#   benchmarks/run.sh subdomains      large bodies of boundary elements, whole and cut, into docs/scaling.md with --write
 #   --with-peers, last, installs the peers first: FreeFem++, dolfinx and CalculiX; LAMMPS and dolfinx; or dolfinx
 set -euo pipefail
 export BEMPD_TEST_HOOKS=1  # some compare with ways that the library does not choose by itself
@@ -34,7 +35,8 @@ case "$name" in
   mixed_cracks) programs=() peers=() ;;
   line_loads) programs=() peers=() ;;
   fatigue) programs=() peers=() ;;
-  *) sed -n '2,16s/^# *//p' "$0" >&2; exit 2 ;;
+  subdomains) programs=() peers=() ;;
+  *) sed -n '2,17s/^# *//p' "$0" >&2; exit 2 ;;
 esac
 shift
 if [ "${*: -1}" = --with-peers ]; then set -- "${@:1:$#-1}"; else peers=(); fi

@@ -18,6 +18,15 @@ const scene::OptionGroup boundary_group(scene::OptionPlace::boundaries, [] {
           "auto | none", "auto"))};
 });
 
+const scene::OptionGroup hooks(scene::OptionPlace::test_hooks, [] {
+  return std::vector<scene::OptionDescription>{
+      scene::shaping(scene::number_option("test.subdomain_elements",
+                                          "Largest number of elements in a subdomain of a BEM region; 0: chosen, and "
+                                          "small regions stay whole. With 1e9 all "
+                                          "stay whole.",
+                                          0, 0, 1e9, true))};
+});
+
 }  // namespace
 
 }  // namespace bempd::regions

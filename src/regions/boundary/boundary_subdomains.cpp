@@ -11,7 +11,7 @@ namespace bempd::regions {
 const std::vector<Point>& BoundaryRegion::places() const { return subdomains_ ? subdomains_->places() : mesh_.nodes; }
 
 void BoundaryRegion::cut_if_large(const Preparation& preparation) {
-  if (can_be_cut() && !elasticity().incompressible()) subdomains_ = RegionSubdomains::of(mesh_);
+  if (can_be_cut() && !elasticity().incompressible()) subdomains_ = RegionSubdomains::of(mesh_, preparation.options);
   if (subdomains_) return subdomains_->require_memory(preparation.options);
   const auto elements = static_cast<double>(mesh_.elements.size());
   if (const double bytes = memory_of_operator(elements); bytes > least_memory_of_region(elements))

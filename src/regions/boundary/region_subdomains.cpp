@@ -72,9 +72,10 @@ double least_memory_of_region(double elements) {
   return bytes_per_square_of_elements * squares_of_subdomains * elements * static_cast<double>(most_elements);
 }
 
-std::unique_ptr<RegionSubdomains> RegionSubdomains::of(const BoundaryMesh& body) {
-  if (body.elements.size() <= most_undivided) return nullptr;
-  Subdivision subdivision = subdivide(body, most_elements);
+std::unique_ptr<RegionSubdomains> RegionSubdomains::of(const BoundaryMesh& body, const scene::Options& options) {
+  const auto wanted = static_cast<std::size_t>(options.number("test.subdomain_elements"));
+  if (body.elements.size() <= (wanted > 0 ? wanted : most_undivided)) return nullptr;
+  Subdivision subdivision = subdivide(body, wanted > 0 ? wanted : most_elements);
   if (subdivision.subdomains.size() == 1) return nullptr;
   return std::make_unique<RegionSubdomains>(std::move(subdivision), body);
 }

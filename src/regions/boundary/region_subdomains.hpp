@@ -27,7 +27,7 @@ double least_memory_of_region(double elements);
 class RegionSubdomains {
  public:
   // Cuts the body of a mesh; null if it is so small that one operator serves, or if no cut was found.
-  static std::unique_ptr<RegionSubdomains> of(const BoundaryMesh& body);
+  static std::unique_ptr<RegionSubdomains> of(const BoundaryMesh& body, const scene::Options& options);
 
   RegionSubdomains(Subdivision subdivision, const BoundaryMesh& body);
 
