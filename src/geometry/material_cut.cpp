@@ -16,6 +16,8 @@ constexpr double growth_with_distance = 0.35;
 constexpr double least_clearance = 0.3;
 // Angles between a cut and the boundary at its ends: the best, and those accepted if there is none [rad].
 constexpr std::array<double, 3> least_angles{0.8, 0.5, 0.35};
+// Corners with a larger angle inside the material have singular stresses, which a cut must not meet [rad].
+constexpr double largest_corner = 1.3 * std::numbers::pi;
 // Shares of elements before the lines that are tried, in their order; the search ends after some successes.
 constexpr double farthest_from_half = 0.2, step_of_share = 0.02;
 constexpr int enough_divisions = 5;
@@ -121,20 +123,27 @@ std::vector<int> MaterialCutSearch::ends_near(int side) const {
   int back = side, ahead = after_[side];
   for (int i = 0; i < reach; ++i) {
     for (const int one : {back, ahead})
-      if (uses_[sides_[one].nodes[0]] == 1) found.push_back(one);
+      if (uses_[sides_[one].nodes[0]] == 1 && corner(one) <= largest_corner) found.push_back(one);
     back = before_[back], ahead = after_[ahead];
   }
   return found;
 }
 
-// Smaller of the two angles between a direction and the boundary at the start of a side; negative if the direction
-// leads out of the material.
-double MaterialCutSearch::least_angle(int side, const Point& direction) const {
+// Directions at the start of a side along the boundary, forwards and backwards.
+std::array<Point, 2> MaterialCutSearch::directions_at(int side) const {
   const int before = before_[side];
-  const Point leaving = turned(end(side) - start(side), -0.5 * sides_[side].sweep);
-  const Point back = turned(start(before) - end(before), 0.5 * sides_[before].sweep);
-  const double inside = angle_between(leaving, back), angle = angle_between(leaving, direction);
-  return std::min(angle, inside - angle);
+  return {turned(end(side) - start(side), -0.5 * sides_[side].sweep),
+          turned(start(before) - end(before), 0.5 * sides_[before].sweep)};
+}
+
+double MaterialCutSearch::corner(int side) const {
+  const auto [forwards, backwards] = directions_at(side);
+  return angle_between(forwards, backwards);
+}
+
+double MaterialCutSearch::least_angle(int side, const Point& direction) const {
+  const double angle = angle_between(directions_at(side)[0], direction);
+  return std::min(angle, corner(side) - angle);
 }
 
 std::optional<MaterialCut> MaterialCutSearch::cut_between(const Hit& a, const Hit& b,

@@ -35,13 +35,12 @@ class MaterialCutSearch {
     double along;  // coordinate on the line
     int side;
   };
-  struct End {
-    int node;
-    Point leaving, arriving;  // tangents of the sides that leave and arrive
-  };
-
   std::vector<Hit> hits(int axis, double at) const;
   std::vector<int> ends_near(int side) const;
+  std::array<Point, 2> directions_at(int side) const;
+  // Angle inside the material at the start of a side; then the smaller of the two into which a direction divides it,
+  // negative if the direction leads out of the material.
+  double corner(int side) const;
   double least_angle(int side, const Point& direction) const;
   std::optional<MaterialCut> cut_between(const Hit& a, const Hit& b, const std::vector<MaterialCut>& others) const;
   std::optional<std::vector<MaterialCut>> cuts_on(int axis, double at) const;
