@@ -98,8 +98,10 @@ void Model::warn_of_interface() {
   if (!node) return;
   warned_of_interface_ = true;
   const Point& place = prepared_->discretization.positions[*node];
-  log(1, text("bonds have broken where ", prepared_->discretization.regions_with({*node}), " meet, at (", place.x(),
-              ", ", place.y(),
+  // A lattice point that is tied to boundary elements belongs to the lattice alone.
+  const std::string regions = prepared_->discretization.regions_with({*node});
+  const char* const meet = regions.starts_with("regions") ? " meet" : " meets boundary elements";
+  log(1, text("bonds have broken where ", regions, meet, ", at (", place.x(), ", ", place.y(),
               "): a crack cannot go on into a boundary element region and runs along it; give the "
               "peridynamic region more room there if it should go on"));
 }
