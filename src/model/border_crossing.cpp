@@ -9,6 +9,7 @@
 #include "geometry/outline.hpp"
 #include "model/crack_way.hpp"
 #include "model/driven_growth.hpp"
+#include "model/element_carrier.hpp"
 #include "model/model.hpp"
 
 // Crack lines that leave their lattice continue in the boundary elements behind it.
@@ -77,6 +78,15 @@ fracture::CrackExtension last_of(const crack::TipId& tip, std::span<const fractu
   return found == extensions.rend() ? fracture::CrackExtension{} : *found;
 }
 
+// Adds the places to a crack that a line has reached at one end and that it does not have yet.
+void extend_by_line(scene::Crack& crack, const crack::TipId& tip,
+                    std::span<const fracture::CrackExtension> extensions) {
+  const std::vector<Point> known = crack.points;
+  for (const fracture::CrackExtension& e : extensions)
+    if (e.tip() == tip && std::find(known.begin(), known.end(), Point(e.x, e.y)) == known.end())
+      extend(crack, tip.end, {e.x, e.y});
+}
+
 }  // namespace
 
 // Whether a tip of a crack line has come to a border with boundary elements, where it would run along the interface, or
@@ -90,64 +100,85 @@ bool leaves_lattice(const fracture::CrackExtension& e, const scene::Scene& scene
          tip_behind_border(scene, e, near_elements * horizons, d.tolerance).has_value();
 }
 
-// Continues the lines that have come to a border in boundary elements. True if none of them has to stop (one that is
-// only near the border may also grow on in its lattice); lines that have to stop remain in run.stopped_lines.
-bool Model::go_on_in_elements(ElementTips& tips, DrivenRun& run) {
-  if (run.stopped_lines.empty()) return false;
-  const double tolerance = prepared_->discretization.tolerance;
-  std::erase_if(run.stopped_lines, [&](const crack::TipId& tip) {
-    return cross_border(tip, tips, run) || !is_at_border(scene_, last_of(tip, extensions()), tolerance);
-  });
-  if (!run.stopped_lines.empty()) return false;
-  stop_requested_ = false;
-  return true;
+// Crack lines that have come to a border since the last call.
+std::vector<crack::TipId> ElementCarrier::lines_at_border() {
+  std::vector<crack::TipId> lines;
+  const std::vector<fracture::CrackExtension>& all = body().progress().extensions;
+  for (; extensions_seen_ < all.size(); ++extensions_seen_) {
+    const fracture::CrackExtension& e = all[extensions_seen_];
+    if (!e.has_ended() && leaves_lattice(e, model_.scene_, model_.prepared_->discretization)) lines.push_back(e.tip());
+  }
+  return lines;
+}
+
+// A line that is only near the border, and cannot continue behind it, grows on in its lattice.
+bool ElementCarrier::take_over_lines(bool run_ends) {
+  std::vector<crack::TipId> lines = lines_at_border();
+  if (lines.empty()) return false;
+  body().bring_up_to_date();
+  const double tolerance = model_.prepared_->discretization.tolerance;
+  if (!run_ends)
+    std::erase_if(lines, [&](const crack::TipId& tip) {
+      return cross_border(tip) || !is_at_border(model_.scene_, last_of(tip, model_.extensions()), tolerance);
+    });
+  for (const crack::TipId& tip : lines) {
+    body().stop_line(tip);
+    Model::say([&] {
+      model_.log(1, text("crack ", tip.crack,
+                         " has come to the border of its lattice, where it cannot go on into a boundary "
+                         "element region; give the peridynamic region more room there if it should"));
+    });
+  }
+  return !lines.empty();
 }
 
 // Continues one line in the boundary elements behind its lattice; false if it cannot. The scene's crack is extended by
 // the line's path, whose bonds are broken already, and by a piece behind the interface.
-bool Model::cross_border(const crack::TipId& tip, ElementTips& tips, DrivenRun& run) {
+bool ElementCarrier::cross_border(const crack::TipId& tip) {
+  const std::vector<scene::Crack> before = model_.scene_.cracks();
   const auto number = static_cast<std::size_t>(tip.crack) - 1;
-  const std::vector<scene::Crack> before = scene_.cracks();
   if (number >= before.size()) return false;  // a crack that has begun in the run
-  std::vector<scene::Crack> longer = before;
-  const fracture::CrackExtension last = last_of(tip, extensions());
-  for (const fracture::CrackExtension& e : prepared_->evolution->progress().extensions) {
-    if (e.crack != tip.crack || e.end != tip.end) continue;
-    const std::vector<Point>& known = before[number].points;
-    if (std::find(known.begin(), known.end(), Point(e.x, e.y)) == known.end())
-      extend(longer[number], tip.end, {e.x, e.y});
-  }
-  const Point to(last.x, last.y);
+  const fracture::CrackExtension last = last_of(tip, model_.extensions());
   constexpr double far = 16;  // spacings: leaves_lattice() has said that it is near
-  const std::optional<Point> place = tip_behind_border(scene_, last, far, prepared_->discretization.tolerance);
+  const std::optional<Point> place =
+      tip_behind_border(model_.scene_, last, far, model_.prepared_->discretization.tolerance);
   if (!place) return false;
+  std::vector<scene::Crack> longer = before;
+  extend_by_line(longer[number], tip, model_.extensions());
   extend(longer[number], tip.end, *place);
-  std::unique_ptr<PreparedScene> next;
   try {
-    next = with_cracks(std::move(longer), run.on_way);
-  } catch (const crack::CannotGrow& error) {
-    scene_.set_cracks(before);
-    say([&] { log(1, error.what()); });
+    Grown next = grown(before, [&] { return carried_on(tip, last, *place, std::move(longer)); });
+    go_on_in(std::move(next.scene), next.growth);
+    extensions_seen_ = model_.extensions().size();
+    return true;
+  } catch (const crack::CannotGrow&) {
     return false;
   }
-  next->evolution->stop_line(tip, crack::TipState::carried_on);
-  fracture::Growth growth{1, load_factor(), 0, 0, {last}};
-  fracture::CrackExtension& e = growth.extensions.front();
-  e.from_x = to.x(), e.from_y = to.y(), e.x = place->x(), e.y = place->y();
-  e.angle = 0, e.length = (*place - to).norm(), e.load_factor = load_factor();
-  e.crack_length = length_of(scene_.cracks()[number]), e.state = crack::TipState::grows;
-  e.released_energy = next->evolution->released_by_growth();
-  for (const regions::TipValues& found : tips_of(*next, regions::TipDetail::factors))
+}
+
+// Scene in which a line has continued to `place` in boundary elements, with its growth entered in the history.
+Grown ElementCarrier::carried_on(const crack::TipId& tip, const crack::Extension& last, const Point& place,
+                                 std::vector<scene::Crack> longer) {
+  const auto number = static_cast<std::size_t>(tip.crack) - 1;
+  const double load_factor = model_.load_factor();
+  Grown next;
+  next.scene = model_.with_cracks(std::move(longer), on_way_);
+  next.scene->evolution->stop_line(tip, crack::TipState::carried_on);
+  next.tips = model_.tips_of(*next.scene, regions::TipDetail::factors);
+  next.growth = {1, load_factor, 0, 0, {last}};
+  fracture::CrackExtension& e = next.growth.extensions.front();
+  const Point from(last.x, last.y);
+  e.from_x = from.x(), e.from_y = from.y(), e.angle = 0, e.load_factor = load_factor;
+  crack::arrive(e, place, (place - from).norm(), crack::TipState::grows);
+  e.crack_length = length_of(model_.scene_.cracks()[number]);
+  e.released_energy = next.scene->evolution->released_by_growth();
+  for (const regions::TipValues& found : next.tips)
     if (found.crack == tip.crack && found.end == tip.end) e.rate_after = found.energy_release_rate;
-  const double thickness =
-      scene_.material_of(next->discretization.cracks[number].region_at(tip.end)).elasticity.thickness;
-  e.surface_energy = growth.surface_energy = e.resistance * e.length * thickness;
-  next->evolution->book(growth);
-  if (!run.stepping.elements) run.cracks = before;
-  go_on_in(std::move(next), growth, tips, run);
-  run.stepping.elements = &tips;
-  run.extensions_seen = prepared_->evolution->progress().extensions.size();
-  return true;
+  const int region = next.scene->discretization.cracks[number].region_at(tip.end);
+  const double thickness = model_.scene_.material_of(region).elasticity.thickness;
+  e.surface_energy = next.growth.surface_energy = e.resistance * e.length * thickness;
+  next.scene->evolution->book(next.growth);
+  return next;
 }
 
 // Scene with the growth of a saved state; null if the present scene has it already. Cracks are extended event by event
