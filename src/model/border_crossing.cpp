@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <map>
 #include <optional>
 #include <span>
 #include <tuple>
@@ -78,13 +77,26 @@ fracture::CrackExtension last_of(const crack::TipId& tip, std::span<const fractu
   return found == extensions.rend() ? fracture::CrackExtension{} : *found;
 }
 
-// Adds the places to a crack that a line has reached at one end and that it does not have yet.
-void extend_by_line(scene::Crack& crack, const crack::TipId& tip,
-                    std::span<const fracture::CrackExtension> extensions) {
+// The crack of a tip, also if it has begun in the run. Such cracks have the numbers after those of the scene; the ones
+// that stay in their lattices have no points there, since the run knows their paths.
+scene::Crack& crack_of(const crack::TipId& tip, std::vector<scene::Crack>& cracks) {
+  const auto number = static_cast<std::size_t>(tip.crack) - 1;
+  if (number >= cracks.size()) cracks.resize(number + 1, scene::Crack{{}, 0, 0, true});
+  return cracks[number];
+}
+
+// The crack of a line with all places that the line has reached, at both ends if it has begun in the run.
+scene::Crack& with_line(std::vector<scene::Crack>& cracks, const crack::TipId& line,
+                        std::span<const fracture::CrackExtension> extensions) {
+  scene::Crack& crack = crack_of(line, cracks);
+  const bool is_new = crack.points.empty();
   const std::vector<Point> known = crack.points;
-  for (const fracture::CrackExtension& e : extensions)
-    if (e.tip() == tip && std::find(known.begin(), known.end(), Point(e.x, e.y)) == known.end())
-      extend(crack, tip.end, {e.x, e.y});
+  for (const fracture::CrackExtension& e : extensions) {
+    if (e.crack != line.crack || (!is_new && e.end != line.end)) continue;
+    if (crack.points.empty()) crack.points.emplace_back(e.from_x, e.from_y);
+    if (std::find(known.begin(), known.end(), Point(e.x, e.y)) == known.end()) extend(crack, e.end, {e.x, e.y});
+  }
+  return crack;
 }
 
 }  // namespace
@@ -96,8 +108,7 @@ bool leaves_lattice(const fracture::CrackExtension& e, const scene::Scene& scene
   double horizons = 0;  // in spacings
   for (const auto& region : d.regions)
     if (const auto grid = region->lattice_grid()) horizons = std::max(horizons, grid->horizon / grid->spacing);
-  return e.crack <= static_cast<int>(scene.cracks().size()) &&
-         tip_behind_border(scene, e, near_elements * horizons, d.tolerance).has_value();
+  return tip_behind_border(scene, e, near_elements * horizons, d.tolerance).has_value();
 }
 
 // Crack lines that have come to a border since the last call.
@@ -136,16 +147,13 @@ bool ElementCarrier::take_over_lines(bool run_ends) {
 // the line's path, whose bonds are broken already, and by a piece behind the interface.
 bool ElementCarrier::cross_border(const crack::TipId& tip) {
   const std::vector<scene::Crack> before = model_.scene_.cracks();
-  const auto number = static_cast<std::size_t>(tip.crack) - 1;
-  if (number >= before.size()) return false;  // a crack that has begun in the run
   const fracture::CrackExtension last = last_of(tip, model_.extensions());
   constexpr double far = 16;  // spacings: leaves_lattice() has said that it is near
   const std::optional<Point> place =
       tip_behind_border(model_.scene_, last, far, model_.prepared_->discretization.tolerance);
   if (!place) return false;
   std::vector<scene::Crack> longer = before;
-  extend_by_line(longer[number], tip, model_.extensions());
-  extend(longer[number], tip.end, *place);
+  extend(with_line(longer, tip, model_.extensions()), tip.end, *place);
   try {
     Grown next = grown(before, [&] { return carried_on(tip, last, *place, std::move(longer)); });
     go_on_in(std::move(next.scene), next.growth);
@@ -194,7 +202,6 @@ std::unique_ptr<PreparedScene> Model::as_grown(const std::vector<fracture::Crack
     });
   };
   const auto among_bonds = [&](const auto& e) {
-    if (e.crack > static_cast<int>(scene_.cracks().size())) return true;  // those that begin in a run stay there
     return !lies_in_elements(e.from_x, e.from_y) && !lies_in_elements(e.x, e.y);
   };
   const auto place = [](const fracture::CrackExtension& e) { return std::tuple(e.crack, e.end, e.x, e.y); };
@@ -205,19 +212,18 @@ std::unique_ptr<PreparedScene> Model::as_grown(const std::vector<fracture::Crack
   if (std::equal(present.begin(), present.end(), wanted.begin(), wanted.end(), same)) return nullptr;
   std::vector<scene::Crack> cracks;
   for (const scene::Crack& crack : scene_.cracks())
-    cracks.push_back({{crack.given().begin(), crack.given().end()}, 0, 0});
+    if (!crack.has_begun) cracks.push_back({{crack.given().begin(), crack.given().end()}, 0, 0});
+  const std::size_t described = cracks.size();
   scene_.set_cracks(cracks);
   std::unique_ptr<PreparedScene> grown = build(nullptr);
-  std::map<std::pair<int, int>, std::vector<Point>> bonded;  // by crack and end
   std::size_t left = wanted.size();
   for (std::size_t k = 0; k < extensions.size(); ++k) {
     const fracture::CrackExtension& e = extensions[k];
-    std::vector<Point>& path = bonded[{e.crack, e.end}];
-    path.emplace_back(e.x, e.y);
     if (among_bonds(e)) continue;
-    require(e.crack <= static_cast<int>(cracks.size()) && !cracks[static_cast<std::size_t>(e.crack) - 1].points.empty(),
+    const auto number = static_cast<std::size_t>(e.crack) - 1;
+    require(number < described ? !cracks[number].points.empty() : number < described + extensions.size(),
             "the state's extensions are of crack ", e.crack, ", which the scene does not have; its bytes were altered");
-    for (const Point& to : std::exchange(path, {})) extend(cracks[static_cast<std::size_t>(e.crack) - 1], e.end, to);
+    with_line(cracks, e.tip(), std::span(extensions).first(k + 1));
     --left;
     if (left > 0 && wanted[wanted.size() - left].event == e.event) continue;
     scene_.set_cracks(cracks);

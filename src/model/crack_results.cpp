@@ -214,8 +214,8 @@ int Model::crack_count() const {
 std::vector<PathVertex> Model::crack_path(int crack) const {
   const auto described = static_cast<int>(scene_.cracks().size());
   if (crack < 1 || crack > crack_count()) scene_.crack(crack);  // throws
-  if (crack > described) return path_of(crack, {}, extensions());
   const auto number = static_cast<std::size_t>(crack) - 1;
+  if (crack > described || scene_.cracks()[number].has_begun) return path_of(crack, {}, extensions());
   const bool in_lattice = prepared_ && prepared_->discretization.cracks[number].cuts_bonds();
   const scene::Crack& found = in_lattice ? prepared_->in_lattices.cracks[number] : scene_.cracks()[number];
   if (found.points.empty()) return {};
@@ -238,7 +238,8 @@ std::vector<std::vector<Point>> Model::paths_in_lattices() const {
   const std::vector<regions::PartedCrack>& cracks = prepared_->discretization.cracks;
   std::vector<std::vector<Point>> paths(static_cast<std::size_t>(crack_count()));
   for (std::size_t c = 0; c < paths.size(); ++c)
-    if (c >= cracks.size() || cracks[c].cuts_bonds()) paths[c] = places_of(crack_path(static_cast<int>(c) + 1));
+    if (c >= cracks.size() || cracks[c].parts.empty() || cracks[c].cuts_bonds())
+      paths[c] = places_of(crack_path(static_cast<int>(c) + 1));
   return paths;
 }
 
