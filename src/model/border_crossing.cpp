@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <optional>
+#include <ranges>
 #include <span>
 #include <tuple>
 #include <utility>
@@ -85,9 +86,37 @@ scene::Crack& crack_of(const crack::TipId& tip, std::vector<scene::Crack>& crack
   return cracks[number];
 }
 
+// Removes the point at an end of a crack.
+void shorten(scene::Crack& crack, int end) {
+  crack.points.erase(end == 0 ? crack.points.begin() : crack.points.end() - 1);
+  const bool at_start = end == 0 ? crack.grown_at_start > 0 : crack.grown_at_end == 0;
+  --(at_start ? crack.grown_at_start : crack.grown_at_end);
+}
+
+// Ends a crack that has begun in the run where it leaves the body: a line goes on to the end of its step.
+void end_at_outline(scene::Crack& crack, int end, const scene::Scene& scene, double tolerance) {
+  const std::vector<int> ids = scene.region_ids();
+  const auto is_outside = [&](const Point& place) {
+    return std::ranges::none_of(ids, [&](int id) { return is_in(scene, id, place, tolerance); });
+  };
+  const auto next_to_end = [&] { return end == 0 ? crack.points[1] : crack.points.end()[-2]; };
+  while (crack.points.size() > 2 && is_outside(next_to_end())) shorten(crack, end);
+  Point& last = end == 0 ? crack.points.front() : crack.points.back();
+  if (!is_outside(last)) return;
+  const Edge way(next_to_end(), last);
+  double exit = 1;
+  for (const int id : ids)
+    for (const Edge& edge : edges_of(scene.region(id).outline()))
+      for (const Crossing& meeting : meeting_points(way, edge))
+        if (is_outside(way.at(meeting.fraction_a + 10 * tolerance / way.length())))
+          exit = std::min(exit, meeting.fraction_a);
+  last = way.at(exit);
+}
+
 // The crack of a line with all places that the line has reached, at both ends if it has begun in the run.
 scene::Crack& with_line(std::vector<scene::Crack>& cracks, const crack::TipId& line,
-                        std::span<const fracture::CrackExtension> extensions) {
+                        std::span<const fracture::CrackExtension> extensions, const scene::Scene& scene,
+                        double tolerance) {
   scene::Crack& crack = crack_of(line, cracks);
   const bool is_new = crack.points.empty();
   const std::vector<Point> known = crack.points;
@@ -96,6 +125,8 @@ scene::Crack& with_line(std::vector<scene::Crack>& cracks, const crack::TipId& l
     if (crack.points.empty()) crack.points.emplace_back(e.from_x, e.from_y);
     if (std::find(known.begin(), known.end(), Point(e.x, e.y)) == known.end()) extend(crack, e.end, {e.x, e.y});
   }
+  if (is_new)
+    for (const int end : {0, 1}) end_at_outline(crack, end, scene, tolerance);
   return crack;
 }
 
@@ -149,11 +180,11 @@ bool ElementCarrier::cross_border(const crack::TipId& tip) {
   const std::vector<scene::Crack> before = model_.scene_.cracks();
   const fracture::CrackExtension last = last_of(tip, model_.extensions());
   constexpr double far = 16;  // spacings: leaves_lattice() has said that it is near
-  const std::optional<Point> place =
-      tip_behind_border(model_.scene_, last, far, model_.prepared_->discretization.tolerance);
+  const double tolerance = model_.prepared_->discretization.tolerance;
+  const std::optional<Point> place = tip_behind_border(model_.scene_, last, far, tolerance);
   if (!place) return false;
   std::vector<scene::Crack> longer = before;
-  extend(with_line(longer, tip, model_.extensions()), tip.end, *place);
+  extend(with_line(longer, tip, model_.extensions(), model_.scene_, tolerance), tip.end, *place);
   try {
     Grown next = grown(before, [&] { return carried_on(tip, last, *place, std::move(longer)); });
     go_on_in(std::move(next.scene), next.growth);
@@ -202,7 +233,8 @@ std::unique_ptr<PreparedScene> Model::as_grown(const std::vector<fracture::Crack
     });
   };
   const auto among_bonds = [&](const auto& e) {
-    return !lies_in_elements(e.from_x, e.from_y) && !lies_in_elements(e.x, e.y);
+    const bool has_stopped = e.state == crack::TipState::at_interface;  // a line, perhaps a little behind the border
+    return !lies_in_elements(e.from_x, e.from_y) && (has_stopped || !lies_in_elements(e.x, e.y));
   };
   const auto place = [](const fracture::CrackExtension& e) { return std::tuple(e.crack, e.end, e.x, e.y); };
   const auto same = [&](const auto& a, const auto& b) { return place(a) == place(b); };
@@ -223,7 +255,7 @@ std::unique_ptr<PreparedScene> Model::as_grown(const std::vector<fracture::Crack
     const auto number = static_cast<std::size_t>(e.crack) - 1;
     require(number < described ? !cracks[number].points.empty() : number < described + extensions.size(),
             "the state's extensions are of crack ", e.crack, ", which the scene does not have; its bytes were altered");
-    with_line(cracks, e.tip(), std::span(extensions).first(k + 1));
+    with_line(cracks, e.tip(), std::span(extensions).first(k + 1), scene_, prepared_->discretization.tolerance);
     --left;
     if (left > 0 && wanted[wanted.size() - left].event == e.event) continue;
     scene_.set_cracks(cracks);

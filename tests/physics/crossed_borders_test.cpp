@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <optional>
 
 #include "host.hpp"
 
@@ -136,7 +137,9 @@ TEST(CrossedBorders, from_a_lattice_into_elements) {
   EXPECT_EQ(again.back().load_factor, found.back().load_factor);
 }
 
-int32_t refuse_many(double, int64_t events, int64_t, void* most) { return events > *static_cast<int64_t*>(most) ? 1 : 0; }
+int32_t refuse_many(double, int64_t events, int64_t, void* most) {
+  return events > *static_cast<int64_t*>(most) ? 1 : 0;
+}
 
 // A step that is cancelled behind the border leaves the model where it was before it, with all that is known of its
 // cracks. It used to leave it at the border.
@@ -190,13 +193,15 @@ Model plate_with_hole(bool lattice, const std::vector<Vector>& crack) {
     model.fix(region, 1, BEMPD_Y);
     model.prescribe(region, 3, BEMPD_Y, 0, 1);
   };
-  const int32_t left = lattice ? model.pd(id, rectangle(0, 0, border, height), 1, 3)
-                               : model.bem(id, rectangle(0, 0, width, height), 3);
+  const int32_t left =
+      lattice ? model.pd(id, rectangle(0, 0, border, height), 1, 3) : model.bem(id, rectangle(0, 0, width, height), 3);
   model.circular_hole(left, {9, 16.5}, 4);
   pull(left);
   if (lattice) pull(model.bem(id, rectangle(border, 0, width, height), 3));
   model.fix_point({0, 0}, BEMPD_X);
-  if (!crack.empty()) model.crack(crack);
+  if (crack.empty()) return model;
+  model.crack(crack);
+  model.crack({{0, 15.8}, {5, 16.5}});  // the other one that begins, from the hole to the edge
   return model;
 }
 
@@ -215,10 +220,10 @@ std::vector<bempd_crack_extension> extensions_of(Model& model) {
 // Cracks that begin at a hole of a lattice run on in boundary elements, with the loads of described ones.
 TEST(CrossedBorders, a_crack_that_has_begun_in_the_run_goes_on_in_elements) {
   Model model = plate_with_hole(true, {});
-  SavedState first;
+  std::optional<SavedState> first;
   while (model.next_event(1e9).stop_reason == BEMPD_STOP_EVENT) {
     const std::vector<bempd_crack_extension> grown = extensions_of(model);
-    if (!first && grown.back().x > 16) first = model.save();
+    if (!first && grown.back().x > 16) first.emplace(model.save());
     if (grown.back().x > 36) break;
   }
   const std::vector<bempd_crack_extension> grown = extensions_of(model);
@@ -243,11 +248,20 @@ TEST(CrossedBorders, a_crack_that_has_begun_in_the_run_goes_on_in_elements) {
     path.push_back({e.x, e.y});
   }
   EXPECT_GT(compared, 2);
-  EXPECT_LT(worst, 0.01);
+  EXPECT_LT(worst, 5e-3);
   // Its path is one, and a state before the border brings it again.
   int64_t vertices = 0;
   model.check(bempd_crack_path_count(model.get(), crack, &vertices));
   EXPECT_EQ(vertices, static_cast<int64_t>(path.size()));
+  const double last = grown.back().load_factor;
+  const SavedState late = model.save();
+  model.restore(*first);
+  ASSERT_LT(extensions_of(model).back().x, 20);
+  while (extensions_of(model).size() < grown.size()) model.next_event(1e9);
+  EXPECT_EQ(extensions_of(model).back().load_factor, last);
+  Model fresh = plate_with_hole(true, {});
+  fresh.restore(late);
+  EXPECT_EQ(fresh.next_event(1e9).load_factor, model.next_event(1e9).load_factor);
 }
 
 // A piece with bonds and elements that is cut off while the load is so large that it has moved by many times its size:
