@@ -98,7 +98,7 @@ crack::Advance ElementCarrier::advance(const crack::Step& step) {
   }
 }
 
-// Of several tips that were to grow together, those that cannot grow alone either.
+// Finds the tips that cannot grow alone either, out of several that were to grow together.
 std::vector<crack::TipId> ElementCarrier::tips_that_cannot_grow(const Growing& growing,
                                                                 const std::vector<scene::Crack>& before) {
   std::vector<crack::TipId> stopped;

@@ -249,7 +249,7 @@ TEST(CrossedBorders, a_crack_that_has_begun_in_the_run_goes_on_in_elements) {
   }
   EXPECT_GT(compared, 2);
   EXPECT_LT(worst, 5e-3);
-  // Its path is one, and a state before the border brings it again.
+  // The crack has one path, which a state from before the border brings again.
   int64_t vertices = 0;
   model.check(bempd_crack_path_count(model.get(), crack, &vertices));
   EXPECT_EQ(vertices, static_cast<int64_t>(path.size()));

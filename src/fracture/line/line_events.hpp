@@ -8,11 +8,11 @@
 
 namespace bempd::fracture {
 
-// Source of the steps of cracks that grow as lines in lattices. The tip that first reaches its toughness grows by a spacing in the
-// direction of maximum hoop stress, and all bonds across this step break at one event, whatever the lattice. The load
-// factor is corrected by the energy that the last steps released, so that the growth absorbs the fracture energy.
-// Away from tips, a crack begins where a bond reaches its critical stretch: a line of one spacing through its middle,
-// across the largest principal stress, with a tip at both ends.
+// Source of the steps of cracks that grow as lines in lattices. The tip that first reaches its toughness grows by a
+// spacing in the direction of maximum hoop stress, and all bonds across this step break at one event, whatever the
+// lattice. The load factor is corrected by the energy that the last steps released, so that the growth absorbs the
+// fracture energy. Away from tips, a crack begins where a bond reaches its critical stretch: a line of one spacing
+// through its middle, across the largest principal stress, with a tip at both ends.
 class LineEvents final : public EventSource {
  public:
   LineEvents(LoadedBody& body, WholeBodyEvents& whole_body, pd::TipLaws laws);
