@@ -24,7 +24,6 @@ bempd_stop_reason stop_reason(fracture::StopReason reason) {
     case fracture::StopReason::crack_stopped:
       return BEMPD_STOP_CRACK_STOPPED;
     case fracture::StopReason::load_factor:
-    case fracture::StopReason::growth:  // no step ends so
       break;
   }
   return BEMPD_STOP_LOAD_FACTOR;

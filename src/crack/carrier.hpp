@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "crack/extension.hpp"
 #include "crack/growth_law.hpp"
 #include "crack/order.hpp"
 
@@ -28,10 +29,23 @@ inline GrowthRange common_range(std::span<const Tip> tips) {
   return common;
 }
 
+// Step that a tip is to take at the present load factor.
+struct Step {
+  TipId tip;
+  int ties = 0;       // others that would have grown as soon
+  double length = 0;  // of the extension [m]; 0: the carrier chooses
+};
+
+// What has become of a step.
+struct Advance {
+  std::vector<Extension> extensions;  // of the tips that have grown; none if no tip can
+  bool has_stopped = false;           // whether a crack has stopped, at an interface or because it cannot grow
+};
+
 // Carrier: a part of the model that contains cracks and lets them grow. It is made of lattices, in which a crack is a
-// line that cuts bonds (fracture/line), or of boundary elements along the crack faces (model/element_tips). The run
-// asks every carrier for candidates, chooses by order.hpp the tip that grows first, whichever carries it, and lets that
-// one grow.
+// line that cuts bonds (fracture/line_carrier), or of boundary elements along the crack faces (model/element_carrier).
+// The run (fracture/event_loop) asks the carriers for candidates, chooses by order.hpp the tip that grows first,
+// whichever carries it, and lets that carrier advance it.
 class Carrier {
  public:
   Carrier() = default;
@@ -44,6 +58,12 @@ class Carrier {
   // Candidates for growth on the load path `way`: tips with the load factors at which they grow. Tips that do not grow
   // on it are left out.
   virtual std::vector<Candidate> candidates(const LoadWay& way) = 0;
+  // Lets a candidate grow at the present load factor: bonds are cut, or the run goes on in a body with more elements.
+  // The growth is an event of the run's history. Throws FreesLoadedPart.
+  virtual Advance advance(const Step& step) = 0;
+  // Openings of a crack at fractions of its length: displacement of its left face less that of its right face, as
+  // tangential and normal component [m]. NaN where the crack lies elsewhere.
+  virtual std::vector<Point> openings(int crack, const std::vector<double>& fractions) = 0;
 };
 
 }  // namespace bempd::crack

@@ -9,6 +9,7 @@
 #include "coupling/equilibrium_system.hpp"
 #include "fracture/event_sources.hpp"
 #include "fracture/evolution_state.hpp"
+#include "fracture/line_carrier.hpp"
 #include "fracture/loaded_body.hpp"
 #include "fracture/stepping_options.hpp"
 
@@ -39,8 +40,7 @@ enum class StopReason {
   no_admissible_load,
   no_equilibrium,
   requested,
-  crack_stopped,
-  growth  // a tip with elements grows next, at the load factor that was reached; no step of a host ends so
+  crack_stopped
 };
 
 // Quasi-static growth of cracks. Between two breaks the response is linear in the load factor, so the next break is
@@ -56,8 +56,9 @@ class CrackEvolution {
                  std::vector<double> critical_stretch, const std::vector<int>& cut,
                  std::vector<std::vector<int>> reaction_dofs, ContactPlan contact = {});
 
-  // Lets cracks grow as lines from these tips, by the laws that they refer to; called before the first step.
-  void grow_lines(pd::TipLaws laws, std::vector<GrowingTip> tips);
+  // Lets cracks grow as lines from these tips, by the laws that they refer to; called before the first step. `openings`
+  // finds the openings of cracks in lattices.
+  void grow_lines(pd::TipLaws laws, std::vector<GrowingTip> tips, LineCarrier::Openings openings);
 
   // Adds the fluid that carries pressures into cracks among bonds; called before the first loads.
   void add_crack_fluid(CrackFluid fluid) { body_.add_crack_fluid(std::move(fluid)); }
@@ -103,33 +104,19 @@ class CrackEvolution {
   FaceLoads load_faces(coupling::Affine offsets);
   void unload_faces(FaceLoads loads) noexcept;
 
-  // Runs to a target or goal. `on_event` is called after every event, `on_end` at the end. If they throw, or after any
-  // other failure, the run returns to where it was.
+  // Runs to a target or goal (event_loop.hpp). `on_event` is called after every event, `on_end` at the end. If they
+  // throw, or after any other failure, the run returns to where it was.
   StopReason advance(double target, Goal goal, const SteppingOptions& options,
                      const std::function<void(const EvolutionState&)>& on_event, const std::function<void()>& on_end);
 
   // Finds the equilibrium under the present loads at the present load factor.
   void find_equilibrium();
 
-  // Tip that grows next after StopReason::growth, and the number of tips that tie with it.
-  struct Due {
-    crack::TipId tip;
-    int ties = 0;
-  };
-  const Due& due() const { return due_; }
-
-  // Returns the run to its state before the advance() that ended with StopReason::growth; only called directly after
-  // it.
-  void take_back() noexcept;
-
   // Stops a tip of a crack line: it has come to an interface, or its crack continues in boundary elements.
   void stop_line(const crack::TipId& tip, crack::TipState state = crack::TipState::at_interface);
 
-  // Ends the step after StopReason::growth if the tips that were due cannot grow: they are stopped.
-  void end_with_stopped(const std::vector<crack::TipId>& tips, const std::function<void()>& on_end);
-
-  // Notes that the body is separated: the next event leads to no equilibrium.
-  void note_separation() { state_.separated = true; }
+  // Stops tips with boundary elements that cannot grow.
+  void stop(const std::vector<crack::TipId>& tips);
 
   // Continues the run of another body (`before`) whose cracks have grown since, at its load factor. `node_before` maps
   // each node to the one at the same place before, or a close one. `entering` are tips that have entered a lattice.
@@ -157,6 +144,8 @@ class CrackEvolution {
     look();
     return sources_.continuation();
   }
+  // Brings displacements and forces up to date for the run itself.
+  void bring_up_to_date() { sources_.bring_up_to_date(); }
   // State without an up-to-date solution: numbers, bonds and history are right, displacements and forces may be those
   // of an earlier event.
   const EvolutionState& progress() const { return state_; }
@@ -184,13 +173,8 @@ class CrackEvolution {
   bool can_have(const GrownFace& face) const { return body_.faces().can_have(face); }
   double seconds_search() { return body_.seconds_search(); }
 
-  // Whether cracks in lattices grow as lines; and the tips of these lines with their next growth under the present
-  // loads.
-  bool grows_lines() { return sources_.lines() != nullptr; }
-  std::vector<crack::Tip> tips_of_lines() {
-    look();
-    return sources_.lines() ? sources_.lines()->tips() : std::vector<crack::Tip>();
-  }
+  // Carrier of the crack lines; null if cracks in lattices grow bond by bond.
+  LineCarrier* lines() { return lines_ ? &*lines_ : nullptr; }
 
   // Range of load factors in which nothing breaks, for the present bonds and loads.
   LoadInterval admissible_load_factors() {
@@ -206,6 +190,9 @@ class CrackEvolution {
   bool energies_are_lost() const;
 
  private:
+  friend class EventLoop;
+  friend class LineCarrier;
+
   void look() {
     sources_.refresh();
     sources_.show();
@@ -218,12 +205,17 @@ class CrackEvolution {
   };
 
   Start start() const { return {state_, state_.history.size(), state_.extensions.size()}; }
-  StopReason run(double target, Goal goal, const SteppingOptions& options,
-                 const std::function<void(const EvolutionState&)>& on_event);
+  LineEvents& looked_at_lines() {
+    look();
+    return *sources_.lines();
+  }
+  void begin_call(const SteppingOptions& options);
+  const Event* next(double target, const SteppingOptions& options);
+  void move_to(double load_factor);
   std::optional<StopReason> why_there_is_none(Goal goal, const SteppingOptions& options);
   bool has_come_apart(const Event* next, double target, const SteppingOptions& options);
-  bool perform(const Event& event, const SteppingOptions& options, bool keep_what_was_reached);
-  StopReason go_to_growth(const Event& growth);
+  void perform_and_book(const Event& event);
+  bool perform_if_possible(const Event& event);
   double potential_at(double load_factor) const;
   LoadedBody::FirstEquilibrium find_equilibrium_of_pieces();
   void take_over_faces(const CrackFaces& before, const FaceState& old);
@@ -236,8 +228,8 @@ class CrackEvolution {
   // Least scale of the energies that within() returns: where the parts of the loads cancel, these are known only up to
   // a share of the energies of the parts.
   double least_scale_within(double load_factor) const;
-  double work_that_moves(const Event& event, const Outcome& outcome, const SteppingOptions& options);
-  void book(const Event& event, const Outcome& outcome, const SteppingOptions& options);
+  double work_that_moves(const Event& event, const Outcome& outcome);
+  void book(const Event& event, const Outcome& outcome);
   void book_lines(const Outcome& outcome, double released_energy);
   void pass(const Outcome& outcome);
   void find_lost_work(double stored_energy);
@@ -255,9 +247,10 @@ class CrackEvolution {
   EventSources sources_;
   std::vector<pd::CrackLength> lengths_;  // of the cracks that the host described
   std::vector<int> held_;
-  std::optional<Start> start_;  // of an advance() that ended where other tips grow
-  Due due_;
-  Outcome growth_;  // of the growth that is to be booked
+  std::optional<LineCarrier> lines_;
+  const Event* next_ = nullptr;               // in the present run
+  SteppingMode mode_ = SteppingMode::events;  // likewise
+  Outcome growth_;                            // of the growth that is to be booked
   Eigen::Matrix2d work_within_ = Eigen::Matrix2d::Zero();
 };
 

@@ -31,8 +31,8 @@ class EventSources {
   const Event* next(double target, const SteppingOptions& options);
   Outcome perform();
 
-  // Carrier of the crack lines, for a state that is up to date; null if cracks grow bond by bond.
-  crack::Carrier* lines() {
+  // Source of the steps of crack lines, for a state that is up to date; null if cracks grow bond by bond.
+  LineEvents* lines() {
     if (!lines_) return nullptr;
     lines_->look(window_.is_open());
     return &*lines_;

@@ -12,8 +12,8 @@ namespace bempd::fracture {
 
 // Excess work of an event out of equilibrium: the part of the loads' work that the bonds do not absorb. It becomes
 // kinetic energy, so it counts neither as released by breaking nor as work of a quasi-static run.
-double CrackEvolution::work_that_moves(const Event& event, const Outcome& outcome, const SteppingOptions& options) {
-  if (options.mode != SteppingMode::events || !event.is_out_of_balance()) {
+double CrackEvolution::work_that_moves(const Event& event, const Outcome& outcome) {
+  if (mode_ != SteppingMode::events || !event.is_out_of_balance()) {
     state_.work_out_of_balance = 0;
     return 0;
   }
@@ -23,8 +23,8 @@ double CrackEvolution::work_that_moves(const Event& event, const Outcome& outcom
   return moved;
 }
 
-void CrackEvolution::book(const Event& event, const Outcome& outcome, const SteppingOptions& options) {
-  const double moved = work_that_moves(event, outcome, options);
+void CrackEvolution::book(const Event& event, const Outcome& outcome) {
+  const double moved = work_that_moves(event, outcome);
   state_.work += outcome.work_before;
   find_lost_work(outcome.stored_energy_before);
   HistoryEntry line;

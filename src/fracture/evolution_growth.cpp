@@ -20,19 +20,6 @@ void CrackEvolution::forget_lines(const Start& start) noexcept {
   state_.extensions.resize(start.extensions_size);
 }
 
-StopReason CrackEvolution::go_to_growth(const Event& growth) {
-  due_ = {growth.tip, growth.ties};
-  state_.work = in_range(state_.work + body_.move_to(growth.load_factor));
-  measure_work();
-  return StopReason::growth;
-}
-
-void CrackEvolution::take_back() noexcept {
-  if (!start_) return;
-  return_to(*start_);
-  start_.reset();
-}
-
 void CrackEvolution::return_to(const Start& start) noexcept {
   forget_lines(start);
   sources_.return_to_mark();
@@ -48,12 +35,8 @@ void CrackEvolution::stop_line(const crack::TipId& tip, crack::TipState state) {
   if (last != state_.extensions.rend()) last->state = crack::TipState::at_interface;
 }
 
-void CrackEvolution::end_with_stopped(const std::vector<crack::TipId>& tips, const std::function<void()>& on_end) {
+void CrackEvolution::stop(const std::vector<crack::TipId>& tips) {
   state_.stopped.insert(state_.stopped.end(), tips.begin(), tips.end());
-  end_step();
-  if (on_end) on_end();
-  start_.reset();
-  sources_.drop_mark();
 }
 
 namespace {
@@ -240,7 +223,7 @@ void CrackEvolution::book(const Growth& growth) {
   growth_.bond_energy = growth.surface_energy;
   growth_.ties = growth.ties;
   growth_.critical_stored_energy = body_.stored_energy_at(event.critical_load_factor);
-  book(event, growth_, {});
+  book(event, growth_);
   for (const CrackExtension& extension : growth.extensions) {
     state_.extensions.push_back(extension);
     state_.extensions.back().event = state_.events;

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <set>
 
-#include "crack/carrier.hpp"
+#include "fracture/body_carrier.hpp"
 
 namespace bempd::fracture {
 
@@ -26,13 +26,12 @@ struct SteppingOptions {
   double tie_band = 1e-3;
   int max_breaks_per_solve = 0;  // 0: no limit
   std::int64_t max_events = 10'000'000;
-  std::int64_t events_so_far = 0;  // of these, where the run of a host goes on in another body
-  bool window = true;              // compute events ahead in a window around what breaks, where that is possible
-  double window_ahead = 0;         // of a crack tip, in lattice spacings; 0: chosen
+  bool window = true;       // compute events ahead in a window around what breaks, where that is possible
+  double window_ahead = 0;  // of a crack tip, in lattice spacings; 0: chosen
   Control control = Control::load;
   double separation_share = 0;  // of the largest resistance: what is left of the load's connection counts for nothing
   bool leaves_fresh = false;    // a step that changes the system leaves no factor behind, as a saved state does
-  crack::Carrier* elements = nullptr;       // of cracks with boundary elements; null: none of them may grow
+  BodyCarrier* elements = nullptr;          // of cracks with boundary elements; null: none of them may grow
   std::set<crack::TipId> frozen{};          // tips that the host keeps where they are
   const std::atomic<bool>* stop = nullptr;  // where a host asks for the end of the step; null: nowhere
 };

@@ -1,6 +1,6 @@
 #include <algorithm>
-#include <map>
 #include <optional>
+#include <ranges>
 #include <span>
 #include <tuple>
 #include <utility>
@@ -9,6 +9,7 @@
 #include "geometry/outline.hpp"
 #include "model/crack_way.hpp"
 #include "model/driven_growth.hpp"
+#include "model/element_carrier.hpp"
 #include "model/model.hpp"
 
 // Crack lines that leave their lattice continue in the boundary elements behind it.
@@ -22,9 +23,12 @@ constexpr double into_elements = 1.5;
 // Least room ahead of the first tip with elements, in spacings; with less, the line stops at the interface.
 constexpr double room_in_elements = 0.5;
 
-// Distance from the interface, in horizons, below which the stress points ahead of a line no longer give the load on
-// its tip; the line then continues in elements at once (docs/mixed_cracks.md).
-constexpr double near_elements = 2;
+// Distances from the interface, in horizons, below which the stress points ahead of a line no longer give the load on
+// its tip: on its way, and the shortest one. The line then continues in elements at once (docs/mixed_cracks.md).
+constexpr double near_elements = 2, beside_elements = 1.5;
+
+// Smallest cosine of the angle between a line's way and the interface's normal that shortens the shortest distance.
+constexpr double least_cosine = 1.0 / 3;
 
 bool is_in(const scene::Scene& scene, int id, const Point& place, double tolerance) {
   return locate(scene.region(id).outline(), place, tolerance) != Location::outside;
@@ -44,21 +48,29 @@ bool is_at_border(const scene::Scene& scene, const fracture::CrackExtension& e, 
 }
 
 // Place of the first tip with elements of a line that leaves its lattice. The line's straight continuation has to
-// reach, within `spacings`, a straight interface with boundary elements of the same material. Empty if it does not.
-std::optional<Point> tip_behind_border(const scene::Scene& scene, const fracture::CrackExtension& e, double spacings,
+// reach a straight interface with boundary elements of the same material that is near: at most so many spacings away.
+// Empty if it does not.
+struct Near {
+  double on_the_way, shortest;
+};
+std::optional<Point> tip_behind_border(const scene::Scene& scene, const fracture::CrackExtension& e, const Near& near,
                                        double tolerance) {
   const Point from(e.from_x, e.from_y), to(e.x, e.y), along = (to - from).normalized();
   for (const int lattice : scene.region_ids()) {
     if (scene.region(lattice).has_elements() || !is_in(scene, lattice, from, tolerance)) continue;
     const double spacing = scene.region(lattice).resolution();
-    const Edge way(from, to + spacings * spacing * along);
-    double exit = 2;
+    const double farthest = std::max(near.on_the_way, near.shortest / least_cosine);
+    const Edge way(from, to + farthest * spacing * along);
+    double exit = 2, cosine = 1;
     bool straight = true;
     for (const Edge& edge : edges_of(scene.region(lattice).outline()))
       for (const Crossing& meeting : meeting_points(way, edge))
         if (meeting.fraction_a > 1e-9 && meeting.fraction_a < exit)
-          exit = meeting.fraction_a, straight = edge.straight();
+          exit = meeting.fraction_a, straight = edge.straight(),
+          cosine = std::abs(cross(along, (edge.end - edge.start).normalized()));
     if (exit > 1 || !straight) continue;
+    const double left = (way.at(exit) - to).dot(along) / spacing;
+    if (left > near.on_the_way && left * std::max(cosine, least_cosine) > near.shortest) continue;
     const Point behind = way.at(exit) + 0.1 * spacing * along, tip = way.at(exit) + into_elements * spacing * along;
     const Point far = tip + room_in_elements * spacing * along;
     for (const int id : scene.region_ids())
@@ -77,6 +89,58 @@ fracture::CrackExtension last_of(const crack::TipId& tip, std::span<const fractu
   return found == extensions.rend() ? fracture::CrackExtension{} : *found;
 }
 
+// The crack of a tip, also if it has begun in the run. Such cracks have the numbers after those of the scene; the ones
+// that stay in their lattices have no points there, since the run knows their paths.
+scene::Crack& crack_of(const crack::TipId& tip, std::vector<scene::Crack>& cracks) {
+  const auto number = static_cast<std::size_t>(tip.crack) - 1;
+  if (number >= cracks.size()) cracks.resize(number + 1, scene::Crack{{}, 0, 0, true});
+  return cracks[number];
+}
+
+// Removes the point at an end of a crack.
+void shorten(scene::Crack& crack, int end) {
+  crack.points.erase(end == 0 ? crack.points.begin() : crack.points.end() - 1);
+  const bool at_start = end == 0 ? crack.grown_at_start > 0 : crack.grown_at_end == 0;
+  --(at_start ? crack.grown_at_start : crack.grown_at_end);
+}
+
+// Ends a crack that has begun in the run where it leaves the body: a line goes on to the end of its step.
+void end_at_outline(scene::Crack& crack, int end, const scene::Scene& scene, double tolerance) {
+  const std::vector<int> ids = scene.region_ids();
+  const auto is_outside = [&](const Point& place) {
+    return std::ranges::none_of(ids, [&](int id) { return is_in(scene, id, place, tolerance); });
+  };
+  const auto next_to_end = [&] { return end == 0 ? crack.points[1] : crack.points.end()[-2]; };
+  while (crack.points.size() > 2 && is_outside(next_to_end())) shorten(crack, end);
+  Point& last = end == 0 ? crack.points.front() : crack.points.back();
+  if (!is_outside(last)) return;
+  const Edge way(next_to_end(), last);
+  double exit = 1;
+  for (const int id : ids)
+    for (const Edge& edge : edges_of(scene.region(id).outline()))
+      for (const Crossing& meeting : meeting_points(way, edge))
+        if (is_outside(way.at(meeting.fraction_a + 10 * tolerance / way.length())))
+          exit = std::min(exit, meeting.fraction_a);
+  last = way.at(exit);
+}
+
+// The crack of a line with all places that the line has reached, at both ends if it has begun in the run.
+scene::Crack& with_line(std::vector<scene::Crack>& cracks, const crack::TipId& line,
+                        std::span<const fracture::CrackExtension> extensions, const scene::Scene& scene,
+                        double tolerance) {
+  scene::Crack& crack = crack_of(line, cracks);
+  const bool is_new = crack.points.empty();
+  const std::vector<Point> known = crack.points;
+  for (const fracture::CrackExtension& e : extensions) {
+    if (e.crack != line.crack || (!is_new && e.end != line.end)) continue;
+    if (crack.points.empty()) crack.points.emplace_back(e.from_x, e.from_y);
+    if (std::find(known.begin(), known.end(), Point(e.x, e.y)) == known.end()) extend(crack, e.end, {e.x, e.y});
+  }
+  if (is_new)
+    for (const int end : {0, 1}) end_at_outline(crack, end, scene, tolerance);
+  return crack;
+}
+
 }  // namespace
 
 // Whether a tip of a crack line has come to a border with boundary elements, where it would run along the interface, or
@@ -86,68 +150,85 @@ bool leaves_lattice(const fracture::CrackExtension& e, const scene::Scene& scene
   double horizons = 0;  // in spacings
   for (const auto& region : d.regions)
     if (const auto grid = region->lattice_grid()) horizons = std::max(horizons, grid->horizon / grid->spacing);
-  return e.crack <= static_cast<int>(scene.cracks().size()) &&
-         tip_behind_border(scene, e, near_elements * horizons, d.tolerance).has_value();
+  return tip_behind_border(scene, e, {near_elements * horizons, beside_elements * horizons}, d.tolerance).has_value();
 }
 
-// Continues the lines that have come to a border in boundary elements. True if none of them has to stop (one that is
-// only near the border may also grow on in its lattice); lines that have to stop remain in run.stopped_lines.
-bool Model::go_on_in_elements(ElementTips& tips, DrivenRun& run) {
-  if (run.stopped_lines.empty()) return false;
-  const double tolerance = prepared_->discretization.tolerance;
-  std::erase_if(run.stopped_lines, [&](const crack::TipId& tip) {
-    return cross_border(tip, tips, run) || !is_at_border(scene_, last_of(tip, extensions()), tolerance);
-  });
-  if (!run.stopped_lines.empty()) return false;
-  stop_requested_ = false;
-  return true;
+// Crack lines that have come to a border since the last call.
+std::vector<crack::TipId> ElementCarrier::lines_at_border() {
+  std::vector<crack::TipId> lines;
+  const std::vector<fracture::CrackExtension>& all = body().progress().extensions;
+  for (; extensions_seen_ < all.size(); ++extensions_seen_) {
+    const fracture::CrackExtension& e = all[extensions_seen_];
+    if (!e.has_ended() && leaves_lattice(e, model_.scene_, model_.prepared_->discretization)) lines.push_back(e.tip());
+  }
+  return lines;
+}
+
+// A line that is only near the border, and cannot continue behind it, grows on in its lattice.
+bool ElementCarrier::take_over_lines(bool run_ends) {
+  std::vector<crack::TipId> lines = lines_at_border();
+  if (lines.empty()) return false;
+  body().bring_up_to_date();
+  const double tolerance = model_.prepared_->discretization.tolerance;
+  if (!run_ends)
+    std::erase_if(lines, [&](const crack::TipId& tip) {
+      return cross_border(tip) || !is_at_border(model_.scene_, last_of(tip, model_.extensions()), tolerance);
+    });
+  for (const crack::TipId& tip : lines) {
+    body().stop_line(tip);
+    Model::say([&] {
+      model_.log(1, text("crack ", tip.crack,
+                         " has come to the border of its lattice, where it cannot go on into a boundary "
+                         "element region; give the peridynamic region more room there if it should"));
+    });
+  }
+  return !lines.empty();
 }
 
 // Continues one line in the boundary elements behind its lattice; false if it cannot. The scene's crack is extended by
 // the line's path, whose bonds are broken already, and by a piece behind the interface.
-bool Model::cross_border(const crack::TipId& tip, ElementTips& tips, DrivenRun& run) {
-  const auto number = static_cast<std::size_t>(tip.crack) - 1;
-  const std::vector<scene::Crack> before = scene_.cracks();
-  if (number >= before.size()) return false;  // a crack that has begun in the run
-  std::vector<scene::Crack> longer = before;
-  const fracture::CrackExtension last = last_of(tip, extensions());
-  for (const fracture::CrackExtension& e : prepared_->evolution->progress().extensions) {
-    if (e.crack != tip.crack || e.end != tip.end) continue;
-    const std::vector<Point>& known = before[number].points;
-    if (std::find(known.begin(), known.end(), Point(e.x, e.y)) == known.end())
-      extend(longer[number], tip.end, {e.x, e.y});
-  }
-  const Point to(last.x, last.y);
-  constexpr double far = 16;  // spacings: leaves_lattice() has said that it is near
-  const std::optional<Point> place = tip_behind_border(scene_, last, far, prepared_->discretization.tolerance);
+bool ElementCarrier::cross_border(const crack::TipId& tip) {
+  const std::vector<scene::Crack> before = model_.scene_.cracks();
+  const fracture::CrackExtension last = last_of(tip, model_.extensions());
+  constexpr double far = 64;  // spacings: leaves_lattice() has said that it is near
+  const double tolerance = model_.prepared_->discretization.tolerance;
+  const std::optional<Point> place = tip_behind_border(model_.scene_, last, {far, far}, tolerance);
   if (!place) return false;
-  extend(longer[number], tip.end, *place);
-  std::unique_ptr<PreparedScene> next;
+  std::vector<scene::Crack> longer = before;
+  extend(with_line(longer, tip, model_.extensions(), model_.scene_, tolerance), tip.end, *place);
   try {
-    next = with_cracks(std::move(longer), run.on_way);
-  } catch (const crack::CannotGrow& error) {
-    scene_.set_cracks(before);
-    say([&] { log(1, error.what()); });
+    Grown next = grown(before, [&] { return carried_on(tip, last, *place, std::move(longer)); });
+    go_on_in(std::move(next.scene), next.growth);
+    extensions_seen_ = model_.extensions().size();
+    return true;
+  } catch (const crack::CannotGrow&) {
     return false;
   }
-  next->evolution->stop_line(tip, crack::TipState::carried_on);
-  fracture::Growth growth{1, load_factor(), 0, 0, {last}};
-  fracture::CrackExtension& e = growth.extensions.front();
-  e.from_x = to.x(), e.from_y = to.y(), e.x = place->x(), e.y = place->y();
-  e.angle = 0, e.length = (*place - to).norm(), e.load_factor = load_factor();
-  e.crack_length = length_of(scene_.cracks()[number]), e.state = crack::TipState::grows;
-  e.released_energy = next->evolution->released_by_growth();
-  for (const regions::TipValues& found : tips_of(*next, regions::TipDetail::factors))
+}
+
+// Scene in which a line has continued to `place` in boundary elements, with its growth entered in the history.
+Grown ElementCarrier::carried_on(const crack::TipId& tip, const crack::Extension& last, const Point& place,
+                                 std::vector<scene::Crack> longer) {
+  const auto number = static_cast<std::size_t>(tip.crack) - 1;
+  const double load_factor = model_.load_factor();
+  Grown next;
+  next.scene = model_.with_cracks(std::move(longer), on_way_);
+  next.scene->evolution->stop_line(tip, crack::TipState::carried_on);
+  next.tips = model_.tips_of(*next.scene, regions::TipDetail::factors);
+  next.growth = {1, load_factor, 0, 0, {last}};
+  fracture::CrackExtension& e = next.growth.extensions.front();
+  const Point from(last.x, last.y);
+  e.from_x = from.x(), e.from_y = from.y(), e.angle = 0, e.load_factor = load_factor;
+  crack::arrive(e, place, (place - from).norm(), crack::TipState::grows);
+  e.crack_length = length_of(model_.scene_.cracks()[number]);
+  e.released_energy = next.scene->evolution->released_by_growth();
+  for (const regions::TipValues& found : next.tips)
     if (found.crack == tip.crack && found.end == tip.end) e.rate_after = found.energy_release_rate;
-  const double thickness =
-      scene_.material_of(next->discretization.cracks[number].region_at(tip.end)).elasticity.thickness;
-  e.surface_energy = growth.surface_energy = e.resistance * e.length * thickness;
-  next->evolution->book(growth);
-  if (!run.stepping.elements) run.cracks = before;
-  go_on_in(std::move(next), growth, tips, run);
-  run.stepping.elements = &tips;
-  run.extensions_seen = prepared_->evolution->progress().extensions.size();
-  return true;
+  const int region = next.scene->discretization.cracks[number].region_at(tip.end);
+  const double thickness = model_.scene_.material_of(region).elasticity.thickness;
+  e.surface_energy = next.growth.surface_energy = e.resistance * e.length * thickness;
+  next.scene->evolution->book(next.growth);
+  return next;
 }
 
 // Scene with the growth of a saved state; null if the present scene has it already. Cracks are extended event by event
@@ -163,8 +244,8 @@ std::unique_ptr<PreparedScene> Model::as_grown(const std::vector<fracture::Crack
     });
   };
   const auto among_bonds = [&](const auto& e) {
-    if (e.crack > static_cast<int>(scene_.cracks().size())) return true;  // those that begin in a run stay there
-    return !lies_in_elements(e.from_x, e.from_y) && !lies_in_elements(e.x, e.y);
+    const bool has_stopped = e.state == crack::TipState::at_interface;  // a line, perhaps a little behind the border
+    return !lies_in_elements(e.from_x, e.from_y) && (has_stopped || !lies_in_elements(e.x, e.y));
   };
   const auto place = [](const fracture::CrackExtension& e) { return std::tuple(e.crack, e.end, e.x, e.y); };
   const auto same = [&](const auto& a, const auto& b) { return place(a) == place(b); };
@@ -174,19 +255,18 @@ std::unique_ptr<PreparedScene> Model::as_grown(const std::vector<fracture::Crack
   if (std::equal(present.begin(), present.end(), wanted.begin(), wanted.end(), same)) return nullptr;
   std::vector<scene::Crack> cracks;
   for (const scene::Crack& crack : scene_.cracks())
-    cracks.push_back({{crack.given().begin(), crack.given().end()}, 0, 0});
+    if (!crack.has_begun) cracks.push_back({{crack.given().begin(), crack.given().end()}, 0, 0});
+  const std::size_t described = cracks.size();
   scene_.set_cracks(cracks);
   std::unique_ptr<PreparedScene> grown = build(nullptr);
-  std::map<std::pair<int, int>, std::vector<Point>> bonded;  // by crack and end
   std::size_t left = wanted.size();
   for (std::size_t k = 0; k < extensions.size(); ++k) {
     const fracture::CrackExtension& e = extensions[k];
-    std::vector<Point>& path = bonded[{e.crack, e.end}];
-    path.emplace_back(e.x, e.y);
     if (among_bonds(e)) continue;
-    require(e.crack <= static_cast<int>(cracks.size()) && !cracks[static_cast<std::size_t>(e.crack) - 1].points.empty(),
+    const auto number = static_cast<std::size_t>(e.crack) - 1;
+    require(number < described ? !cracks[number].points.empty() : number < described + extensions.size(),
             "the state's extensions are of crack ", e.crack, ", which the scene does not have; its bytes were altered");
-    for (const Point& to : std::exchange(path, {})) extend(cracks[static_cast<std::size_t>(e.crack) - 1], e.end, to);
+    with_line(cracks, e.tip(), std::span(extensions).first(k + 1), scene_, prepared_->discretization.tolerance);
     --left;
     if (left > 0 && wanted[wanted.size() - left].event == e.event) continue;
     scene_.set_cracks(cracks);

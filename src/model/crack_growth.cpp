@@ -54,6 +54,17 @@ std::pair<double, std::size_t> first_growth(const std::vector<regions::TipValues
 
 }  // namespace
 
+// Whether cracks with elements can grow in steps; in a material without a fracture energy they are stationary.
+bool Model::drives_elements(const fracture::SteppingOptions& stepping) const {
+  if (stepping.mode != fracture::SteppingMode::events) return false;
+  const std::vector<regions::PartedCrack>& cracks = prepared_->discretization.cracks;
+  return std::any_of(cracks.begin(), cracks.end(), [&](const regions::PartedCrack& crack) {
+    return std::any_of(crack.parts.begin(), crack.parts.end(), [&](const regions::CrackPart& part) {
+      return part.region > 0 && scene_.material_of(part.region).fracture_energy > 0;
+    });
+  });
+}
+
 void Model::set_tip_frozen(int crack, int end, bool frozen) {
   if (crack > crack_count()) scene_.crack(crack);  // throws
   if (frozen) {

@@ -5,6 +5,7 @@
 #include "elasticity/griffith.hpp"
 #include "error.hpp"
 #include "geometry/segment.hpp"
+#include "model/element_carrier.hpp"
 #include "model/element_growth.hpp"
 #include "model/model.hpp"
 #include "number_range.hpp"
@@ -99,7 +100,7 @@ std::vector<regions::TipValues> Model::compute_tips() const {
   for (regions::TipValues& tip : all)
     if (has_stopped({tip.crack, tip.end}, prepared_->evolution->progress())) never_grows(tip);
   const std::vector<regions::TipValues> in_lattices =
-      prepared_->evolution->grows_lines() ? tips_of_lines() : tips_in_lattices();
+      prepared_->evolution->lines() ? tips_of_lines() : tips_in_lattices();
   all.insert(all.end(), in_lattices.begin(), in_lattices.end());
   return all;
 }
@@ -115,7 +116,7 @@ std::vector<regions::TipValues> Model::tips_in_lattices() const {
 
 // Tips of crack lines: place, direction and load factors as in the run, stress intensity factors by rings.
 std::vector<regions::TipValues> Model::tips_of_lines() const {
-  const std::vector<crack::Tip> carried = prepared_->evolution->tips_of_lines();
+  const std::vector<crack::Tip> carried = prepared_->evolution->lines()->tips();
   std::vector<regions::KnownTip> known;
   for (const crack::Tip& tip : carried) {
     std::vector<Point> path = places_of(crack_path(tip.id.crack));
@@ -163,33 +164,45 @@ std::vector<Point> Model::crack_openings(int crack, const std::vector<double>& f
             "; it must lie between 0 and 1");
   prepare();
   ensure_equilibrium();
-  const std::vector<regions::PartedCrack>& cracks = prepared_->discretization.cracks;
+  std::vector<Point> openings = ElementCarrier(*this, nullptr, false).openings(crack, fractions);
+  std::vector<std::size_t> left;
+  std::vector<double> left_fractions;
+  for (std::size_t k = 0; k < openings.size(); ++k)
+    if (openings[k].hasNaN()) left.push_back(k), left_fractions.push_back(fractions[k]);
+  if (left.empty()) return openings;
+  fracture::LineCarrier* lines = prepared_->evolution->lines();
+  const std::vector<Point> in_lattices =
+      lines ? lines->openings(crack, left_fractions) : openings_in_lattices(crack, left_fractions);
+  for (std::size_t k = 0; k < left.size(); ++k) openings[left[k]] = in_lattices[k];
+  return openings;
+}
+
+std::vector<Point> ElementCarrier::openings(int crack, const std::vector<double>& fractions) {
+  constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+  std::vector<Point> openings(fractions.size(), Point(unknown, unknown));
+  const std::vector<regions::PartedCrack>& cracks = model_.prepared_->discretization.cracks;
   const auto number = static_cast<std::size_t>(crack) - 1;
-  const bool elements_only = number < cracks.size() && cracks[number].has_elements() && !cracks[number].cuts_bonds();
-  if (elements_only && cracks[number].parts.size() == 1)
-    return results_.region(cracks[number].region_at(0)).crack_openings(crack, fractions, solution());
-  if (elements_only) {
-    std::vector<Point> openings;
-    for (const double fraction : fractions)
-      openings.push_back(results_.region(cracks[number].part_at(fraction).region)
-                             .crack_openings(crack, {fraction}, solution())
-                             .front());
-    return openings;
-  }
-  const std::vector<std::vector<Point>> paths = paths_in_lattices();
-  require(paths[number].size() > 1, "crack ", crack, " was removed; ask for the openings of one that there is");
-  std::vector<Point> openings =
-      regions::lattice_openings(bonded_body(), paths, number, fractions, solution().displacement);
   if (number >= cracks.size() || !cracks[number].has_elements()) return openings;
-  const double length = polyline_length(paths[number]), own = polyline_length(cracks[number].crack.points);
-  const double before = grown_among_bonds(crack, 0, scene_.cracks()[number], extensions());
+  const auto within = [&](int region, const std::vector<double>& parts) {
+    return model_.results_.region(region).crack_openings(crack, parts, model_.solution());
+  };
+  if (cracks[number].parts.size() == 1) return within(cracks[number].region_at(0), fractions);
+  const bool is_whole = !cracks[number].cuts_bonds();
+  const double length = length_of(model_.crack_path(crack)), own = polyline_length(cracks[number].crack.points);
+  const double before = grown_among_bonds(crack, 0, model_.scene_.cracks()[number], model_.extensions());
   for (std::size_t k = 0; k < fractions.size(); ++k) {
-    const double part = (fractions[k] * length - before) / own;
-    const int with_elements = part < 0 || part > 1 ? 0 : cracks[number].part_at(part).region;
-    if (with_elements > 0)
-      openings[k] = results_.region(with_elements).crack_openings(crack, {part}, solution()).front();
+    const double part = is_whole ? fractions[k] : (fractions[k] * length - before) / own;
+    const int region = part < 0 || part > 1 ? 0 : cracks[number].part_at(part).region;
+    if (region > 0) openings[k] = within(region, {part}).front();
   }
   return openings;
+}
+
+std::vector<Point> Model::openings_in_lattices(int crack, const std::vector<double>& fractions) const {
+  const std::vector<std::vector<Point>> paths = paths_in_lattices();
+  const auto number = static_cast<std::size_t>(crack) - 1;
+  require(paths[number].size() > 1, "crack ", crack, " was removed; ask for the openings of one that there is");
+  return regions::lattice_openings(bonded_body(), paths, number, fractions, solution().displacement);
 }
 
 int Model::crack_count() const {
@@ -201,8 +214,8 @@ int Model::crack_count() const {
 std::vector<PathVertex> Model::crack_path(int crack) const {
   const auto described = static_cast<int>(scene_.cracks().size());
   if (crack < 1 || crack > crack_count()) scene_.crack(crack);  // throws
-  if (crack > described) return path_of(crack, {}, extensions());
   const auto number = static_cast<std::size_t>(crack) - 1;
+  if (crack > described || scene_.cracks()[number].has_begun) return path_of(crack, {}, extensions());
   const bool in_lattice = prepared_ && prepared_->discretization.cracks[number].cuts_bonds();
   const scene::Crack& found = in_lattice ? prepared_->in_lattices.cracks[number] : scene_.cracks()[number];
   if (found.points.empty()) return {};
@@ -225,7 +238,8 @@ std::vector<std::vector<Point>> Model::paths_in_lattices() const {
   const std::vector<regions::PartedCrack>& cracks = prepared_->discretization.cracks;
   std::vector<std::vector<Point>> paths(static_cast<std::size_t>(crack_count()));
   for (std::size_t c = 0; c < paths.size(); ++c)
-    if (c >= cracks.size() || cracks[c].cuts_bonds()) paths[c] = places_of(crack_path(static_cast<int>(c) + 1));
+    if (c >= cracks.size() || cracks[c].parts.empty() || cracks[c].cuts_bonds())
+      paths[c] = places_of(crack_path(static_cast<int>(c) + 1));
   return paths;
 }
 

@@ -76,7 +76,7 @@ class Explainer {
   // (in growth bond by bond, tips are only read from broken bonds).
   bool grows(const regions::TipValues& tip) const {
     if (stepping_.mode != fracture::SteppingMode::events) return false;
-    return tip.method == regions::TipMethod::elements || evolution_.grows_lines();
+    return tip.method == regions::TipMethod::elements || evolution_.lines() != nullptr;
   }
 
   // Finds the tip that grows next. An overloaded tip grows at the present load factor if that is held constant.

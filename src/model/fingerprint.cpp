@@ -102,7 +102,7 @@ SceneFingerprint fingerprint(const scene::Scene& scene, const scene::Options& op
   }
   std::uint64_t cracks = 0;  // their order does not matter
   for (const scene::Crack& crack : scene.cracks()) {
-    if (crack.points.empty()) continue;
+    if (crack.points.empty() || crack.has_begun) continue;
     Hash hash;
     for (const Point& p : crack.given()) hash.add(p.x()), hash.add(p.y());
     cracks += hash.value();

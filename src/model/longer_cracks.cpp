@@ -64,9 +64,10 @@ std::vector<int> nodes_before(const regions::Discretization& now, const regions:
 std::vector<crack::TipId> Model::entering(const regions::Discretization& next) const {
   std::vector<crack::TipId> tips;
   const std::vector<regions::PartedCrack>& before = prepared_->discretization.cracks;
-  for (std::size_t c = 0; c < next.cracks.size(); ++c)
+  for (std::size_t c = 0; c < before.size(); ++c)
     for (const int end : {0, 1})
-      if (!next.cracks[c].parts.empty() && next.cracks[c].region_at(end) == 0 && before[c].region_at(end) > 0)
+      if (!next.cracks[c].parts.empty() && !before[c].parts.empty() && next.cracks[c].region_at(end) == 0 &&
+          before[c].region_at(end) > 0)
         tips.push_back({static_cast<int>(c) + 1, end});
   return tips;
 }

@@ -10,7 +10,7 @@
 #include "geometry/outline.hpp"
 #include "linalg/blas.hpp"
 #include "model/crack_way.hpp"
-#include "model/driven_growth.hpp"
+#include "model/element_carrier.hpp"
 #include "model/growth_options.hpp"
 #include "model/stepping_options.hpp"
 #include "regions/crack_places.hpp"
@@ -165,7 +165,9 @@ void Model::grow_lines(PreparedScene& p) const {
   laws.of_crack = regions::lengths_of(p.in_lattices);
   laws.weakened = p.in_lattices.weakened;
   p.first_tips = tips.size(), p.tip_laws = laws.laws.size();
-  p.evolution->grow_lines(std::move(laws), std::move(tips));
+  p.evolution->grow_lines(std::move(laws), std::move(tips), [this](int crack, const std::vector<double>& fractions) {
+    return openings_in_lattices(crack, fractions);
+  });
 }
 
 fracture::ContactPlan Model::contact_plan(const PreparedScene& p) const {
@@ -250,21 +252,23 @@ fracture::LoadInterval Model::admissible_load_factors() {
 }
 
 StepResult Model::run(double target, fracture::Goal goal, const scene::SceneValues* on_way) {
-  DrivenRun run;
-  run.target = target, run.goal = goal, run.on_way = on_way;
-  run.stepping = stepping_options(options_);
-  run.stepping.stop = &stop_requested_;
-  run.stepping.frozen = frozen_tips_;
+  fracture::SteppingOptions stepping = stepping_options(options_);
+  stepping.stop = &stop_requested_;
+  stepping.frozen = frozen_tips_;
+  const bool drives = drives_elements(stepping);
+  if (drives) say([&] { tell_of_whole_body(); });
+  ElementCarrier elements(*this, on_way, drives);
+  stepping.elements = &elements;
   const fracture::EvolutionState& begin = prepared_->evolution->progress();
   const std::int64_t events = begin.events, broken = begin.broken_bonds;
   const std::int64_t fragments = begin.fragments, switches = begin.contact_switches, ties = begin.ties;
   const auto lines = static_cast<std::ptrdiff_t>(begin.history.size());
-  run.seconds = seconds_of(*prepared_);
+  const Seconds before = seconds_of(*prepared_);
   StepResult result;
   {
     const Stopwatch watch(result.seconds_total);
     ++generation_;
-    run_recording(run, result);
+    run_recording(target, goal, stepping, elements, result);
   }
   const fracture::EvolutionState& end = prepared_->evolution->progress();
   result.events = end.events - events;
@@ -272,10 +276,11 @@ StepResult Model::run(double target, fracture::Goal goal, const scene::SceneValu
   result.face_switches = end.contact_switches - switches;
   result.ties = end.ties - ties;
   result.unstable_event = first_unstable(std::span(end.history).subspan(lines));
-  const Seconds seconds = seconds_of(*prepared_);
-  result.seconds_solve = seconds.solve - run.seconds.solve;
-  result.seconds_update = seconds.update - run.seconds.update;
-  result.seconds_search = seconds.search - run.seconds.search;
+  Seconds seconds = seconds_of(*prepared_);
+  seconds.add(elements.spent());
+  result.seconds_solve = seconds.solve - before.solve;
+  result.seconds_update = seconds.update - before.update;
+  result.seconds_search = seconds.search - before.search;
   say([&] { tell_of_step(result, end.fragments - fragments, target >= end.load_factor); });
   return result;
 }

@@ -37,9 +37,8 @@ namespace bempd::model {
 
 struct Growing;
 struct Grown;
-class ElementTips;
+class ElementCarrier;
 class CrackLengthening;
-struct DrivenRun;
 
 // Model of a host: its scene and the state of the run. It prepares the scene, applies loads, grows cracks, and saves
 // states; Results, Pieces and EdgeResults answer requests for results.
@@ -137,6 +136,7 @@ class Model {
 
  private:
   friend class CrackLengthening;
+  friend class ElementCarrier;
 
   void restore_body(const SavedState& state);
   // Runs to a target. `on_way` are the values of loads and supports that act; null for those that the host has set.
@@ -180,11 +180,13 @@ class Model {
   void record_tips();
   // Runs, records tips and calls the host's progress function; returns to the start of the run if that fails
   // (recording.cpp).
-  void run_recording(DrivenRun& run, StepResult& result);
+  void run_recording(double target, fracture::Goal goal, const fracture::SteppingOptions& stepping,
+                     ElementCarrier& elements, StepResult& result);
   regions::BondedBody bonded_body() const;
   std::vector<regions::TipValues> compute_tips() const;
   std::vector<regions::TipValues> tips_in_lattices() const;
   std::vector<regions::TipValues> tips_of_lines() const;
+  std::vector<Point> openings_in_lattices(int crack, const std::vector<double>& fractions) const;
   std::vector<std::vector<Point>> paths_in_lattices() const;  // none of a crack with elements
   int crack_nearest(const Point& place, const std::vector<std::vector<Point>>& paths) const;
   std::vector<regions::CrackPicture> crack_pictures() const;
@@ -203,17 +205,7 @@ class Model {
   std::unique_ptr<PreparedScene> with_cracks(std::vector<scene::Crack> longer, const scene::SceneValues* on_way);
   // Prepares the scene after a growth. `chosen`: the library has chosen the lengths and may shorten them.
   Grown grown(const std::vector<scene::Crack>& before, Growing growing, bool chosen, const scene::SceneValues* on_way);
-  // Whether cracks with elements grow during steps (driven_growth.cpp).
   bool drives_elements(const fracture::SteppingOptions& stepping) const;
-  fracture::StopReason advance_growing(DrivenRun& run);
-  fracture::StopReason separated_before_growth(bool is_open, DrivenRun& run);
-  bool grow_next(ElementTips& tips, DrivenRun& run);
-  void go_on_in(std::unique_ptr<PreparedScene> next, const fracture::Growth& growth, ElementTips& tips, DrivenRun& run);
-  bool go_on_in_elements(ElementTips& tips, DrivenRun& run);
-  bool cross_border(const crack::TipId& tip, ElementTips& tips, DrivenRun& run);
-  void take_back(DrivenRun& run) noexcept;
-  void look_after_lines(DrivenRun& run);
-  fracture::StopReason with_stopped_lines(fracture::StopReason reason, const DrivenRun& run);
   // Scene with the crack growth of a saved state; null if the present scene has it already.
   std::unique_ptr<PreparedScene> as_grown(const std::vector<fracture::CrackExtension>& extensions);
   void check_mechanism(const PreparedScene& prepared) const;

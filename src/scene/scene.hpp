@@ -15,8 +15,10 @@ struct Crack {
   std::vector<Point> points;  // none: it was removed
   // Numbers of points that growth has added at the crack's start and end.
   int grown_at_start = 0, grown_at_end = 0;
+  bool has_begun = false;  // in the run: the host has given no point of it
 
   std::span<const Point> given() const {
+    if (has_begun) return {};
     return std::span(points).subspan(static_cast<std::size_t>(grown_at_start),
                                      points.size() - static_cast<std::size_t>(grown_at_start + grown_at_end));
   }
@@ -40,7 +42,7 @@ class Scene {
   void set_edges_smooth(int region, int first_edge, int last_edge);
   void set_toughness(int region, std::vector<Point> places, std::vector<double> fracture_energies);
   int add_crack(const std::vector<Point>& points);
-  // Replaces all cracks by the same number of others, such as the same cracks with their growth.
+  // Replaces all cracks, for instance by the same ones with their growth and with cracks that have begun in the run.
   void set_cracks(std::vector<Crack> cracks) { cracks_ = std::move(cracks); }
   int add_support(Condition condition);
   int add_load(Condition condition);

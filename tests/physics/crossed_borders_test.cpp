@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <optional>
 
 #include "host.hpp"
 
@@ -136,6 +137,33 @@ TEST(CrossedBorders, from_a_lattice_into_elements) {
   EXPECT_EQ(again.back().load_factor, found.back().load_factor);
 }
 
+int32_t refuse_many(double, int64_t events, int64_t, void* most) {
+  return events > *static_cast<int64_t*>(most) ? 1 : 0;
+}
+
+// A step that is cancelled behind the border leaves the model where it was before it, with all that is known of its
+// cracks. It used to leave it at the border.
+TEST(CrossedBorders, a_step_that_is_cancelled_behind_the_border_returns_to_its_start) {
+  Plate plate({{true, 0, 24}, {false, 24, width}});
+  for (int k = 0; k < 2; ++k) plate.model.next_event(1e9);
+  const double load_factor = plate.model.load_factor();
+  int64_t most = 16;
+  plate.model.check(bempd_set_progress(plate.model.get(), refuse_many, &most));
+  bempd_step_report report;
+  bempd_step_report_init(&report, sizeof report);
+  EXPECT_EQ(bempd_run_to_separation(plate.model.get(), 1e9, &report), BEMPD_ERROR_CANCELLED);
+  EXPECT_EQ(plate.model.load_factor(), load_factor);
+  EXPECT_EQ(plate.vertices().size(), 2U);
+  plate.model.check(bempd_set_progress(plate.model.get(), nullptr, nullptr));
+  Plate undisturbed({{true, 0, 24}, {false, 24, width}});
+  EXPECT_EQ(plate.model.run(1e9).stop_reason, BEMPD_STOP_SEPARATED);
+  undisturbed.model.run(1e9);
+  const std::vector<Vertex> found = plate.vertices(), expected = undisturbed.vertices();
+  ASSERT_EQ(found.size(), expected.size());
+  for (std::size_t k = 0; k < found.size(); ++k)
+    EXPECT_NEAR(found[k].load_factor, expected[k].load_factor, 1e-9 * expected[k].load_factor);
+}
+
 // Lines behind the border and before it have the loads that they have in a lattice without a border: such a border
 // disturbs no stress. While it counted as an edge, loads were up to 2.5 % off behind it. The first load is that of a
 // crack that was described.
@@ -150,6 +178,90 @@ TEST(CrossedBorders, a_border_with_elements_disturbs_no_load) {
   EXPECT_LT(first, 0.02);
   EXPECT_LT(next, 0.015);
   EXPECT_LT(last, 0.007);
+}
+
+// A plate of a lattice with a hole and of boundary elements behind it, or of boundary elements alone, pulled by its
+// ends. Without a crack in it, one begins at the hole.
+Model plate_with_hole(bool lattice, const std::vector<Vector>& crack) {
+  Model model;
+  model.set_text("stepping.control", "path");
+  bempd_material glass = material(1, 1.0 / 3);
+  glass.fracture_energy = 1;
+  const int32_t id = model.add(glass);
+  const double border = 24;
+  const auto pull = [&](int32_t region) {
+    model.fix(region, 1, BEMPD_Y);
+    model.prescribe(region, 3, BEMPD_Y, 0, 1);
+  };
+  const int32_t left =
+      lattice ? model.pd(id, rectangle(0, 0, border, height), 1, 3) : model.bem(id, rectangle(0, 0, width, height), 3);
+  model.circular_hole(left, {9, 16.5}, 4);
+  pull(left);
+  if (lattice) pull(model.bem(id, rectangle(border, 0, width, height), 3));
+  model.fix_point({0, 0}, BEMPD_X);
+  if (crack.empty()) return model;
+  model.crack(crack);
+  model.crack({{0, 15.8}, {5, 16.5}});  // the other one that begins, from the hole to the edge
+  return model;
+}
+
+std::vector<bempd_crack_extension> extensions_of(Model& model) {
+  int64_t count = 0;
+  model.check(bempd_extension_count(model.get(), &count));
+  std::vector<bempd_crack_extension> all(static_cast<std::size_t>(count));
+  for (int64_t k = 0; k < count; ++k) {
+    bempd_crack_extension& one = all[static_cast<std::size_t>(k)];
+    bempd_crack_extension_init(&one, sizeof one);
+    model.check(bempd_extension(model.get(), k, &one));
+  }
+  return all;
+}
+
+// Cracks that begin at a hole of a lattice run on in boundary elements, with the loads of described ones.
+TEST(CrossedBorders, a_crack_that_has_begun_in_the_run_goes_on_in_elements) {
+  Model model = plate_with_hole(true, {});
+  std::optional<SavedState> first;
+  while (model.next_event(1e9).stop_reason == BEMPD_STOP_EVENT) {
+    const std::vector<bempd_crack_extension> grown = extensions_of(model);
+    if (!first && grown.back().x > 16) first.emplace(model.save());
+    if (grown.back().x > 36) break;
+  }
+  const std::vector<bempd_crack_extension> grown = extensions_of(model);
+  ASSERT_GT(grown.back().x, 36);
+  const int32_t crack = grown.back().crack;
+  std::vector<Vector> path{{grown.front().from_x, grown.front().from_y}};
+  double worst = 0;
+  int compared = 0;
+  for (const bempd_crack_extension& e : grown) {
+    if (e.crack != crack) continue;
+    if (e.from_x > 24 && ++compared % 4 == 1) {
+      std::vector<Vector> from_hole;
+      for (const Vector& place : path)
+        if (std::hypot(place[0] - 9, place[1] - 16.5) > 4.3) from_hole.push_back(place);
+      from_hole.insert(from_hole.begin(), {13, 16.5});
+      Model alone = plate_with_hole(false, from_hole);
+      alone.next_event(1e9);
+      const double off = e.load_factor / extensions_of(alone).front().load_factor - 1;
+      std::printf("from %.2f: load off by %.4f\n", e.from_x, off);
+      worst = std::max(worst, std::abs(off));
+    }
+    path.push_back({e.x, e.y});
+  }
+  EXPECT_GT(compared, 2);
+  EXPECT_LT(worst, 5e-3);
+  // The crack has one path, which a state from before the border brings again.
+  int64_t vertices = 0;
+  model.check(bempd_crack_path_count(model.get(), crack, &vertices));
+  EXPECT_EQ(vertices, static_cast<int64_t>(path.size()));
+  const double last = grown.back().load_factor;
+  const SavedState late = model.save();
+  model.restore(*first);
+  ASSERT_LT(extensions_of(model).back().x, 20);
+  while (extensions_of(model).size() < grown.size()) model.next_event(1e9);
+  EXPECT_EQ(extensions_of(model).back().load_factor, last);
+  Model fresh = plate_with_hole(true, {});
+  fresh.restore(late);
+  EXPECT_EQ(fresh.next_event(1e9).load_factor, model.next_event(1e9).load_factor);
 }
 
 // A piece with bonds and elements that is cut off while the load is so large that it has moved by many times its size:

@@ -16,9 +16,11 @@ using namespace bempd;
 using crack::Candidate, crack::Control, crack::LoadWay, crack::Tip, crack::TipId;
 using fracture::Goal, fracture::StopReason;
 
-// Tips with factors that are proportional to the load factor.
-class SomeTips final : public crack::Carrier {
+// Tips with factors that are proportional to the load factor. They note their steps and do not grow.
+class SomeTips final : public fracture::BodyCarrier {
  public:
+  explicit SomeTips(model::Model& model) : model_(model) {}
+
   void add(const TipId& id, double factor) {
     Tip tip{id, {0, 0}, {1, 0}, {{0, 0}, {factor, 0}}, {2, 1}, {}};
     tip.range = tip.law.range(tip.factors);
@@ -35,8 +37,20 @@ class SomeTips final : public crack::Carrier {
     }
     return all;
   }
+  crack::Advance advance(const crack::Step& step) override {
+    steps.push_back(step);
+    return {{}, true};
+  }
+  std::vector<Point> openings(int, const std::vector<double>& fractions) override {
+    return std::vector<Point>(fractions.size());
+  }
+  fracture::CrackEvolution& body() override { return *model_.prepared().evolution; }
+  bool take_over_lines(bool) override { return false; }
+
+  std::vector<crack::Step> steps;
 
  private:
+  model::Model& model_;
   std::vector<Tip> tips_;
 };
 
@@ -62,7 +76,7 @@ double load_of_line() {
   return model->advance(1e6, Goal::next_event).reason == StopReason::event ? model->load_factor() : 0;
 }
 
-StopReason advance(model::Model& model, crack::Carrier& elements, double target, Control control = Control::load) {
+StopReason advance(model::Model& model, SomeTips& elements, double target, Control control = Control::load) {
   model.prepare();
   fracture::SteppingOptions options;
   options.elements = &elements, options.control = control;
@@ -75,15 +89,16 @@ TEST(CrackCarrier, tips_of_all_carriers_grow_in_one_order) {
   for (const Control control : {Control::load, Control::path}) {
     for (const double share : {0.9, 1.1}) {
       const auto model = cracked_lattice();
-      SomeTips tips;
+      SomeTips tips(*model);
       tips.add({7, 1}, 2 / (share * line)), tips.add({5, 1}, 2 / (2 * share * line));
       tips.add({7, 0}, 2 / (share * line) * (1 + 1e-12));
       const StopReason reason = advance(*model, tips, 1e6, control);
-      EXPECT_EQ(reason, share < 1 ? StopReason::growth : StopReason::event);
+      EXPECT_EQ(reason, share < 1 ? StopReason::crack_stopped : StopReason::event);
       EXPECT_NEAR(model->load_factor(), std::min(share, 1.0) * line, 1e-9 * line);
+      ASSERT_EQ(tips.steps.size(), share < 1 ? 1U : 0U);
       if (share > 1) continue;
-      EXPECT_EQ(model->prepared().evolution->due().tip, (TipId{7, 0}));
-      EXPECT_EQ(model->prepared().evolution->due().ties, 1);
+      EXPECT_EQ(tips.steps[0].tip, (TipId{7, 0}));
+      EXPECT_EQ(tips.steps[0].ties, 1);
     }
   }
 }
@@ -91,17 +106,17 @@ TEST(CrackCarrier, tips_of_all_carriers_grow_in_one_order) {
 TEST(CrackCarrier, grow_where_they_are_overloaded_and_downwards) {
   const double line = load_of_line();
   const auto model = cracked_lattice();
-  SomeTips none, tips;
+  SomeTips none(*model), tips(*model);
   ASSERT_EQ(advance(*model, none, 0.5 * line), StopReason::load_factor);
   tips.add({2, 0}, 5 / line), tips.add({3, 0}, 6 / line);
-  EXPECT_EQ(advance(*model, tips, line), StopReason::growth);
-  EXPECT_EQ(model->prepared().evolution->due().tip, (TipId{3, 0}));
+  EXPECT_EQ(advance(*model, tips, line), StopReason::crack_stopped);
+  EXPECT_EQ(tips.steps.at(0).tip, (TipId{3, 0}));
   EXPECT_EQ(model->load_factor(), 0.5 * line);
 
   const auto other = cracked_lattice();
-  SomeTips below;
+  SomeTips below(*other);
   below.add({2, 0}, -4 / line);
-  EXPECT_EQ(advance(*other, below, -line), StopReason::growth);
+  EXPECT_EQ(advance(*other, below, -line), StopReason::crack_stopped);
   EXPECT_NEAR(other->load_factor(), -0.5 * line, 1e-9 * line);
 }
 

@@ -8,12 +8,12 @@
 
 namespace bempd::fracture {
 
-// Carrier of cracks that grow as lines in lattices. The tip that first reaches its toughness grows by a spacing in the
-// direction of maximum hoop stress, and all bonds across this step break at one event, whatever the lattice. The load
-// factor is corrected by the energy that the last steps released, so that the growth absorbs the fracture energy.
-// Away from tips, a crack begins where a bond reaches its critical stretch: a line of one spacing through its middle,
-// across the largest principal stress, with a tip at both ends.
-class LineEvents final : public EventSource, public crack::Carrier {
+// Source of the steps of cracks that grow as lines in lattices. The tip that first reaches its toughness grows by a
+// spacing in the direction of maximum hoop stress, and all bonds across this step break at one event, whatever the
+// lattice. The load factor is corrected by the energy that the last steps released, so that the growth absorbs the
+// fracture energy. Away from tips, a crack begins where a bond reaches its critical stretch: a line of one spacing
+// through its middle, across the largest principal stress, with a tip at both ends.
+class LineEvents final : public EventSource {
  public:
   LineEvents(LoadedBody& body, WholeBodyEvents& whole_body, pd::TipLaws laws);
 
@@ -25,8 +25,9 @@ class LineEvents final : public EventSource, public crack::Carrier {
   // system has no current factor, trial steps use a factor of their own.
   void look(bool in_window) { trials_.stand_apart(in_window || !body_.system().has_current_factor()); }
   void freeze(const std::set<crack::TipId>& tips) { steps_.freeze(tips); }
-  std::vector<crack::Tip> tips() override;
-  std::vector<crack::Candidate> candidates(const crack::LoadWay& way) override;
+  // Tips and candidates, as their carrier (line_carrier.hpp) tells them.
+  std::vector<crack::Tip> tips();
+  std::vector<crack::Candidate> candidates(const crack::LoadWay& way);
   bool tells_step() const { return step_.has_value(); }  // and no crack begins
 
  private:

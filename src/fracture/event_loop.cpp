@@ -1,0 +1,182 @@
+#include "fracture/event_loop.hpp"
+
+#include <algorithm>
+
+#include "crack/cannot_grow.hpp"
+#include "error.hpp"
+#include "fracture/resistance.hpp"
+
+namespace bempd::fracture {
+
+namespace {
+
+// Largest number of contact events at one load factor. After each of them all faces agree with their gaps; more of them
+// mean that faces open and close without end.
+constexpr int most_events = 1000;
+
+void require_fewer_events(std::int64_t events, std::int64_t most) {
+  if (events < most) return;
+  fail(Failure::convergence, most,
+       " events happened in this step, as many as the option stepping.max_events allows; raise it to go on");
+}
+
+}  // namespace
+
+bool Turns::pass(const Event& event) {
+  const bool here = event.load_factor == load_factor_;
+  events_ = here ? events_ + 1 : 1;
+  if (events_ > most_events) fail(Failure::convergence, "faces of cracks open and close without an end");
+  turns_ = here ? turns_ + (event.goes_down != down_ ? 1 : 0) : 0;
+  load_factor_ = event.load_factor, down_ = event.goes_down;
+  return turns_ < 2;
+}
+
+StopReason EventLoop::run() {
+  CrackEvolution& first = *body_;
+  first.begin_call(options_);
+  const CrackEvolution::Start start = first.start();
+  events_before_ = start.sums.events;
+  try {
+    if (!first.state_.in_equilibrium) {
+      first.sources_.mark();
+      first.find_equilibrium();
+    }
+    const StopReason reason = go_on();
+    const Sums& sums = body_->state_;
+    const bool changed = sums.events != start.sums.events || sums.contact_switches != start.sums.contact_switches;
+    if (options_.leaves_fresh && changed) body_->synchronize();
+    if (on_end_) on_end_();
+    body_->sources_.drop_mark();
+    return reason;
+  } catch (...) {
+    first.return_to(start);
+    throw;
+  }
+}
+
+// Goes from event to event.
+StopReason EventLoop::go_on() {
+  for (;;) {
+    if (!std::exchange(has_begun_, true)) body_->begin_call(options_);
+    const EvolutionState& state = body_->state_;
+    if (goal_ == Goal::separation && state.separated) return StopReason::separated;
+    if (options_.stop && options_.stop->load(std::memory_order_relaxed)) return end_with(StopReason::requested);
+    const Event* next = body_->next(target_, options_);
+    if (has_come_apart(next) && goal_ != Goal::load_factor) return StopReason::separated;
+    if (const std::optional<StopReason> reason = next ? std::nullopt : why_there_is_none()) return end_with(*reason);
+    const bool upwards = target_ >= state.load_factor;
+    if (!next || (upwards ? next->load_factor > target_ : next->load_factor < target_)) break;
+    require_fewer_events(state.events - events_before_, options_.max_events);
+    body_->sources_.mark();
+    if (const std::optional<StopReason> reason = perform(*next)) return *reason;
+  }
+  body_->sources_.mark();
+  body_->sources_.bring_up_to_date();
+  body_->move_to(target_);
+  return end_with(body_->state_.separated ? StopReason::separated : StopReason::load_factor);
+}
+
+// Performs the next event; returns why the run ends with it, if it does.
+std::optional<StopReason> EventLoop::perform(const Event& event) {
+  if (event.is_contact) {
+    if (!turns_.pass(event)) return end_with(StopReason::no_admissible_load);
+    body_->pass(body_->sources_.perform());
+    return std::nullopt;
+  }
+  turns_ = {};
+  const bool increments = options_.mode == SteppingMode::increments;
+  if (event.is_growth) {
+    body_->move_to(event.load_factor);
+    body_->measure_work();
+    return advance(*options_.elements, event);
+  }
+  if (event.tip.crack > 0 && !increments) return advance(*body_->lines(), event);
+  if (increments && body_->state_.events > events_before_) {
+    if (!body_->perform_if_possible(event)) return end_with(StopReason::no_equilibrium);
+  } else {
+    body_->perform_and_book(event);
+  }
+  return after_event(false);
+}
+
+std::optional<StopReason> EventLoop::advance(crack::Carrier& carrier, const Event& event) {
+  crack::Advance done;
+  try {
+    done = carrier.advance({event.tip, event.ties});
+  } catch (const crack::FreesLoadedPart&) {
+    return separated_before_growth();
+  }
+  follow_body();
+  if (done.extensions.empty()) return end_with(StopReason::crack_stopped);
+  return after_event(done.has_stopped);
+}
+
+// Tells the host of an event, and lets lines that have come to the border of boundary elements go on there.
+std::optional<StopReason> EventLoop::after_event(bool crack_has_stopped) {
+  if (on_event_) on_event_(body_->state_);
+  const bool is_separated = body_->state_.separated && goal_ != Goal::load_factor;
+  if (options_.elements) {
+    try {
+      crack_has_stopped |= options_.elements->take_over_lines(is_separated);
+    } catch (const crack::FreesLoadedPart&) {
+      return separated_before_growth();
+    }
+    follow_body();
+  }
+  if (is_separated) return StopReason::separated;
+  if (goal_ == Goal::next_event) return crack_has_stopped ? StopReason::crack_stopped : StopReason::event;
+  return crack_has_stopped ? std::optional(end_with(StopReason::crack_stopped)) : std::nullopt;
+}
+
+// Ends a run just before a growth that leaves no equilibrium. A step to a load factor has not arrived there.
+StopReason EventLoop::separated_before_growth() {
+  body_->state_.separated = true;
+  return end_with(goal_ == Goal::load_factor ? StopReason::no_equilibrium : StopReason::separated);
+}
+
+// Reason for the end of a step when no event is left; empty if the step goes on to a load factor.
+std::optional<StopReason> EventLoop::why_there_is_none() {
+  if (options_.control == Control::path) {
+    body_->sources_.bring_up_to_date();
+    const bool elements_rest = !options_.elements || !crack::common_range(options_.elements->tips()).is_empty();
+    if (!elements_rest || body_->body_.admissible().is_empty()) return StopReason::no_admissible_load;
+  }
+  return goal_ == Goal::load_factor ? std::nullopt : std::optional(StopReason::no_further_event);
+}
+
+// Whether the body is found to be separated now: the connection that carried the load has lost its resistance, and the
+// remainder breaks only under larger loads, if at all.
+bool EventLoop::has_come_apart(const Event* next) {
+  EvolutionState& state = body_->state_;
+  if (state.separated || !is_lost(state.resistance, options_.separation_share)) return false;
+  // Bonds that exceed their critical stretch after an increment break in the next one, so separation is not judged yet.
+  if (options_.mode == SteppingMode::increments &&
+      !body_->body_.ratios().overstretched(body_->system_.intact(), state.load_factor).empty()) {
+    return false;
+  }
+  if (next) {
+    const double direction = target_ >= state.load_factor ? 1 : -1;
+    double farthest = direction * state.load_factor;
+    // The load factor may have been larger before on an equilibrium path.
+    if (options_.control == Control::path) {
+      for (const HistoryEntry& line : state.history) farthest = std::max(farthest, direction * line.load_factor);
+    }
+    if (direction * next->load_factor <= farthest) return false;
+  }
+  state.separated = true;
+  return true;
+}
+
+StopReason EventLoop::end_with(StopReason reason) {
+  body_->end_step();
+  return reason;
+}
+
+void EventLoop::follow_body() {
+  if (!options_.elements || &options_.elements->body() == body_) return;
+  body_ = &options_.elements->body();
+  has_begun_ = false;
+  turns_ = {};
+}
+
+}  // namespace bempd::fracture

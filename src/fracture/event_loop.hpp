@@ -1,0 +1,63 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <limits>
+#include <optional>
+
+#include "fracture/crack_evolution.hpp"
+
+namespace bempd::fracture {
+
+// Detects the end of an equilibrium path at contact events, where the path may reverse its direction in the load
+// factor. If it reverses twice at one load factor it cannot continue: it would lead down with the contact state that
+// holds above, and up with the one that holds below.
+class Turns {
+ public:
+  // Records a contact event; returns false if the path ends there.
+  bool pass(const Event& event);
+
+ private:
+  double load_factor_ = std::numeric_limits<double>::quiet_NaN();
+  bool down_ = false;
+  int turns_ = 0, events_ = 0;
+};
+
+// Loop of one run over its events. The event that comes first on the way is a step of a tip, which its carrier
+// advances; or bonds break by themselves, or faces of cracks close or open. Lines and tips with boundary elements
+// differ only in their carriers: elements continue in another body, in which the loop goes on.
+class EventLoop {
+ public:
+  using OnEvent = std::function<void(const EvolutionState&)>;
+  using OnEnd = std::function<void()>;
+
+  EventLoop(CrackEvolution& body, double target, Goal goal, const SteppingOptions& options, const OnEvent& on_event,
+            const OnEnd& on_end)
+      : body_(&body), target_(target), goal_(goal), options_(options), on_event_(on_event), on_end_(on_end) {}
+
+  // Runs to the target or goal. After any failure the first body is as it was.
+  StopReason run();
+
+ private:
+  StopReason go_on();
+  std::optional<StopReason> perform(const Event& event);
+  std::optional<StopReason> advance(crack::Carrier& carrier, const Event& event);
+  std::optional<StopReason> after_event(bool crack_has_stopped);
+  StopReason separated_before_growth();
+  std::optional<StopReason> why_there_is_none();
+  bool has_come_apart(const Event* next);
+  StopReason end_with(StopReason reason);
+  void follow_body();
+
+  CrackEvolution* body_;   // at present
+  bool has_begun_ = true;  // in this body
+  double target_;
+  Goal goal_;
+  const SteppingOptions& options_;
+  const OnEvent& on_event_;
+  const OnEnd& on_end_;
+  std::int64_t events_before_ = 0;
+  Turns turns_;
+};
+
+}  // namespace bempd::fracture

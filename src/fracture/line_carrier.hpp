@@ -1,0 +1,34 @@
+#pragma once
+
+#include <functional>
+#include <utility>
+#include <vector>
+
+#include "crack/carrier.hpp"
+
+namespace bempd::fracture {
+
+class CrackEvolution;
+
+// Carrier of cracks that grow as lines in the lattices of a body. A step cuts all bonds across it, in place or in an
+// open window that has computed it ahead.
+class LineCarrier final : public crack::Carrier {
+ public:
+  using Openings = std::function<std::vector<Point>(int crack, const std::vector<double>& fractions)>;
+
+  LineCarrier(CrackEvolution& body, Openings openings) : body_(body), openings_(std::move(openings)) {}
+
+  std::vector<crack::Tip> tips() override;
+  std::vector<crack::Candidate> candidates(const crack::LoadWay& way) override;
+  // The step has to be the event that comes next in the run.
+  crack::Advance advance(const crack::Step& step) override;
+  std::vector<Point> openings(int crack, const std::vector<double>& fractions) override {
+    return openings_(crack, fractions);
+  }
+
+ private:
+  CrackEvolution& body_;
+  Openings openings_;
+};
+
+}  // namespace bempd::fracture

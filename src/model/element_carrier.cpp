@@ -1,0 +1,134 @@
+#include "model/element_carrier.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "cancellation.hpp"
+#include "crack/cannot_grow.hpp"
+#include "model/element_growth.hpp"
+#include "model/model.hpp"
+
+namespace bempd::model {
+
+ElementCarrier::ElementCarrier(Model& model, const scene::SceneValues* on_way, bool grows)
+    : model_(model),
+      on_way_(on_way),
+      grows_(grows),
+      cracks_(model.scene_.cracks()),
+      extensions_seen_(model.extensions().size()) {}
+
+ElementCarrier::~ElementCarrier() = default;
+
+fracture::CrackEvolution& ElementCarrier::body() { return *model_.prepared_->evolution; }
+
+void ElementCarrier::update() {
+  const fracture::EvolutionState& state = body().progress();
+  if (is_known_ && state.events == events_ && state.contact_switches == switches_) return;
+  values_ = model_.growing_tips();
+  tips_.clear();
+  for (const regions::TipValues& tip : values_) tips_.push_back(carried(tip, model_.options_));
+  events_ = state.events;
+  switches_ = state.contact_switches;
+  is_known_ = true;
+}
+
+std::vector<crack::Tip> ElementCarrier::tips() {
+  if (!grows_) return {};
+  update();
+  return tips_;
+}
+
+std::vector<crack::Candidate> ElementCarrier::candidates(const crack::LoadWay& way) {
+  if (!grows_) return {};
+  update();
+  const bool path = way.control == crack::Control::path;
+  if (path && crack::common_range(tips_).is_empty()) return {};
+  std::vector<crack::Candidate> candidates;
+  for (const crack::Tip& tip : tips_) {
+    const bool is_due = !path && !tip.range.holds(way.present);
+    const double critical = is_due ? way.present : way.upwards ? tip.range.highest : tip.range.lowest;
+    const double ratio = is_due ? tip.law.ratio(tip.factors, way.present) : 1;
+    if (std::isfinite(critical)) candidates.push_back(crack::candidate(tip.id, critical, ratio, way));
+  }
+  return candidates;
+}
+
+std::size_t ElementCarrier::number_of(const crack::TipId& tip) const {
+  const auto found = std::find_if(tips_.begin(), tips_.end(), [&](const crack::Tip& one) { return one.id == tip; });
+  return static_cast<std::size_t>(found - tips_.begin());
+}
+
+// Scene with longer cracks that `grow` prepares. If it cannot be, the cracks of the model are `before` again.
+Grown ElementCarrier::grown(const std::vector<scene::Crack>& before, const std::function<Grown()>& grow) {
+  try {
+    return grow();
+  } catch (const crack::CannotGrow& error) {
+    model_.scene_.set_cracks(before);
+    Model::say([&] { model_.log(1, error.what()); });
+    throw;
+  } catch (const crack::FreesLoadedPart& error) {
+    model_.scene_.set_cracks(before);
+    Model::say(
+        [&] { model_.log(1, text(error.what(), "; without it the body is separated, and the run ends just before")); });
+    throw;
+  }
+}
+
+// Lets the tip that is due grow, with those that tie with it. If that is impossible, the tips that cannot grow alone
+// either are stopped (the due tip if each could).
+crack::Advance ElementCarrier::advance(const crack::Step& step) {
+  check_cancelled();
+  update();
+  Growing growing = growing_with(values_, number_of(step.tip), model_.load_factor(), model_.options_);
+  growing.ties = step.ties;
+  const bool chosen = step.length == 0;
+  set_lengths(growing, chosen ? chosen_length(model_.scene_, growing, model_.options_) : step.length, model_.options_);
+  const std::vector<scene::Crack> before = model_.scene_.cracks();
+  try {
+    Grown next = grown(before, [&] { return model_.grown(before, growing, chosen, on_way_); });
+    crack::Advance done{next.growth.extensions};
+    for (const crack::Extension& e : done.extensions) done.has_stopped |= e.state == crack::TipState::at_interface;
+    go_on_in(std::move(next.scene), next.growth);
+    return done;
+  } catch (const crack::CannotGrow&) {
+    std::vector<crack::TipId> stopped = tips_that_cannot_grow(growing, before);
+    if (stopped.empty()) stopped.push_back(step.tip);
+    body().stop(stopped);
+    return {{}, true};
+  }
+}
+
+// Finds the tips that cannot grow alone either, out of several that were to grow together.
+std::vector<crack::TipId> ElementCarrier::tips_that_cannot_grow(const Growing& growing,
+                                                                const std::vector<scene::Crack>& before) {
+  std::vector<crack::TipId> stopped;
+  for (std::size_t k = 0; k < growing.tips.size() && growing.tips.size() > 1; ++k) {
+    Growing one = growing;
+    one.tips = {growing.tips[k]}, one.extensions = {growing.extensions[k]}, one.lengths = {growing.lengths[k]};
+    try {
+      model_.extended_scene(before, one, on_way_);
+    } catch (const crack::CannotGrow&) {
+      stopped.push_back({growing.tips[k].crack, growing.tips[k].end});
+    }
+    model_.scene_.set_cracks(before);
+  }
+  return stopped;
+}
+
+void ElementCarrier::go_on_in(std::unique_ptr<PreparedScene> next, const fracture::Growth& growth) {
+  spent_.add(seconds_of(*model_.prepared_));
+  model_.prepared_.swap(next);
+  ++model_.generation_;
+  is_known_ = false;
+  grows_ = true;
+  Model::say([&] { model_.tell_of_growth(growth, *next); });
+  if (!start_) start_ = std::move(next);
+}
+
+void ElementCarrier::take_back() noexcept {
+  model_.scene_.set_cracks(std::move(cracks_));
+  if (start_) model_.prepared_ = std::move(start_);
+  ++model_.generation_;
+}
+
+}  // namespace bempd::model

@@ -1,0 +1,69 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <vector>
+
+#include "crack/carrier.hpp"
+#include "fracture/body_carrier.hpp"
+#include "fracture/crack_evolution.hpp"
+#include "model/driven_growth.hpp"
+#include "regions/region.hpp"
+#include "scene/scene.hpp"
+#include "scene/scene_values.hpp"
+
+namespace bempd::model {
+
+class Model;
+struct Growing;
+
+// Carrier of cracks with boundary elements, for one call of a host. When a tip grows, the scene is prepared anew beside
+// the one before, and the run goes on there.
+class ElementCarrier final : public fracture::BodyCarrier {
+ public:
+  // `on_way` are the values of loads that act; null for those that the host has set. Tips grow if `grows`; a line that
+  // continues in boundary elements grows there in any case.
+  ElementCarrier(Model& model, const scene::SceneValues* on_way, bool grows);
+  ~ElementCarrier() override;
+
+  std::vector<crack::Tip> tips() override;
+  std::vector<crack::Candidate> candidates(const crack::LoadWay& way) override;
+  crack::Advance advance(const crack::Step& step) override;
+  std::vector<Point> openings(int crack, const std::vector<double>& fractions) override;
+
+  fracture::CrackEvolution& body() override;
+  bool take_over_lines(bool run_ends) override;
+
+  // Time that the scenes before the present one have taken.
+  const Seconds& spent() const { return spent_; }
+  // Returns the model to the scene in which it was when the carrier was made.
+  void take_back() noexcept;
+
+ private:
+  void update();
+  std::size_t number_of(const crack::TipId& tip) const;
+  std::vector<crack::TipId> tips_that_cannot_grow(const Growing& growing, const std::vector<scene::Crack>& before);
+  void go_on_in(std::unique_ptr<PreparedScene> next, const fracture::Growth& growth);
+  bool cross_border(const crack::TipId& tip);
+  Grown carried_on(const crack::TipId& tip, const crack::Extension& last, const Point& place,
+                   std::vector<scene::Crack> longer);
+  std::vector<crack::TipId> lines_at_border();
+  Grown grown(const std::vector<scene::Crack>& before, const std::function<Grown()>& grow);
+
+  Model& model_;
+  const scene::SceneValues* on_way_;
+  bool grows_;
+  std::vector<scene::Crack> cracks_;      // at the start
+  std::unique_ptr<PreparedScene> start_;  // null: no crack has grown yet
+  Seconds spent_;
+  std::size_t extensions_seen_;
+
+  // Tips are computed again only after an event or a contact change: nothing changes them in between.
+  bool is_known_ = false;
+  std::int64_t events_ = 0, switches_ = 0;
+  std::vector<regions::TipValues> values_;
+  std::vector<crack::Tip> tips_;
+};
+
+}  // namespace bempd::model
