@@ -69,6 +69,10 @@ AffineIntensity LineSteps::intensity_at(const GrowingTip& tip, const coupling::A
   return intensity_of(tip, stress_.fitted(tip, law_of(tip), displacement, body_.pressure_in(tip.id.crack)));
 }
 
+bool LineSteps::is_closed(const GrowingTip& tip, const coupling::Affine& displacement) const {
+  return is_shut(tip, stress_.fitted(tip, law_of(tip), displacement, body_.pressure_in(tip.id.crack)));
+}
+
 void LineSteps::judge_fit(const std::vector<GrowingTip>& tips, const WilliamsFit& fit, LineStep& step) const {
   step.fit_holds = true;
   if (!laws_.loads_by_energy) return;

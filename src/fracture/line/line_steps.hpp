@@ -95,6 +95,8 @@ class LineSteps {
 
   // Stress intensity factors of a tip as affine functions of the load factor.
   AffineIntensity intensity_at(const GrowingTip& tip, const coupling::Affine& displacement) const;
+  // Whether the faces of a tip press on each other there.
+  bool is_closed(const GrowingTip& tip, const coupling::Affine& displacement) const;
   // Angle by which a tip that grows at a load factor turns, counter-clockwise [rad].
   double kink_at(const GrowingTip& tip, const coupling::Affine& displacement, double load_factor) const;
 
