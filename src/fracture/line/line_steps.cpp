@@ -61,7 +61,7 @@ LineSteps::LineSteps(LoadedBody& body, pd::TipLaws laws)
       laws_(std::move(laws)),
       stress_(body.system(), body.positions(), laws_),
       way_(body.system(), body.positions(), stress_),
-      trials_(body.system(), body.positions(), laws_, way_) {}
+      trials_(body.system(), laws_, way_) {}
 
 // Whether the tip's crack began in the run. Its other tip is then closely behind at first, which the fitted series does
 // not take into account.
