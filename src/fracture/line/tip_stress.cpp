@@ -129,7 +129,7 @@ Eigen::RowVector2d TipStress::tension(std::size_t term, const coupling::Affine& 
 // Stress at a point in axes along a direction and to the left of it.
 TipStress::Stress TipStress::stress(int node, const Point& direction, const pd::TipLaw& law,
                                     const coupling::Affine& displacement) const {
-  const Eigen::Matrix3d* stress_of_moments = outline_.stress_of_moments(node);
+  const Eigen::Matrix3d* stress_of_moments = outline_.has(node) ? outline_.stress_of_moments(node) : nullptr;
   if (!stress_of_moments) return stress_times_volume(node, direction, displacement) / volume_of(node, law);
   const double c = direction.x(), s = direction.y();
   Eigen::Matrix3d turn;  // of (xx, yy, xy) into those axes
@@ -157,7 +157,11 @@ Point TipStress::across_tension(int bond, const pd::TipLaw& law, const coupling:
                                 double load_factor) const {
   const coupling::Terms& terms = system_.terms();
   const auto b = static_cast<std::size_t>(bond);
-  const auto stress_of = [&](int node) { return stress(node, {1, 0}, law, displacement); };
+  const auto stress_of = [&](int node) -> Stress {
+    const Eigen::Matrix3d* stress_of_moments = outline_.stress_of_moments(node);
+    if (!stress_of_moments) return stress(node, {1, 0}, law, displacement);
+    return *stress_of_moments * stress_times_volume(node, {1, 0}, displacement);
+  };
   const Eigen::Vector3d s = (stress_of(terms.first[b]) + stress_of(terms.second[b])) * Eigen::Vector2d(1, load_factor);
   const double angle = std::atan2(2 * s[2], s[0] - s[1]) / 2;  // of the principal direction
   return {-std::sin(angle), std::cos(angle)};
