@@ -235,6 +235,19 @@ module bempd_c
   !> The stress ahead of the tip in a lattice, by which its crack grows as a line.
   integer(c_int), parameter :: BEMPD_TIP_STRESS = 3
 
+  !> What the load factors at which a tip grows come from.
+  !>
+  !> since: 0.4
+  integer, parameter :: bempd_load_rule = c_int
+  !> Nothing is known of them.
+  integer(c_int), parameter :: BEMPD_LOAD_UNKNOWN = 0
+  !> The stress intensity factors of the tip.
+  integer(c_int), parameter :: BEMPD_LOAD_FACTORS = 1
+  !> Those fitted to the stress ahead of the tip of a line in a lattice, corrected by the energy of its past steps.
+  integer(c_int), parameter :: BEMPD_LOAD_FIT = 2
+  !> The energy of trial steps of a line in a lattice, where that fit does not hold.
+  integer(c_int), parameter :: BEMPD_LOAD_ENERGY = 3
+
   !> What became of an end of a crack.
   !>
   !> since: 0.3
@@ -628,6 +641,15 @@ module bempd_c
     !> smallest load factor >= 0 at which G of growth straight on is the fracture energy; the largest double if it never
     !> is. A tip under shear turns, and grows earlier: this is 5 to 30 % too high for cracks at 15 to 75 degrees [-]
     real(c_double) :: straight_load_factor
+    !> a bempd_load_rule: what the critical load factors come from (since 0.4, as all that follows)
+    integer(c_int32_t) :: load_rule
+    !> 1 if the crack's faces press on each other at the tip of a crack in a lattice
+    integer(c_int32_t) :: closed
+    !> estimate of the relative error of critical_load_factor; NaN if the tip never grows or nothing is known of it [-]
+    real(c_double) :: load_error
+    !> distance to the nearest edge, other material, other crack, bend or other end of its own crack: nearer the factors
+    !> and T tell the stress, in a lattice from a horizon on [m]
+    real(c_double) :: valid_radius
   end type bempd_crack_tip
 
   !> A vertex of a crack's path. Fill it with bempd_path_vertex_init().

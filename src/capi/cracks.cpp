@@ -30,6 +30,10 @@ bempd_crack_tip described(const regions::TipValues& t) {
       .critical_load_factor_down = t.critical_load_factor_down,
       .critical_kink_angle = t.critical_kink_angle,
       .straight_load_factor = t.straight_load_factor,
+      .load_rule = static_cast<int32_t>(t.load_rule),
+      .closed = t.closed ? 1 : 0,
+      .load_error = t.load_error,
+      .valid_radius = t.valid_radius,
   };
 }
 

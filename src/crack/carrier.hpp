@@ -19,6 +19,9 @@ struct Tip {
   GrowthRange range;      // of load factors, between which it does not grow
   double kink_angle = 0;  // by which it turns at the present load factor, counter-clockwise [rad]
   double critical_kink_angle = std::numeric_limits<double>::quiet_NaN();  // at the highest of the range, if it has one
+  LoadRule load_rule = LoadRule::factors;
+  double load_error = std::numeric_limits<double>::quiet_NaN();  // relative, of the highest of the range, if it has one
+  bool closed = false;                                           // its faces press on each other
 };
 
 // Range of load factors in which none of `tips` grows.

@@ -5,6 +5,7 @@
 #include "elasticity/griffith.hpp"
 #include "error.hpp"
 #include "geometry/segment.hpp"
+#include "model/clear_radius.hpp"
 #include "model/element_carrier.hpp"
 #include "model/element_growth.hpp"
 #include "model/model.hpp"
@@ -22,19 +23,21 @@ void tell_growth(regions::TipValues& values, const crack::Tip& tip) {
   values.kink_angle = tip.kink_angle, values.critical_kink_angle = tip.critical_kink_angle;
   values.critical_load_factor = in_range(tip.range.highest);
   values.critical_load_factor_down = in_range(tip.range.lowest);
+  values.load_rule = tip.load_rule, values.load_error = tip.load_error;
 }
 
 // Computes the results of the growth criterion in force for a tip with known stress intensity factors.
 void complete(regions::TipValues& tip, const scene::Options& options) {
   if (!tip.factors.allFinite() || !tip.constant_factors.allFinite() || !tip.proportional_factors.allFinite()) return;
   tell_growth(tip, carried(tip, options));
+  if (std::isfinite(tip.critical_kink_angle)) tip.load_error = tip.error / tip.factors.norm();
   tip.straight_load_factor = straight_load_factor(tip.constant_factors, tip.proportional_factors, tip.toughness);
 }
 
 void never_grows(regions::TipValues& tip) {
   tip.critical_load_factor = std::numeric_limits<double>::max();
   tip.critical_load_factor_down = -tip.critical_load_factor;
-  tip.critical_kink_angle = regions::TipValues::unknown;
+  tip.critical_kink_angle = tip.load_error = regions::TipValues::unknown;
 }
 
 // Takes the stress intensity factors that the run has fitted to the stress ahead of the tip. They are used for tips
@@ -102,6 +105,11 @@ std::vector<regions::TipValues> Model::compute_tips() const {
   const std::vector<regions::TipValues> in_lattices =
       prepared_->evolution->lines() ? tips_of_lines() : tips_in_lattices();
   all.insert(all.end(), in_lattices.begin(), in_lattices.end());
+  std::vector<std::vector<Point>> paths;
+  for (int crack = 1; crack <= crack_count(); ++crack) paths.push_back(places_of(crack_path(crack)));
+  for (regions::TipValues& tip : all)
+    tip.valid_radius =
+        clear_radius(scene_, prepared_->discretization, paths, {{tip.crack, tip.end}, tip.place, tip.direction});
   return all;
 }
 
@@ -132,6 +140,7 @@ std::vector<regions::TipValues> Model::tips_of_lines() const {
     if (values.contours == 0) take_stress_ahead(values, tip, load_factor());
     complete(values, options_);
     tell_growth(values, tip);
+    values.closed = values.closed || tip.closed;
   }
   return tips;
 }

@@ -13,10 +13,10 @@ const scene::OptionGroup growth_group(scene::OptionPlace::growth, [] {
                          "hoop | energy", "hoop"),
       scene::text_option(
           "crack.load",
-          "What gives the load of the next step of a crack that grows as a line in a lattice. fit: the stress around "
-          "its tip. energy: the energy of trial steps where that fit does not hold, as at kinks, beside edges and "
-          "before other materials (docs/cracks.md). Short pressed cracks are worse by energy.",
-          "fit | energy", "fit"),
+          "What gives the load of the next step of a crack that grows as a line in a lattice. energy: the stress around "
+          "its tip, and the energy of trial steps where that stress is not the tip's own, as at kinks, beside edges "
+          "and before other materials (docs/cracks.md). fit: that stress everywhere, to compare.",
+          "energy | fit", "energy"),
       scene::text_option(
           "crack.direction",
           "Direction of an extension by bempd_grow_cracks(). tip: that at its start. chord: turned by half of the "

@@ -20,6 +20,8 @@ struct TipLaw {
   double toughness = 0;                    // [Pa m^(1/2)]; infinite for a material that does not break
   const VariedEnergy* energies = nullptr;  // by place; null where the toughness holds everywhere
 
+  double point_volume() const { return spacing * spacing * thickness; }  // of a full point [m^3]
+
   // The law with the toughness at a place.
   TipLaw at(const Point& place) const {
     TipLaw there = *this;

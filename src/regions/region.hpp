@@ -11,6 +11,7 @@
 
 #include "coupling/node_ties.hpp"
 #include "coupling/operators.hpp"
+#include "crack/tip.hpp"
 #include "elasticity/free_swelling.hpp"
 #include "elasticity/linear_body_force.hpp"
 #include "geometry/crack_lines.hpp"
@@ -77,12 +78,16 @@ struct TipValues {
   double critical_load_factor_down = unknown;  // load factor at which the tip grows while it falls
   double critical_kink_angle = unknown;        // angle by which it turns at critical_load_factor [rad]
   double straight_load_factor = unknown;       // smallest >= 0 at which G of growth straight on is the fracture energy
+  crack::LoadRule load_rule = crack::LoadRule::unknown;  // what the critical load factors come from
+  double load_error = unknown;                           // relative error of critical_load_factor
+  double valid_radius = unknown;  // around the tip, within which nothing else disturbs its field [m]
 
   // The next members are set for tips in lattices only.
   TipMethod method = TipMethod::elements;
   int contours = 0;
   bool grown = false, branched = false;
   double contour_radius = 0, felt_ahead = 0;  // [m]
+  bool closed = false;                        // faces press on each other at the tip
 };
 
 enum class TipDetail { factors, everything };

@@ -121,6 +121,8 @@ VtuGrid grid_of(const std::vector<regions::TipValues>& tips) {
   add("critical_kink_angle", [](const Tip& tip) { return tip.critical_kink_angle; });
   add("straight_load_factor", [](const Tip& tip) { return tip.straight_load_factor; });
   add("felt_ahead", [](const Tip& tip) { return tip.felt_ahead; });
+  add("load_error", [](const Tip& tip) { return tip.load_error; });
+  add("valid_radius", [](const Tip& tip) { return tip.valid_radius; });
   grid.point_data.push_back({"direction", 2, std::move(directions)});
   grid.point_data.push_back({"crack", 1, std::move(cracks)});
   grid.point_data.push_back({"end", 1, std::move(ends)});

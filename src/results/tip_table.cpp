@@ -29,6 +29,8 @@ void for_each_column(const TipRecord& r, const Column& column) {
   column("critical_load_factor_down", real(t.critical_load_factor_down));
   column("critical_kink_angle", real(t.critical_kink_angle));
   column("straight_load_factor", real(t.straight_load_factor));
+  column("load_rule", whole(t.load_rule)), column("closed", whole(t.closed));
+  column("load_error", real(t.load_error)), column("valid_radius", real(t.valid_radius));
 }
 
 }  // namespace

@@ -48,6 +48,7 @@ from .reports import (
     EdgeReaction,
     Explanation,
     Growth,
+    LoadRule,
     NextEvent,
     PathVertex,
     Piece,
@@ -70,7 +71,7 @@ __version__ = version()
 
 __all__ = [
     "ArgumentError", "BondState", "Bonds", "CancelledError", "Convergence", "ConvergenceError", "ConvergenceTable", "CrackExtension", "CrackOpening",
-    "CrackTip", "EdgeNodes", "EdgePlaces", "EdgeReaction", "Ensemble", "Error", "Explanation", "FatigueLife", "FatigueStop", "FileError", "Growth", "InternalError", "Model", "NextEvent", "OptionInfo", "Options", "OrderError",
+    "CrackTip", "EdgeNodes", "EdgePlaces", "EdgeReaction", "Ensemble", "Error", "Explanation", "FatigueLife", "FatigueStop", "FileError", "Growth", "InternalError", "LoadRule", "Model", "NextEvent", "OptionInfo", "Options", "OrderError",
     "OutOfMemoryError", "PathVertex", "Piece", "PointValues", "ProgressBar", "Rows", "Singularity", "SingularityKind", "State", "Statistics",
     "StepReport", "StopReason", "SupportHistory", "Table", "TipEnd", "TipMethod", "TipRecord", "TipState", "UnknownOptionError", "UnsolvableError",
     "build_info", "converge", "describe_options", "ensemble", "library_path", "outline", "progress_bar", "random_cracks", "random_field", "read_ensemble", "read_history", "rectangle", "table", "version", "weibull_field",

@@ -391,6 +391,12 @@ typedef enum bempd_tip_method {
   BEMPD_TIP_CONTOURS = 2,
   BEMPD_TIP_STRESS = 3
 } bempd_tip_method;
+typedef enum bempd_load_rule {
+  BEMPD_LOAD_UNKNOWN = 0,
+  BEMPD_LOAD_FACTORS = 1,
+  BEMPD_LOAD_FIT = 2,
+  BEMPD_LOAD_ENERGY = 3
+} bempd_load_rule;
 typedef struct bempd_crack_tip {
   int64_t struct_size;
   int32_t crack;
@@ -415,6 +421,10 @@ typedef struct bempd_crack_tip {
   double critical_load_factor_down;
   double critical_kink_angle;
   double straight_load_factor;
+  int32_t load_rule;
+  int32_t closed;
+  double load_error;
+  double valid_radius;
 } bempd_crack_tip;
 bempd_status bempd_crack_tip_init(bempd_crack_tip *tip, int64_t struct_size);
 bempd_status bempd_tip_count(bempd_model *model, int64_t *count);
@@ -2296,6 +2306,15 @@ since: 0.3""",
     "BEMPD_TIP_ELEMENTS": """Boundary elements on the crack.""",
     "BEMPD_TIP_CONTOURS": """Rings around the tip in a lattice.""",
     "BEMPD_TIP_STRESS": """The stress ahead of the tip in a lattice, by which its crack grows as a line.""",
+    "bempd_load_rule": """What the load factors at which a tip grows come from.
+
+since: 0.4""",
+    "BEMPD_LOAD_UNKNOWN": """Nothing is known of them.""",
+    "BEMPD_LOAD_FACTORS": """The stress intensity factors of the tip.""",
+    "BEMPD_LOAD_FIT": """\
+Those fitted to the stress ahead of the tip of a line in a lattice, corrected by the energy of its
+past steps.""",
+    "BEMPD_LOAD_ENERGY": """The energy of trial steps of a line in a lattice, where that fit does not hold.""",
     "bempd_crack_tip": """\
 The tip of a crack at the present load factor. Fill it with bempd_crack_tip_init().
 
@@ -2365,6 +2384,15 @@ there""",
 smallest load factor >= 0 at which G of growth straight on is the fracture energy; the largest
 double if it never is. A tip under shear turns, and grows earlier: this is 5 to 30 % too high for
 cracks at 15 to 75 degrees [-]""",
+    "bempd_crack_tip.load_rule": """\
+a bempd_load_rule: what the critical load factors come from (since 0.4, as all that follows)""",
+    "bempd_crack_tip.closed": """1 if the crack's faces press on each other at the tip of a crack in a lattice""",
+    "bempd_crack_tip.load_error": """\
+estimate of the relative error of critical_load_factor; NaN if the tip never grows or nothing is
+known of it [-]""",
+    "bempd_crack_tip.valid_radius": """\
+distance to the nearest edge, other material, other crack, bend or other end of its own crack:
+nearer the factors and T tell the stress, in a lattice from a horizon on [m]""",
     "bempd_crack_tip_init": """\
 Set struct_size and zeros.
 

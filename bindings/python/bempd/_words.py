@@ -126,6 +126,7 @@ OTHER_WORDS: dict[str, str] = {
     "bempd_stop_reason": "StopReason",
     "bempd_tip_end": "TipEnd",
     "bempd_tip_method": "TipMethod",
+    "bempd_load_rule": "LoadRule",
     "bempd_tip_state": "TipState",
     "bempd_component": '"x", "y" or "both"',
     "bempd_crack_component": '"pressure" or "shear"',

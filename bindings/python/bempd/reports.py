@@ -60,6 +60,15 @@ class TipMethod(enum.IntEnum):
     STRESS = 3  #: the stress ahead of a crack that grows as a line, where no ring fits
 
 
+class LoadRule(enum.IntEnum):
+    """What the load factors at which a tip grows come from."""
+
+    UNKNOWN = 0  #: nothing is known of them
+    FACTORS = 1  #: its stress intensity factors
+    FIT = 2  #: those fitted to the stress ahead of a line in a lattice, corrected by the energy of its past steps
+    ENERGY = 3  #: the energy of trial steps of a line, where that fit does not hold
+
+
 class SingularityKind(enum.IntEnum):
     """Why stress is unbounded at a place."""
 
@@ -107,6 +116,10 @@ class CrackTip:
     critical_load_factor_down: float  #: at which it grows while the load factor falls; minus the largest number if never
     critical_kink_angle: float  #: by which it turns at critical_load_factor, counter-clockwise [rad]
     straight_load_factor: float  #: at which G of growth straight on is the fracture energy; one under shear grows earlier
+    load_rule: LoadRule  #: what the critical load factors come from
+    closed: bool  #: whether its faces press on each other (tips in lattices)
+    load_error: float  #: estimate of the relative error of critical_load_factor
+    valid_radius: float  #: to the nearest edge, other material, other crack, bend or other end: nearer the factors hold [m]
 
 
 class TipRecord(NamedTuple):
@@ -357,6 +370,7 @@ def crack_tip(struct: Any) -> CrackTip:
     values = values_of(struct, "bempd_crack_tip", CrackTip)
     values["end"], values["method"] = TipEnd(values["end"]), TipMethod(values["method"])
     values["grown"], values["branched"] = bool(values["grown"]), bool(values["branched"])
+    values["load_rule"], values["closed"] = LoadRule(values["load_rule"]), bool(values["closed"])
     return CrackTip(**values)
 
 

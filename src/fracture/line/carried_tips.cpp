@@ -25,13 +25,16 @@ std::vector<crack::Tip> LineEvents::tips() {
     if (LineSteps::has_ended(tip)) continue;
     const AffineIntensity fit = steps_.intensity_at(tip, state.displacement);
     found[k].factors = {{fit.one[0], fit.two[0]}, {fit.one[1], fit.two[1]}};
+    found[k].load_rule = crack::LoadRule::fit, found[k].closed = steps_.is_closed(tip, state.displacement);
     found[k].kink_angle = steps_.kink_at(tip, state.displacement, state.load_factor);
   }
   for (const bool upwards : {true, false}) {
     const LoadWay way{state.load_factor, upwards, Control::path};
     for (const LineStep& step : steps_.all(state.tips, state.displacement, way, &trials_, true)) {
       (upwards ? found[step.tip].range.highest : found[step.tip].range.lowest) = step.load_factor;
-      if (upwards) found[step.tip].critical_kink_angle = step.angle;
+      if (!upwards) continue;
+      found[step.tip].critical_kink_angle = step.angle, found[step.tip].load_error = step.error;
+      if (step.by_energy) found[step.tip].load_rule = crack::LoadRule::energy;
     }
   }
   std::size_t left = 0;

@@ -61,7 +61,7 @@ LineSteps::LineSteps(LoadedBody& body, pd::TipLaws laws)
       laws_(std::move(laws)),
       stress_(body.system(), body.positions(), laws_),
       way_(body.system(), body.positions(), stress_),
-      trials_(body.system(), body.positions(), laws_, way_) {}
+      trials_(body.system(), laws_, way_) {}
 
 // Whether the tip's crack began in the run. Its other tip is then closely behind at first, which the fitted series does
 // not take into account.
@@ -224,9 +224,10 @@ crack::Extension LineSteps::remember(const LineStep& step, double ratio, double 
   const double expected = rate * law.thickness * step.way.length;
   const double released = expected > 0 ? released_energy / expected : 1;
   // The energy of the first step depends on where the crack was described to end between the points, so it is not used.
+  // A load by an energy says nothing of the fit, whose correction then stays as it is.
   const bool is_first = tip.energy_ratios.empty();
-  const bool is_exact = is_first || step.by_energy;  // an energy needs no correction
-  tip.energy_ratios.push_back(is_exact ? 1 : std::clamp(released, least_ratio, largest_ratio));
+  if (is_first || !step.by_energy)
+    tip.energy_ratios.push_back(is_first ? 1 : std::clamp(released, least_ratio, largest_ratio));
   if (tip.energy_ratios.size() > remembered_steps) tip.energy_ratios.erase(tip.energy_ratios.begin());
   const bool at_hole = step.way.ends_as == crack::TipState::at_edge &&
                        distance_to(laws_.hole_edges, tip.place) < distance_to(laws_.outer_edges, tip.place);

@@ -34,6 +34,9 @@ struct LineStep {
   // load, and the residual of the fit as a share of the stress.
   bool fit_holds = true, is_shut = false;  // shut: its faces press on each other at the tip
   double error = 0, residual = 0;
+  // For a tip that is sheared and alone: equivalent factor of the fit with its K_II as found over that with a smaller
+  // K_II (TipStress::as_read()). 0 for others.
+  double whole_shear = 0;
   // Whether the load comes from the energy of a trial step. If so: the ratio (see ratio_at) after the step over that
   // before it, and the energy that the step's bonds take [J].
   bool by_energy = false;
@@ -95,6 +98,8 @@ class LineSteps {
 
   // Stress intensity factors of a tip as affine functions of the load factor.
   AffineIntensity intensity_at(const GrowingTip& tip, const coupling::Affine& displacement) const;
+  // Whether the faces of a tip press on each other there.
+  bool is_closed(const GrowingTip& tip, const coupling::Affine& displacement) const;
   // Angle by which a tip that grows at a load factor turns, counter-clockwise [rad].
   double kink_at(const GrowingTip& tip, const coupling::Affine& displacement, double load_factor) const;
 
@@ -138,6 +143,7 @@ class LineSteps {
   // no answer.
   void try_step(const GrowingTip& tip, const coupling::Affine& displacement, const LoadWay& way, TrialBody& body,
                 LineStep& step) const;
+  void blend(const LineLoad& by_energy, double error, LineStep& step) const;
   AffineIntensity turning_of(const GrowingTip& tip, const AffineIntensity& by_fit, const coupling::Affine& displacement,
                              double present) const;
   int law_ahead_of(const GrowingTip& tip) const;

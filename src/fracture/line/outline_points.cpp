@@ -1,5 +1,10 @@
 #include "fracture/line/outline_points.hpp"
 
+#include <Eigen/Dense>
+#include <algorithm>
+
+#include "fracture/line/deep_points.hpp"
+#include "fracture/line/point_moments.hpp"
 #include "fracture/line/whole_stiffness.hpp"
 #include "geometry/point.hpp"
 
@@ -10,15 +15,52 @@ namespace {
 // Sum of the pulls of a point's bonds over the sum of their magnitudes, from which on the pulls do not balance.
 constexpr double outline_pull = 0.1;
 
+// Least ratio of the eigenvalues of a point's stiffness for which its bonds tell all components of a stress.
+constexpr double least_resistance = 1e-3;
+
+// Relative difference of a point's stiffness from that of a point deep inside up to which the two count as equal.
+constexpr double alike_inside = 1e-6;
+
+double median_of(std::vector<double> values) {
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+bool are_of_a_kind(const pd::TipLaws& laws, int one, int other) {
+  const int first = laws.of_node[static_cast<std::size_t>(one)], second = laws.of_node[static_cast<std::size_t>(other)];
+  if (first < 0 || second < 0) return first == second;
+  return are_alike(laws.laws[static_cast<std::size_t>(first)], laws.laws[static_cast<std::size_t>(second)]);
+}
+
+// Typical matrix of some points inside a lattice: the median of every entry, because edges affect some points.
+Eigen::Matrix3d typical(const std::vector<Eigen::Matrix3d>& of_node, const std::vector<int>& points) {
+  Eigen::Matrix3d result = Eigen::Matrix3d::Zero();
+  std::vector<double> values(points.size());
+  for (int row = 0; row < 3 && !points.empty(); ++row)
+    for (int column = 0; column < 3; ++column) {
+      for (std::size_t k = 0; k < points.size(); ++k)
+        values[k] = of_node[static_cast<std::size_t>(points[k])](row, column);
+      result(row, column) = median_of(values);
+    }
+  return result;
+}
+
 }  // namespace
+
+OutlinePoints::OutlinePoints(const coupling::Terms& terms, const std::vector<Point>& positions, const pd::TipLaws& laws)
+    : share_(positions.size(), 0) {
+  const std::vector<double> stiffness = whole_stiffness(terms, laws.weakened);
+  find_shares(terms, laws, stiffness);
+  find_stresses(terms, positions, laws, stiffness);
+}
 
 // Finds points on the outline by their bonds: under constant stress these pull the point inwards, while the pulls at
 // inner points balance. Weakened bonds count as whole, because the end of a crack is no outline.
-OutlinePoints::OutlinePoints(const coupling::Terms& terms, const pd::TipLaws& laws, std::size_t nodes)
-    : share_(nodes, 0) {
-  std::vector<Point> pull(nodes, Point(0, 0));
-  std::vector<double> sum(nodes, 0);
-  const std::vector<double> stiffness = whole_stiffness(terms, laws.weakened);
+void OutlinePoints::find_shares(const coupling::Terms& terms, const pd::TipLaws& laws,
+                                const std::vector<double>& stiffness) {
+  std::vector<Point> pull(share_.size(), Point(0, 0));
+  std::vector<double> sum(share_.size(), 0);
   for (std::size_t t = 0; t < terms.size(); ++t) {
     if (terms.is_wide(t)) continue;
     const double size = stiffness[t] * terms.length[t];
@@ -27,10 +69,45 @@ OutlinePoints::OutlinePoints(const coupling::Terms& terms, const pd::TipLaws& la
     pull[first] += along, pull[second] -= along;
     sum[first] += size, sum[second] += size;
   }
-  for (std::size_t node = 0; node < nodes; ++node) {
+  for (std::size_t node = 0; node < share_.size(); ++node) {
     if (!(pull[node].norm() > outline_pull * sum[node])) continue;
     const double known = node < laws.share_of_node.size() ? laws.share_of_node[node] : 0;
     share_[node] = known > 0 ? known : 0.5;
+  }
+}
+
+// Under a uniform strain E a term with the moment m (xx, yy, xy) at each of its n points has the tension
+// k n m.(E_xx, E_yy, 2 E_xy). So a point's sum of moments is S (E_xx, E_yy, 2 E_xy) with S = sum of k n m m^T, and the
+// stress is S of a full point over its volume times the same strain.
+void OutlinePoints::find_stresses(const coupling::Terms& terms, const std::vector<Point>& positions,
+                                  const pd::TipLaws& laws, const std::vector<double>& stiffness) {
+  std::vector<Eigen::Matrix3d> sums(share_.size(), Eigen::Matrix3d::Zero());
+  std::vector<char> is_mixed(share_.size(), 0);  // has terms to another kind of lattice
+  for (std::size_t t = 0; t < terms.size(); ++t) {
+    int nodes = 0;
+    bool joins = false;
+    terms.for_each_node(t, [&](int node) { ++nodes, joins = joins || !are_of_a_kind(laws, terms.first[t], node); });
+    if (joins) terms.for_each_node(t, [&](int node) { is_mixed[static_cast<std::size_t>(node)] = 1; });
+    terms.for_each_node(t, [&](int node) {
+      const Eigen::Vector3d moment = moment_at(terms, positions, t, node, {1, 0});
+      sums[static_cast<std::size_t>(node)] += stiffness[t] * nodes * moment * moment.transpose();
+    });
+  }
+  std::vector<Eigen::Matrix3d> full;
+  const std::vector<std::vector<int>> deep = deep_points(terms, laws);
+  for (std::size_t law = 0; law < deep.size(); ++law) {
+    const pd::TipLaw& its = laws.laws[law];
+    full.push_back(typical(sums, deep[law]) / its.point_volume());
+  }
+  for (std::size_t n = 0; n < laws.of_node.size(); ++n) {
+    const int law = laws.of_node[n];
+    if (law < 0 || is_mixed[n] || deep[static_cast<std::size_t>(law)].empty()) continue;
+    const Eigen::Matrix3d& whole = full[static_cast<std::size_t>(law)];
+    const Eigen::Matrix3d as_inside = whole * laws.laws[static_cast<std::size_t>(law)].point_volume();
+    if (share_[n] == 0 && (sums[n] - as_inside).norm() < alike_inside * as_inside.norm()) continue;
+    const Eigen::Vector3d resistance = Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(sums[n]).eigenvalues();
+    if (resistance[0] > least_resistance * resistance[2])
+      stress_of_moments_[static_cast<int>(n)] = whole * sums[n].inverse();
   }
 }
 

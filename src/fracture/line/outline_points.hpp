@@ -1,5 +1,7 @@
 #pragma once
 
+#include <Eigen/Core>
+#include <map>
 #include <vector>
 
 #include "coupling/terms.hpp"
@@ -11,13 +13,26 @@ namespace bempd::fracture {
 // edge, a quarter at a corner.
 class OutlinePoints {
  public:
-  OutlinePoints(const coupling::Terms& terms, const pd::TipLaws& laws, std::size_t nodes);
+  OutlinePoints(const coupling::Terms& terms, const std::vector<Point>& positions, const pd::TipLaws& laws);
 
   bool has(int node) const { return share_[static_cast<std::size_t>(node)] > 0; }
   double share_of(int node) const { return has(node) ? share_[static_cast<std::size_t>(node)] : 1; }
 
+  // Matrix that turns the sum of a point's moments (moment_at() times tension, xx, yy, xy) into its stress: under uniform
+  // stress into just that stress. Bonds at a corner have directions of a quarter plane only, so a share of the area would
+  // not do. Null far from edges, and at borders of two kinds of lattices.
+  const Eigen::Matrix3d* stress_of_moments(int node) const {
+    const auto found = stress_of_moments_.find(node);
+    return found == stress_of_moments_.end() ? nullptr : &found->second;
+  }
+
  private:
+  void find_shares(const coupling::Terms& terms, const pd::TipLaws& laws, const std::vector<double>& stiffness);
+  void find_stresses(const coupling::Terms& terms, const std::vector<Point>& positions, const pd::TipLaws& laws,
+                     const std::vector<double>& stiffness);
+
   std::vector<double> share_;  // 0 inside
+  std::map<int, Eigen::Matrix3d> stress_of_moments_;
 };
 
 }  // namespace bempd::fracture

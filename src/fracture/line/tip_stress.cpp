@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "fracture/line/on_limits.hpp"
+#include "fracture/line/point_moments.hpp"
 
 namespace bempd::fracture {
 
@@ -75,7 +76,7 @@ TipStress::TipStress(const coupling::EquilibriumSystem& system, const std::vecto
                                           terms.for_each_node(static_cast<std::size_t>(t),
                                                               [&](int node) { add(node, t); });
                                       })),
-      outline_(system.terms(), laws, positions.size()),
+      outline_(system.terms(), positions, laws),
       joints_(positions, near_, laws) {}
 
 double TipStress::nearest_outline(const Point& place, double at_most) const {
@@ -130,40 +131,22 @@ Eigen::RowVector2d TipStress::tension(std::size_t term, const coupling::Affine& 
   return parts;
 }
 
-// Contribution of a wide term with unit tension to the stress (times volume) of one of its nodes, by the moments of its
-// pulls about the node.
-Eigen::Vector3d TipStress::moment_about(int node, std::size_t wide, const Point& direction) const {
-  Eigen::Vector3d moment = Eigen::Vector3d::Zero();
-  int nodes = 0;
-  system_.terms().for_each_entry(wide, [&](int at, double x, double y) {
-    const Point pull(x, y), arm = positions_[static_cast<std::size_t>(at)] - positions_[static_cast<std::size_t>(node)];
-    const double along = pull.dot(direction), across = cross(direction, pull);
-    const double arm_along = arm.dot(direction), arm_across = cross(direction, arm);
-    moment += Eigen::Vector3d(along * arm_along, across * arm_across, (along * arm_across + across * arm_along) / 2);
-    ++nodes;
-  });
-  return moment / nodes;
-}
-
+// Stress at a point in axes along a direction and to the left of it.
 TipStress::Stress TipStress::stress(int node, const Point& direction, const pd::TipLaw& law,
                                     const coupling::Affine& displacement) const {
-  return stress_times_volume(node, direction, displacement) / volume_of(node, law);
+  const Eigen::Matrix3d* stress_of_moments = outline_.has(node) ? outline_.stress_of_moments(node) : nullptr;
+  if (!stress_of_moments) return stress_times_volume(node, direction, displacement) / volume_of(node, law);
+  const double c = direction.x(), s = direction.y();
+  Eigen::Matrix3d turn;  // of (xx, yy, xy) into those axes
+  turn << c * c, s * s, 2 * c * s, s * s, c * c, -2 * c * s, -c * s, c * s, c * c - s * s;
+  return turn * *stress_of_moments * stress_times_volume(node, {1, 0}, displacement);
 }
 
 TipStress::Stress TipStress::stress_times_volume(int node, const Point& direction,
                                                  const coupling::Affine& displacement) const {
-  const coupling::Terms& terms = system_.terms();
   Stress sum = Stress::Zero();
   for_each_term(node, [&](std::size_t t) {
-    if (terms.is_wide(t)) {
-      sum += moment_about(node, t, direction) * tension(t, displacement);
-      return;
-    }
-    const Point e(terms.cosine[t], terms.sine[t]);
-    const double along = e.dot(direction), across = cross(direction, e);
-    const Eigen::Vector3d dyad(along * along, across * across, along * across);
-    const Eigen::RowVector2d force = tension(t, displacement);
-    for (int part = 0; part < 2; ++part) sum.col(part) += force[part] * terms.length[t] / 2 * dyad;
+    sum += moment_at(system_.terms(), positions_, t, node, direction) * tension(t, displacement);
   });
   return sum;
 }
@@ -179,10 +162,10 @@ Point TipStress::across_tension(int bond, const pd::TipLaw& law, const coupling:
                                 double load_factor) const {
   const coupling::Terms& terms = system_.terms();
   const auto b = static_cast<std::size_t>(bond);
-  // The stress is the mean of both ends of the bond. A corner counts half, because loads on it affect no other point.
-  const auto stress_of = [&](int node) {
-    const double volume = law.spacing * law.spacing * law.thickness * (outline_.has(node) ? 0.5 : 1.0);
-    return Stress(stress_times_volume(node, {1, 0}, displacement) / volume);
+  const auto stress_of = [&](int node) -> Stress {
+    const Eigen::Matrix3d* stress_of_moments = outline_.stress_of_moments(node);
+    if (!stress_of_moments) return stress(node, {1, 0}, law, displacement);
+    return *stress_of_moments * stress_times_volume(node, {1, 0}, displacement);
   };
   const Eigen::Vector3d s = (stress_of(terms.first[b]) + stress_of(terms.second[b])) * Eigen::Vector2d(1, load_factor);
   const double angle = std::atan2(2 * s[2], s[0] - s[1]) / 2;  // of the principal direction

@@ -17,7 +17,7 @@ namespace bempd::fracture {
 
 // Stresses around tips from the forces of terms. The stress of a point is the mean over its area: half of force times
 // bond vector of every bond belongs to the point at either end, and a quarter of a square's moment to each corner of
-// its cell. All results are linear in the displacements. Only points ahead of the tip are used, none of which lies
+// its cell. At points of the outline it is exact under uniform stress (OutlinePoints). All results are linear in the displacements. Only points ahead of the tip are used, none of which lies
 // beside its crack or is hidden by another crack.
 class TipStress {
  public:
@@ -42,7 +42,7 @@ class TipStress {
   // once.
   void add_nodes_asked(const GrowingTip& tip, const pd::TipLaw& law, bool closely_ahead, std::vector<int>& nodes) const;
 
-  // Unit vector perpendicular to the largest principal stress at a bond.
+  // Unit vector perpendicular to the largest principal stress at a bond: of the mean stress of its two points.
   Point across_tension(int bond, const pd::TipLaw& law, const coupling::Affine& displacement, double load_factor) const;
 
   // Whether the field ahead is not that of the tip alone: an edge or the face of another crack lies within `reach`, or
@@ -88,7 +88,6 @@ class TipStress {
   Reach reach_at(double nearest_surface, double horizon) const;
   TipSight sight_of(const GrowingTip& tip, const pd::TipLaw& law) const;
   Eigen::RowVector2d tension(std::size_t term, const coupling::Affine& displacement) const;  // both parts [N]
-  Eigen::Vector3d moment_about(int node, std::size_t wide, const Point& direction) const;
   Stress stress(int node, const Point& direction, const pd::TipLaw& law, const coupling::Affine& displacement) const;
 
   Stress stress_times_volume(int node, const Point& direction, const coupling::Affine& displacement) const;

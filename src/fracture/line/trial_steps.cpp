@@ -7,6 +7,7 @@
 #include <numbers>
 #include <utility>
 
+#include "fracture/line/deep_points.hpp"
 #include "fracture/line/whole_stiffness.hpp"
 #include "geometry/turning.hpp"
 #include "linalg/adjacency.hpp"
@@ -35,47 +36,11 @@ constexpr double weakened_follows = 0.5;
 // Difference in spacings below which bond vectors count as equal.
 constexpr double same_vector = 1e-6;
 
-bool are_alike(const pd::TipLaw& one, const pd::TipLaw& other) {
-  return one.spacing == other.spacing && one.horizon == other.horizon && one.thickness == other.thickness &&
-         one.modulus == other.modulus;
-}
-
-// Points deep inside lattices of one kind (those in `is_of`), whose bonds give the stiffness that a length of crack
-// cuts. All regions of that kind count, so that their order does not matter.
-std::vector<int> deep_points(const std::vector<char>& is_of, const linalg::Adjacency& neighbours) {
-  const auto is_own = [&](int node) { return is_of[static_cast<std::size_t>(node)] != 0; };
-  std::size_t most = 0;
-  const int nodes = static_cast<int>(is_of.size());
-  for (int node = 0; node < nodes; ++node)
-    if (is_own(node)) most = std::max(most, neighbours.of(node).size());
-  std::vector<char> depth(is_of.size(), 0);  // 1: full number of neighbours; 2, 3: likewise theirs, and theirs
-  for (int node = 0; node < nodes; ++node)
-    depth[static_cast<std::size_t>(node)] = is_own(node) && neighbours.of(node).size() == most ? 1 : 0;
-  for (const char level : {1, 2})
-    for (int node = 0; node < nodes; ++node) {
-      const auto is_deep = [&](int other) { return depth[static_cast<std::size_t>(other)] >= level; };
-      if (is_deep(node) && std::ranges::all_of(neighbours.of(node), is_deep))
-        depth[static_cast<std::size_t>(node)] = static_cast<char>(level + 1);
-    }
-  std::vector<int> found;
-  const char deepest = depth.empty() ? char{0} : *std::ranges::max_element(depth);
-  for (int node = 0; node < nodes; ++node)
-    if (deepest > 0 && depth[static_cast<std::size_t>(node)] == deepest) found.push_back(node);
-  return found;
-}
-
 }  // namespace
 
-CutStiffness::CutStiffness(const coupling::Terms& terms, const std::vector<Point>& positions, const pd::TipLaws& laws)
+CutStiffness::CutStiffness(const coupling::Terms& terms, const pd::TipLaws& laws)
     : terms_(terms), laws_(laws), family_(laws.laws.size()) {
-  const linalg::Adjacency neighbours = linalg::make_adjacency(positions.size(), [&](const auto& add) {
-    for (std::size_t t = 0; t < terms.size(); ++t) {
-      if (terms.is_wide(t)) continue;
-      add(terms.first[t], terms.second[t]);
-      add(terms.second[t], terms.first[t]);
-    }
-  });
-  const linalg::Adjacency bonds_at = linalg::make_adjacency(positions.size(), [&](const auto& add) {
+  const linalg::Adjacency bonds_at = linalg::make_adjacency(laws.of_node.size(), [&](const auto& add) {
     for (std::size_t t = 0; t < terms.size(); ++t) {
       if (terms.is_wide(t)) continue;
       add(terms.first[t], static_cast<int>(t));
@@ -83,19 +48,9 @@ CutStiffness::CutStiffness(const coupling::Terms& terms, const std::vector<Point
     }
   });
   const std::vector<double> stiffness = whole_stiffness(terms, laws.weakened);
-  for (std::size_t law = 0; law < family_.size(); ++law) {
-    const auto alike = std::ranges::find_if(laws.laws, [&](const auto& l) { return are_alike(l, laws.laws[law]); });
-    if (const auto first = static_cast<std::size_t>(alike - laws.laws.begin()); first < law) {
-      family_[law] = family_[first];
-      continue;
-    }
-    std::vector<char> is_of(laws.of_node.size(), 0);
-    for (std::size_t node = 0; node < is_of.size(); ++node)
-      is_of[node] =
-          laws.of_node[node] >= 0 && are_alike(laws.laws[static_cast<std::size_t>(laws.of_node[node])], laws.laws[law]);
-    family_[law] =
-        family_of(terms, stiffness, deep_points(is_of, neighbours), bonds_at, same_vector * laws.laws[law].spacing);
-  }
+  const std::vector<std::vector<int>> deep = deep_points(terms, laws);
+  for (std::size_t law = 0; law < family_.size(); ++law)
+    family_[law] = family_of(terms, stiffness, deep[law], bonds_at, same_vector * laws.laws[law].spacing);
 }
 
 // Bonds of a typical inner point: every bond vector with its median stiffness, because edges affect some points.
@@ -222,9 +177,8 @@ std::optional<LineLoad> TrialGrowth::load(double nearby, double sense, bool prop
   return found;
 }
 
-TrialSteps::TrialSteps(const coupling::EquilibriumSystem& system, const std::vector<Point>& positions,
-                       const pd::TipLaws& laws, const LineWay& way)
-    : system_(system), way_(way), cut_(system.terms(), positions, laws) {}
+TrialSteps::TrialSteps(const coupling::EquilibriumSystem& system, const pd::TipLaws& laws, const LineWay& way)
+    : system_(system), way_(way), cut_(system.terms(), laws) {}
 
 // Trial step in a direction: the terms that it cuts, in the order in which ever longer steps cut them, with their
 // followers. Empty if no bond lies ahead or the body has no answer.

@@ -16,7 +16,7 @@ namespace bempd::fracture {
 // varies a lot from one spacing to the next.
 class CutStiffness {
  public:
-  CutStiffness(const coupling::Terms& terms, const std::vector<Point>& positions, const pd::TipLaws& laws);
+  CutStiffness(const coupling::Terms& terms, const pd::TipLaws& laws);
 
   // Length [m] and energy [J] that a bond counts across a line with the unit vector `normal`: half by the lattice at
   // each end.
@@ -92,8 +92,7 @@ class TrialGrowth {
 // its own singular field, but disturbed by an edge, a face or another tip.
 class TrialSteps {
  public:
-  TrialSteps(const coupling::EquilibriumSystem& system, const std::vector<Point>& positions, const pd::TipLaws& laws,
-             const LineWay& way);
+  TrialSteps(const coupling::EquilibriumSystem& system, const pd::TipLaws& laws, const LineWay& way);
 
   // Trial step of a tip in a direction; empty if no bond lies ahead, or if the body has no answer.
   std::optional<TrialGrowth> along(const GrowingTip& tip, const pd::TipLaw& law, const Point& direction,

@@ -2596,6 +2596,19 @@ pub const BEMPD_TIP_STRESS: bempd_tip_method = 3;
 ///
 /// * since: 0.3
 pub type bempd_tip_method = ::std::os::raw::c_uint;
+/// Nothing is known of them.
+pub const BEMPD_LOAD_UNKNOWN: bempd_load_rule = 0;
+/// The stress intensity factors of the tip.
+pub const BEMPD_LOAD_FACTORS: bempd_load_rule = 1;
+/// Those fitted to the stress ahead of the tip of a line in a lattice, corrected by the energy of
+/// its past steps.
+pub const BEMPD_LOAD_FIT: bempd_load_rule = 2;
+/// The energy of trial steps of a line in a lattice, where that fit does not hold.
+pub const BEMPD_LOAD_ENERGY: bempd_load_rule = 3;
+/// What the load factors at which a tip grows come from.
+///
+/// * since: 0.4
+pub type bempd_load_rule = ::std::os::raw::c_uint;
 /// The tip of a crack at the present load factor. Fill it with bempd_crack_tip_init().
 ///
 /// In BEM regions (BEMPD_TIP_ELEMENTS) stress intensity factors come from the energy that the body
@@ -2685,6 +2698,16 @@ pub struct bempd_crack_tip {
     /// largest double if it never is. A tip under shear turns, and grows earlier: this is 5 to 30 %
     /// too high for cracks at 15 to 75 degrees \[-\]
     pub straight_load_factor: f64,
+    /// a bempd_load_rule: what the critical load factors come from (since 0.4, as all that follows)
+    pub load_rule: i32,
+    /// 1 if the crack's faces press on each other at the tip of a crack in a lattice
+    pub closed: i32,
+    /// estimate of the relative error of critical_load_factor; NaN if the tip never grows or
+    /// nothing is known of it \[-\]
+    pub load_error: f64,
+    /// distance to the nearest edge, other material, other crack, bend or other end of its own
+    /// crack: nearer the factors and T tell the stress, in a lattice from a horizon on \[m\]
+    pub valid_radius: f64,
 }
 extern "C" {
     /// Set struct_size and zeros.

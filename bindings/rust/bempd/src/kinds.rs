@@ -198,6 +198,33 @@ impl TipMethod {
     }
 }
 
+/// What the load factors at which a tip grows come from.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum LoadRule {
+    /// Nothing is known of them.
+    Unknown,
+    /// Its stress intensity factors.
+    Factors,
+    /// Those fitted to the stress ahead of a line in a lattice, corrected by the energy of its past steps.
+    Fit,
+    /// The energy of trial steps of a line, where that fit does not hold.
+    Energy,
+    /// One that this version of the crate does not know.
+    Other(i32),
+}
+
+impl LoadRule {
+    pub(crate) fn from_raw(rule: i32) -> LoadRule {
+        match rule as sys::bempd_load_rule {
+            sys::BEMPD_LOAD_UNKNOWN => LoadRule::Unknown,
+            sys::BEMPD_LOAD_FACTORS => LoadRule::Factors,
+            sys::BEMPD_LOAD_FIT => LoadRule::Fit,
+            sys::BEMPD_LOAD_ENERGY => LoadRule::Energy,
+            _ => LoadRule::Other(rule),
+        }
+    }
+}
+
 /// A field on a region. Nodes are boundary nodes or material points.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[repr(i32)]

@@ -59,8 +59,8 @@ pub use error::{Error, Result};
 pub use fatigue::{Block, FatigueOptions, GrowthRate, RateLaw};
 pub use ids::{CrackId, LoadId, MaterialId, RegionId, SupportId};
 pub use kinds::{
-    BondState, Component, Face, FaceComponent, Field, LogLevel, NextEvent, Plane, ProgramColumn, SingularityKind,
-    StopReason, TipEnd, TipMethod, Turn, Until,
+    BondState, Component, Face, FaceComponent, Field, LoadRule, LogLevel, NextEvent, Plane, ProgramColumn,
+    SingularityKind, StopReason, TipEnd, TipMethod, Turn, Until,
 };
 pub use material::Material;
 pub use model::Model;

@@ -1,6 +1,6 @@
 use bempd_sys as sys;
 
-use crate::{CrackId, NextEvent, RegionId, SingularityKind, StopReason, TipEnd, TipMethod};
+use crate::{CrackId, LoadRule, NextEvent, RegionId, SingularityKind, StopReason, TipEnd, TipMethod};
 
 /// Progress of a run, reported after every event.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -100,6 +100,12 @@ impl FromRaw<i32> for TipMethod {
     }
 }
 
+impl FromRaw<i32> for LoadRule {
+    fn from_raw(raw: i32) -> LoadRule {
+        LoadRule::from_raw(raw)
+    }
+}
+
 /// A tip as it was.
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
@@ -161,6 +167,14 @@ mirror! {
         critical_kink_angle: f64,
         /// Load factor at which G of growth straight on is the fracture energy; a tip under shear grows earlier.
         straight_load_factor: f64,
+        /// What the critical load factors come from.
+        load_rule: LoadRule,
+        /// Whether the faces press on each other at a tip in a lattice.
+        closed: bool,
+        /// Estimate of the relative error of the critical load factor.
+        load_error: f64,
+        /// Distance to the nearest edge, other material, other crack, bend or other end; nearer the factors hold [m].
+        valid_radius: f64,
     }
 }
 
