@@ -47,9 +47,10 @@ LongerCracks CrackLengthening::lengthened(const std::vector<Lengthened>& tips) {
     const regions::TipValues& tip = one.tip;
     const crack::GrowthLaw law = law_of(tip, model_.options_);
     crack::Extension extension = crack::begin_extension({tip.crack, tip.end}, tip.place, one.angle, growing.load_factor,
-                                                        factors_of(tip), law.resistance());
-    const double factor = law.kink(factors_of(tip), growing.load_factor).equivalent_factor;
-    extension.rate_before = factor > 0 ? factor * factor / law.plane_modulus : 0;
+                                                        factors_of(tip), law.resistance(one.angle));
+    const Kink kink = law.kink(factors_of(tip), growing.load_factor);
+    const double factor = kink.equivalent_factor;
+    extension.rate_before = factor > 0 ? law.rate(kink) : 0;
     growing.tips.push_back(tip);
     growing.extensions.push_back(extension);
     growing.lengths.push_back(one.length);

@@ -31,6 +31,9 @@ crack::GrowthLaw law_of(const regions::TipValues& tip, const scene::Options& opt
 // Tip with known stress intensity factors as a carrier of cracks (crack::Carrier) describes it.
 crack::Tip carried(const regions::TipValues& tip, const scene::Options& options);
 
+// Computes the results of the growth criterion in force for a tip with known stress intensity factors.
+void complete(regions::TipValues& tip, const scene::Options& options);
+
 // Growth of the tip with the index `first`, and of the tips that the option crack.tie_share lets grow with it.
 Growing growing_with(const std::vector<regions::TipValues>& tips, std::size_t first, double load_factor,
                      const scene::Options& options);

@@ -26,6 +26,7 @@ FatigueReport Fatigue::grow(const FatigueOptions& options) {
     const FatigueReport report = run.run();
     lengthening.keep();
     records_ = run.take_records();
+    overloads_ = run.remembered_overloads();
     return report;
   } catch (...) {
     lengthening.take_back();
@@ -51,11 +52,10 @@ GrowthResult Fatigue::extend(const std::vector<std::pair<crack::TipId, double>>&
   CrackLengthening lengthening(model_);
   try {
     const std::vector<regions::TipValues> tips = lengthening.tips();
-    const KinkCriterion criterion = growth_criterion(model_.options());
     std::vector<Lengthened> grow;
     for (const auto& [id, length] : lengths) {
       const regions::TipValues& tip = tip_with(tips, id);
-      const Kink kink = kink_of(factors_of(tip).at(model_.load_factor()), criterion);
+      const Kink kink = law_of(tip, model_.options()).kink(factors_of(tip), model_.load_factor());
       grow.push_back({tip, length, kink.equivalent_factor > 0 ? kink.angle : 0});
     }
     LongerCracks longer = lengthening.lengthened(grow);
@@ -63,7 +63,7 @@ GrowthResult Fatigue::extend(const std::vector<std::pair<crack::TipId, double>>&
       for (Lengthened& one : grow)
         for (const regions::TipValues& after : longer.grown.tips)
           if (after.crack == one.tip.crack && after.end == one.tip.end)
-            one.angle += 0.5 * kink_of(factors_of(after).at(model_.load_factor()), criterion).angle;
+            one.angle += 0.5 * law_of(after, model_.options()).kink(factors_of(after), model_.load_factor()).angle;
       longer = lengthening.lengthened(grow);
     }
     GrowthResult result = result_of(longer.grown.growth);

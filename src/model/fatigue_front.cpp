@@ -81,14 +81,16 @@ double equivalent_in(const Point& factors, double angle, KinkCriterion criterion
 
 }  // namespace
 
-const crack::RateLaw* RateLaws::of(const regions::TipValues& tip, const PreparedScene& scene) {
+const crack::RateLaw* RateLaws::of(const regions::TipValues& tip, double toughness, const PreparedScene& scene) {
   const int region = scene.discretization.cracks[static_cast<std::size_t>(tip.crack) - 1].region_at(tip.end);
   const int material = model_.scene().region(region).material();
   const crack::RateParameters* parameters = model_.fatigue().rate_of(material);
   if (!parameters) return nullptr;
-  const double toughness = tip.toughness > 0 ? tip.toughness : FatigueOptions::unlimited;
+  if (!(toughness > 0)) toughness = FatigueOptions::unlimited;
   std::unique_ptr<crack::RateLaw>& law = laws_[{material, toughness}];
-  if (!law) law = crack::make_rate_law(*parameters, toughness);
+  if (!law)
+    law = crack::make_rate_law(*parameters, toughness,
+                               model_.scene().material(material).elasticity.state == PlaneState::strain);
   return law.get();
 }
 
@@ -101,10 +103,11 @@ Front front_of(PreparedScene& scene, const std::vector<regions::TipValues>& tips
   for (std::size_t t = 0; t < tips.size(); ++t) {
     FrontTip tip;
     tip.values = tips[t];
-    tip.law = laws.of(tips[t], scene);
-    const Kink high = kink_of(factors[t][program.highest()], criterion);
-    const Kink low = kink_of(factors[t][program.lowest()], criterion);
+    const crack::GrowthLaw law = law_of(tips[t], model.options());
+    const Kink high = law.kink(factors[t][program.highest()]), low = law.kink(factors[t][program.lowest()]);
     tip.angle = low.equivalent_factor > high.equivalent_factor ? low.angle : high.angle;
+    tip.law =
+        laws.of(tips[t], law.directions ? law.toughness * std::sqrt(law.share_in(tip.angle)) : law.toughness, scene);
     for (const Point& at : factors[t]) tip.levels.push_back({at, equivalent_in(at, tip.angle, criterion)});
     front.push_back(std::move(tip));
   }

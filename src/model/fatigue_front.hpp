@@ -27,7 +27,8 @@ using Front = std::vector<FrontTip>;
 class RateLaws {
  public:
   explicit RateLaws(Model& model) : model_(model) {}
-  const crack::RateLaw* of(const regions::TipValues& tip, const PreparedScene& scene);
+  // `toughness`: K_I at which the tip breaks in the direction of its growth; 0 or infinite if nothing is known of it.
+  const crack::RateLaw* of(const regions::TipValues& tip, double toughness, const PreparedScene& scene);
 
  private:
   Model& model_;

@@ -27,6 +27,7 @@ crack::TipOnStep FatigueRun::standing(std::size_t tip) const {
   one.tip = of.id(), one.law = of.law, one.before = of.levels;
   one.length = length_of_crack(tip);
   one.from = one.to = of.values.place;
+  if (const auto met = overloads_.find(one.tip); met != overloads_.end()) one.overload = met->second;
   return one;
 }
 

@@ -42,6 +42,7 @@ FatigueReport FatigueRun::run() {
   place_ = program_.place_after(options_.first_cycle);
   report_.cycles = options_.first_cycle;
   find_front();
+  if (options_.first_cycle > 0) take_up_overloads();
   record();
   while (step()) lengthening_.report_progress();
   const double passed = report_.cycles - options_.first_cycle;
@@ -59,6 +60,32 @@ void FatigueRun::find_front() {
   require(!front_.empty(),
           "no material with a tip has a law of growth by cycles; give it one with bempd_set_growth_rate()");
   find_rates();
+}
+
+// Takes up the overloads of the call that this one goes on from. Throws Error (argument) where they are not known.
+void FatigueRun::take_up_overloads() {
+  for (const FrontTip& tip : front_) {
+    if (!tip.law->retardation()) continue;
+    const auto& known = model_.fatigue().overloads();
+    const auto found = std::find_if(known.begin(), known.end(), [&](const RememberedOverload& one) {
+      return one.tip == tip.id() &&
+             (one.place - tip.values.place).norm() <= rounding * length_of(model_.scene().crack(tip.values.crack));
+    });
+    require(found != known.end(), "first_cycle is ", options_.first_cycle, ", and the overloads that crack ",
+            tip.id().crack,
+            " has met before are not known: the last call of bempd_grow_fatigue() on this model did not "
+            "end at its present tip; go on from there, or begin with first_cycle = 0");
+    overloads_[tip.id()] = found->overload;
+  }
+}
+
+std::vector<RememberedOverload> FatigueRun::remembered_overloads() const {
+  std::vector<RememberedOverload> all;
+  for (const FrontTip& tip : front_) {
+    const auto met = overloads_.find(tip.id());
+    all.push_back({tip.id(), tip.values.place, met == overloads_.end() ? crack::Overload{} : met->second});
+  }
+  return all;
 }
 
 // Makes a step; returns false if the run is over. A step is halved if it turns too much, if its cycles are too
@@ -212,6 +239,7 @@ bool FatigueRun::accept(Trial trial, std::size_t leader) {
     grown_[tip.tip] += tip.growth;
     last_growth_[tip.tip] = tip.growth, last_levels_[tip.tip] = tip.before;
     report_.growth += tip.growth;
+    keep_overload(tip, trial.cycles.overloads[t]);
   }
   report_.cycles += trial.cycles.cycles;
   place_ = trial.cycles.place;
@@ -225,8 +253,15 @@ bool FatigueRun::accept(Trial trial, std::size_t leader) {
   return !is_over(trial.cycles);
 }
 
+// Keeps the overload that a tip has met by the end of a step, counted from there on.
+void FatigueRun::keep_overload(const crack::TipOnStep& tip, crack::Overload overload) {
+  overload.end -= tip.growth;
+  overloads_[tip.tip] = overload;
+}
+
 bool FatigueRun::pass(const crack::CyclesOnStep& cycles) {
   report_.cycles += cycles.cycles;
+  for (std::size_t t = 0; t < front_.size(); ++t) overloads_[front_[t].id()] = cycles.overloads[t];
   place_ = cycles.place;
   return !is_over(cycles);
 }

@@ -21,6 +21,7 @@ class FatigueRun {
 
   FatigueReport run();
   std::vector<FatigueRecord> take_records() { return std::move(records_); }
+  std::vector<RememberedOverload> remembered_overloads() const;
 
  private:
   // Step that has been computed but not accepted yet; lists have an entry for each tip of the front.
@@ -58,6 +59,8 @@ class FatigueRun {
   bool is_off(const Trial& trial, std::size_t leader, double share) const;
   bool choose_step(const Trial& trial, std::size_t leader, bool must_stand);
   bool accept(Trial trial, std::size_t leader);
+  void take_up_overloads();
+  void keep_overload(const crack::TipOnStep& tip, crack::Overload overload);
   bool pass(const crack::CyclesOnStep& cycles);
   bool pass_without_growth();
   bool is_over(const crack::CyclesOnStep& cycles);
@@ -77,6 +80,7 @@ class FatigueRun {
   std::map<crack::TipId, std::vector<crack::LevelFactors>> last_levels_;  // before that
   std::map<crack::TipId, double> powers_;       // of its rate in its length, in the last step that it led
   std::map<crack::TipId, double> first_steps_;  // cycles of a tip's first step times the logarithm of its lengths
+  std::map<crack::TipId, crack::Overload> overloads_;  // met so far, from the tips' present places on
   crack::CycleProgram::Place place_;
   double step_;                // share of the leader's size
   double error_ = 0;           // [cycles]

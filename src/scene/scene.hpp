@@ -20,6 +20,8 @@ struct Crack {
     return std::span(points).subspan(static_cast<std::size_t>(grown_at_start),
                                      points.size() - static_cast<std::size_t>(grown_at_start + grown_at_end));
   }
+  // Length by which an end (0: first point, 1: last point) has grown [m].
+  double grown(int end) const;
 };
 
 // Scene as the host described it. An id is the position in these vectors plus 1; a removed object leaves its position
@@ -39,6 +41,9 @@ class Scene {
   // Makes the edges first_edge .. last_edge of one loop a smooth curve through their vertices.
   void set_edges_smooth(int region, int first_edge, int last_edge);
   void set_toughness(int region, std::vector<Point> places, std::vector<double> fracture_energies);
+  // Fracture energies of a material by the growth of a tip [m], and by its direction [rad]; all in [J/m^2].
+  void set_resistance_curve(int material, std::vector<double> extensions, std::vector<double> energies);
+  void set_resistance_directions(int material, std::vector<double> angles, std::vector<double> energies);
   int add_crack(const std::vector<Point>& points);
   // Replaces all cracks by the same number of others, such as the same cracks with their growth.
   void set_cracks(std::vector<Crack> cracks) { cracks_ = std::move(cracks); }
@@ -93,6 +98,7 @@ class Scene {
   Box bounding_box() const;
 
  private:
+  Material& breaking_material(int id);
   Region& mutable_region(int id);
   Region& mutable_region_with_edge(int id, int edge);
   Region& region_to_bend(int id, int edge);

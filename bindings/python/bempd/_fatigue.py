@@ -20,6 +20,7 @@ KINDS = {
     "nasgro": lib.BEMPD_RATE_NASGRO,
     "sustained": lib.BEMPD_RATE_SUSTAINED,
 }
+RETARDATIONS = {"wheeler": lib.BEMPD_RETARDATION_WHEELER, "willenborg": lib.BEMPD_RETARDATION_WILLENBORG}
 #: Called as f(crack, end, highest, lowest, stress_intensity_1, stress_intensity_2, length, x, y); gives the growth in a
 #: cycle [m]. An exception ends the call, which leaves the model as it was, and is raised again.
 RateFunction = Callable[[int, int, float, float, float, float, float, float, float], float]
@@ -36,17 +37,23 @@ class Fatigue:
     def set_growth_rate(self, material: int, law: Union[str, RateFunction] = "paris", *, coefficient: float = 0.0,
                         exponent: float = 0.0, unit_intensity: float = 1.0, threshold: float = 0.0,
                         critical_intensity: float = 0.0, walker: float = 1.0, p: float = 0.0, q: float = 0.0,
-                        closure_alpha: float = 1.0, closure_stress: float = 0.0) -> None:
+                        closure_alpha: float = 1.0, closure_stress: float = 0.0, retardation: Optional[str] = None,
+                        yield_strength: float = 0.0, zone_constraint: float = 0.0, wheeler_exponent: float = 0.0,
+                        shutoff_ratio: float = 0.0) -> None:
         """Say how far a crack in a material grows in a cycle: da/dN = C dK^m by default.
 
         `law` is "paris" (with `walker` for the effect of R), "forman", "nasgro", "sustained" (growth in time), or a
         function. Factors are over `unit_intensity`: with 1e6 coefficients are those of tables in MPa m^(1/2) and m.
+
+        `retardation` after overloads is "wheeler" (with `wheeler_exponent`) or "willenborg" (with `shutoff_ratio`); both take
+        a `yield_strength` [Pa].
         """
         handle = self._open()
         struct = new_struct("bempd_growth_rate", "bempd_growth_rate_init")
         numbers = dict(coefficient=coefficient, exponent=exponent, unit_intensity=unit_intensity, threshold=threshold,
                        critical_intensity=critical_intensity, walker=walker, p=p, q=q, closure_alpha=closure_alpha,
-                       closure_stress=closure_stress)
+                       closure_stress=closure_stress, yield_strength=yield_strength, zone_constraint=zone_constraint,
+                       wheeler_exponent=wheeler_exponent, shutoff_ratio=shutoff_ratio)
         for name, value in numbers.items():
             setattr(struct, name, arguments.real(f"set_growth_rate: {name}", value))
         if callable(law):
@@ -55,6 +62,10 @@ class Fatigue:
             struct.kind = KINDS[law]
         else:
             raise ArgumentError(f"set_growth_rate: law is {law!r}; give one of {', '.join(KINDS)}, or a function")
+        if retardation is not None:
+            if retardation not in RETARDATIONS:
+                raise ArgumentError(f"set_growth_rate: retardation is {retardation!r}; give one of {', '.join(RETARDATIONS)}, or None")
+            struct.retardation = RETARDATIONS[retardation]
         handle.call("bempd_set_growth_rate", material, struct)
 
     def grow_fatigue(self, high: npt.ArrayLike = 1.0, low: npt.ArrayLike = 0.0, cycles: Optional[npt.ArrayLike] = None, *,
