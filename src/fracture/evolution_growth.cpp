@@ -38,6 +38,26 @@ void CrackEvolution::return_to(const Start& start) noexcept {
   sources_.return_to_mark();
 }
 
+bool CrackEvolution::extend_line(const crack::TipId& tip) {
+  sources_.refresh();
+  sources_.settle();
+  sources_.begin_call();
+  const Start start = this->start();
+  try {
+    const Event* step = sources_.line_step(tip);
+    if (step) {
+      sources_.mark();
+      perform(*step, {}, false);
+      sources_.bring_up_to_date();
+    }
+    sources_.drop_mark();
+    return step != nullptr;
+  } catch (...) {
+    return_to(start);
+    throw;
+  }
+}
+
 void CrackEvolution::stop_line(const crack::TipId& tip, crack::TipState state) {
   sources_.refresh();
   sources_.settle();

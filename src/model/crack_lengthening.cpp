@@ -11,9 +11,9 @@ void move_load(PreparedScene& scene, double load_factor, const std::set<crack::T
   scene.evolution->advance(load_factor, fracture::Goal::load_factor, stepping, {}, {});
 }
 
-CrackLengthening::CrackLengthening(Model& model) : model_(model) {
+CrackLengthening::CrackLengthening(Model& model, bool in_elements) : model_(model) {
   model_.prepare();
-  require(model_.has_crack_elements(),
+  require(!in_elements || model_.has_crack_elements(),
           "no crack in a BEM region has a tip; add one, or let cracks in peridynamic regions grow by steps");
   if (model_.loads_.acting != Acting::values)
     loads_ = model_.replace_loads(regions::apply_conditions(model_.scene_, model_.prepared_->discretization),

@@ -123,7 +123,7 @@ double largest_turn(const Growing& growing, const std::vector<regions::TipValues
   double largest = 0;
   for (const fracture::CrackExtension& e : growing.extensions) {
     const regions::TipValues* tip = tip_of(e, after);
-    if (!e.has_ended() && tip) largest = std::max(largest, std::abs(kink_at(*tip, e.load_factor, options).angle));
+    if (!e.has_ended() && tip && !tip->directions) largest = std::max(largest, std::abs(kink_at(*tip, e.load_factor, options).angle));
   }
   return largest;
 }
@@ -131,7 +131,7 @@ double largest_turn(const Growing& growing, const std::vector<regions::TipValues
 void turn_to_chords(Growing& growing, const std::vector<regions::TipValues>& after, const scene::Options& options) {
   for (fracture::CrackExtension& e : growing.extensions) {
     const regions::TipValues* tip = tip_of(e, after);
-    if (!e.has_ended() && tip) e.angle += 0.5 * kink_at(*tip, e.load_factor, options).angle;
+    if (!e.has_ended() && tip && !tip->directions) e.angle += 0.5 * kink_at(*tip, e.load_factor, options).angle;
   }
 }
 

@@ -51,7 +51,7 @@ std::vector<scene::Crack> extended(const scene::Scene& scene, std::vector<scene:
                                    Growing& growing);
 
 // Largest angle [rad] by which a crack would turn at the end of its extension; `after` are the tips of the extended
-// cracks.
+// cracks. Tips whose fracture energy depends on the direction do not count: their turns are kinks, not a curved path.
 double largest_turn(const Growing& growing, const std::vector<regions::TipValues>& after,
                     const scene::Options& options);
 

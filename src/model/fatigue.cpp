@@ -6,6 +6,7 @@
 #include "model/crack_lengthening.hpp"
 #include "model/fatigue_run.hpp"
 #include "model/growth_options.hpp"
+#include "model/line_lengthening.hpp"
 
 namespace bempd::model {
 
@@ -20,7 +21,8 @@ const crack::RateParameters* Fatigue::rate_of(int material) const {
 }
 
 FatigueReport Fatigue::grow(const FatigueOptions& options) {
-  CrackLengthening lengthening(model_);
+  const std::unique_ptr<CrackLengthening> kind = lengthening_for(model_);
+  CrackLengthening& lengthening = *kind;
   try {
     FatigueRun run(model_, lengthening, options);
     const FatigueReport report = run.run();
@@ -62,7 +64,7 @@ GrowthResult Fatigue::extend(const std::vector<std::pair<crack::TipId, double>>&
     if (model_.options().text_value("crack.direction") == "chord") {
       for (Lengthened& one : grow)
         for (const regions::TipValues& after : longer.grown.tips)
-          if (after.crack == one.tip.crack && after.end == one.tip.end)
+          if (after.crack == one.tip.crack && after.end == one.tip.end && !after.directions)
             one.angle += 0.5 * law_of(after, model_.options()).kink(factors_of(after), model_.load_factor()).angle;
       longer = lengthening.lengthened(grow);
     }

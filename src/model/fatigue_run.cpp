@@ -39,6 +39,7 @@ FatigueRun::FatigueRun(Model& model, CrackLengthening& lengthening, const Fatigu
 
 FatigueReport FatigueRun::run() {
   lengthening_.go_to(program_.load_factors()[program_.highest()]);
+  if (lengthening_.grows_lines()) require_proportional();
   place_ = program_.place_after(options_.first_cycle);
   report_.cycles = options_.first_cycle;
   find_front();
@@ -55,11 +56,23 @@ void FatigueRun::find_front() {
   const std::vector<regions::TipValues> tips = lengthening_.tips();
   require(!tips.empty(),
           "all tips are frozen, or have stopped before an interface; let one grow again with bempd_set_tip_frozen()");
-  front_ = front_of(lengthening_.scene(), tips, program_, model_, laws_);
+  front_ = front_of(lengthening_.scene(), tips, program_, lengthening_, model_, laws_);
+  cracks_ = lengthening_.cracks();
   std::erase_if(front_, [](const FrontTip& tip) { return tip.law == nullptr; });
   require(!front_.empty(),
           "no material with a tip has a law of growth by cycles; give it one with bempd_set_growth_rate()");
   find_rates();
+}
+
+// In lattices faces are not followed between the load factors of a block. Without constant loads, and without a
+// reversal, those that press on each other are the same at all of them.
+void FatigueRun::require_proportional() {
+  require(program_.load_factors().front() >= 0, "a low load factor is ", program_.load_factors().front(),
+          "; in peridynamic regions growth by cycles takes low load factors >= 0");
+  require(lengthening_.scene().system->constraints().size() == 0 ||
+              lengthening_.scene().evolution->state().displacement.col(0).isZero(0),
+          "there are constant loads, and faces of cracks in peridynamic regions may close under them; let all loads be "
+          "proportional to the load factor, or set contact to none");
 }
 
 // Takes up the overloads of the call that this one goes on from. Throws Error (argument) where they are not known.
@@ -68,8 +81,8 @@ void FatigueRun::take_up_overloads() {
     if (!tip.law->retardation()) continue;
     const auto& known = model_.fatigue().overloads();
     const auto found = std::find_if(known.begin(), known.end(), [&](const RememberedOverload& one) {
-      return one.tip == tip.id() &&
-             (one.place - tip.values.place).norm() <= rounding * length_of(model_.scene().crack(tip.values.crack));
+      return one.tip == tip.id() && (one.place - tip.values.place).norm() <=
+                                        rounding * length_of(cracks_[static_cast<std::size_t>(tip.values.crack) - 1]);
     });
     require(found != known.end(), "first_cycle is ", options_.first_cycle, ", and the overloads that crack ",
             tip.id().crack,
@@ -144,12 +157,13 @@ FatigueRun::Trial FatigueRun::trial(std::vector<double> lengths, std::vector<dou
   trial.lengths = std::move(lengths), trial.angles = std::move(angles);
   std::vector<Lengthened> grow;
   for (std::size_t t = 0; t < front_.size(); ++t)
-    if (t == leader || trial.lengths[t] > std::min(least_growth * size_of(t), slow * trial.lengths[leader]))
+    if (t == leader || trial.lengths[t] > std::max(std::min(least_growth * size_of(t), slow * trial.lengths[leader]),
+                                                   0.5 * lengthening_.quantum(front_[t].values)))
       grow.push_back({front_[t].values, trial.lengths[t], trial.angles[t]});
   trial.longer = lengthening_.lengthened(grow);
   std::vector<regions::TipValues> tips = trial.longer.grown.tips;
   std::erase_if(tips, [&](const auto& tip) { return tip_in(front_, {tip.crack, tip.end}) == nullptr; });
-  trial.after = front_of(*trial.longer.grown.scene, tips, program_, model_, laws_);
+  trial.after = front_of(lengthening_.scene_of(trial.longer), tips, program_, lengthening_, model_, laws_);
   trial.on_step = on_step(trial);
   std::vector<double> ahead;
   for (const FrontTip& tip : front_) ahead.push_back(ahead_[tip.id()]);
@@ -177,7 +191,8 @@ std::vector<crack::TipOnStep> FatigueRun::on_step(const Trial& trial) const {
 
 double FatigueRun::turn(const Trial& trial, std::size_t tip) const {
   const FrontTip* after = tip_in(trial.after, front_[tip].id());
-  return after && trial.on_step[tip].growth > 0 && rates_[tip] > 0 ? after->angle : 0;
+  const bool is_curve = after && !after->values.directions;  // else turns are kinks
+  return is_curve && trial.on_step[tip].growth > 0 && rates_[tip] > 0 ? after->angle : 0;
 }
 
 double FatigueRun::largest_turn(const Trial& trial) const {
@@ -193,8 +208,8 @@ bool FatigueRun::is_off(const Trial& trial, std::size_t leader, double share) co
     const crack::TipOnStep& tip = trial.on_step[t];
     const double difference = trial.cycles.growth[t] - tip.growth;
     if (!(tip.growth > 0) || (tip.after.empty() && difference > 0)) continue;
-    const double allowed = t == leader ? off_at_first : share;
-    if (std::abs(difference) > allowed * tip.growth) return true;
+    const double allowed = t == leader ? off_at_first : share, quantum = lengthening_.quantum(front_[t].values);
+    if (std::abs(difference) > std::max(allowed * tip.growth, 0.51 * quantum)) return true;
   }
   return false;
 }
@@ -207,7 +222,8 @@ bool FatigueRun::choose_step(const Trial& trial, std::size_t leader, bool must_s
   constexpr double much = 4, most_change = 2, least_change = 0.3, few = 0.1;
   const crack::TipOnStep& tip = trial.on_step[leader];
   const double before = rates_[leader], after = crack::mean_rate(tip, tip.growth, program_);
-  if (!(before > 0 && after > 0) || tip.after.empty()) return true;
+  // Factors of lines are rough from one step to the next, which says nothing of the error of cycles.
+  if (!(before > 0 && after > 0) || tip.after.empty() || lengthening_.grows_lines()) return true;
   const double way = std::log1p(tip.growth / tip.own_length());
   const double power = std::log(after / before) / way;
   const auto known = powers_.find(tip.tip);
@@ -244,6 +260,7 @@ bool FatigueRun::accept(Trial trial, std::size_t leader) {
   report_.cycles += trial.cycles.cycles;
   place_ = trial.cycles.place;
   front_ = std::move(trial.after);
+  cracks_ = lengthening_.cracks();
   find_rates();
   record();
   for (const crack::Extension& e : extensions) {

@@ -59,6 +59,7 @@ class FatigueRun {
   bool is_off(const Trial& trial, std::size_t leader, double share) const;
   bool choose_step(const Trial& trial, std::size_t leader, bool must_stand);
   bool accept(Trial trial, std::size_t leader);
+  void require_proportional();
   void take_up_overloads();
   void keep_overload(const crack::TipOnStep& tip, crack::Overload overload);
   bool pass(const crack::CyclesOnStep& cycles);
@@ -73,6 +74,7 @@ class FatigueRun {
   crack::CycleProgram program_;
   RateLaws laws_;
   Front front_;
+  std::vector<scene::Crack> cracks_;      // as they are now
   std::vector<double> rates_;             // of the front, mean over the program
   std::map<crack::TipId, double> ahead_;  // by how much a tip has grown more than its crack [m]
   std::map<crack::TipId, double> grown_;

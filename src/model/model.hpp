@@ -140,6 +140,7 @@ class Model {
 
  private:
   friend class CrackLengthening;
+  friend class LineLengthening;
   friend class LoadCases;
 
   void restore_body(const SavedState& state);

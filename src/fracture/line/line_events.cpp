@@ -121,6 +121,21 @@ const Event* LineEvents::next(double target, const SteppingOptions& options) {
   return &event_;
 }
 
+const Event* LineEvents::step_of(const crack::TipId& tip) {
+  step_.reset();
+  birth_.reset();
+  ties_ = 0;
+  trials_.stand_apart(false);
+  const BodyState& state = body_.state();
+  const LoadWay way{state.load_factor, true, Control::path};
+  for (const LineStep& step : steps_.all(state.tips, state.displacement, way, &trials_, true))
+    if (step.id == tip) step_ = step;
+  if (!step_) return nullptr;
+  event_ = steps_.event_of(*step_, state.load_factor);
+  event_.changes = body_.system().with_followers(std::move(event_.changes));
+  return &event_;
+}
+
 Outcome LineEvents::perform() {
   Outcome outcome = whole_body_.perform(event_);
   outcome.ties = ties_;
