@@ -180,8 +180,12 @@ bool CycleIntegration::pass_block(CyclesOnStep& now, const Growth& at_start, std
   };
   const auto arrive = [&](double cycles, Growth grown) {
     now.cycles += cycles;
+    // The zone of the last cycle is that of the length at which this cycle began.
+    Growth last_begins = now.growth;
+    const double share = std::max(0.0, 1 - 1 / std::max(cycles, 1e-300));
+    for (std::size_t t = 0; t < grown.size(); ++t) last_begins[t] += share * (grown[t] - last_begins[t]);
     now.growth = std::move(grown);
-    meet(now.overloads, now.growth, now.place.block);
+    meet(now.overloads, last_begins, now.place.block);
     program_.go_on(now.place, cycles);
   };
   double cycles = std::min(program_.left(now.place), most_cycles - now.cycles);
