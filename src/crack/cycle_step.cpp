@@ -180,12 +180,12 @@ bool CycleIntegration::pass_block(CyclesOnStep& now, const Growth& at_start, std
   };
   const auto arrive = [&](double cycles, Growth grown) {
     now.cycles += cycles;
-    // The zone of the last cycle is that of the length at which this cycle began.
+    // The zone of a cycle is that of the length at which it began; a part of a cycle has met it already.
     Growth last_begins = now.growth;
-    const double share = std::max(0.0, 1 - 1 / std::max(cycles, 1e-300));
-    for (std::size_t t = 0; t < grown.size(); ++t) last_begins[t] += share * (grown[t] - last_begins[t]);
+    for (std::size_t t = 0; t < grown.size(); ++t) last_begins[t] += (1 - 1 / cycles) * (grown[t] - last_begins[t]);
     now.growth = std::move(grown);
-    meet(now.overloads, last_begins, now.place.block);
+    now.in_cycle = cycles < 1;
+    if (cycles >= 1) meet(now.overloads, last_begins, now.place.block);
     program_.go_on(now.place, cycles);
   };
   double cycles = std::min(program_.left(now.place), most_cycles - now.cycles);
@@ -234,7 +234,8 @@ CyclesOnStep CycleIntegration::run(const CycleProgram::Place& from, std::vector<
       return now;
     }
     if (pass_programs(now, goal, growth, most_cycles)) continue;
-    meet(now.overloads, now.growth, now.place.block);
+    const double begun = now.place.done - std::floor(now.place.done);
+    if (!now.in_cycle || begun < 1e-9 || begun > 1 - 1e-9) meet(now.overloads, now.growth, now.place.block);
     const Growth present = *rates(now.growth, now.place.block, now.overloads);
     if (std::all_of(present.begin(), present.end(), [](double rate) { return rate == 0; })) {
       if (++idle_blocks > program_.size() || program_.size() == 1) {

@@ -50,6 +50,7 @@ struct CyclesOnStep {
   std::vector<double> growth;       // of each tip [m]
   std::vector<Overload> overloads;  // of each tip, by then
   CycleProgram::Place place;        // where the program has come to
+  bool in_cycle = false;            // less than a cycle has passed in the last part
 };
 
 // Goes through a program while the tips grow by their laws, until one of them has grown by a length, a number of cycles

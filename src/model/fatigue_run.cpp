@@ -90,6 +90,7 @@ void FatigueRun::take_up_overloads() {
             "end at its present tip; go on from there, or begin with first_cycle = 0");
     overloads_[tip.id()] = found->overload;
   }
+  find_rates();
 }
 
 std::vector<RememberedOverload> FatigueRun::remembered_overloads() const {

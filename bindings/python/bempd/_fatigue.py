@@ -70,12 +70,13 @@ class Fatigue:
 
     def grow_fatigue(self, high: npt.ArrayLike = 1.0, low: npt.ArrayLike = 0.0, cycles: Optional[npt.ArrayLike] = None, *,
                      first_cycle: float = 0.0, most_cycles: Optional[float] = None, most_length: Optional[float] = None,
-                     most_steps: int = 1000, tolerance: float = 1e-3, largest_step: float = 0.25) -> FatigueLife:
+                     most_steps: int = 1000, tolerance: float = 1e-3, largest_step: float = 0.25,
+                     detectable: Optional[float] = None, inspections: int = 2) -> FatigueLife:
         """Let cracks grow by cycles of the loads, and count the cycles.
 
         A block is a number of `cycles` between the load factors `high` and `low`; several blocks follow each other and are
         repeated. One block without cycles is a constant amplitude. The model is at the highest load factor afterwards,
-        with the longer cracks.
+        with the longer cracks. With a `detectable` length [m] the life has an interval of so many `inspections`.
 
         >>> import bempd
         >>> model = bempd.Model()
@@ -85,9 +86,9 @@ class Fatigue:
         >>> support = model.fix_point((-0.1, -0.3)), model.fix_point((0.1, -0.3), "y")
         >>> loads = model.add_traction(plate, 3, "y", 100e6), model.add_traction(plate, 1, "y", -100e6)
         >>> model.set_growth_rate(steel, coefficient=1e-11, exponent=3, unit_intensity=1e6)
-        >>> life = model.grow_fatigue(high=1, low=0, most_length=0.05)
-        >>> print(f"{life.cycles:.3g} cycles, {life.stop_reason.name}")
-        2.73e+05 cycles, LENGTH
+        >>> life = model.grow_fatigue(high=1, low=0, most_length=0.05, detectable=0.02)
+        >>> print(f"{life.cycles:.3g} cycles, {life.stop_reason.name}, an inspection every {life.interval:.2g} cycles")
+        2.73e+05 cycles, LENGTH, an inspection every 7.2e+04 cycles
         """
         blocks = np.broadcast_arrays(*(np.atleast_1d(np.asarray(values, dtype=np.float64)) for values in (high, low)))
         tops, bottoms = (np.ascontiguousarray(values) for values in blocks)
@@ -102,9 +103,10 @@ class Fatigue:
         report = new_struct("bempd_fatigue_report", "bempd_fatigue_report_init")
         self._open().call("bempd_grow_fatigue", len(tops), arguments.doubles(tops), arguments.doubles(bottoms),
                           ffi.NULL if counts is None else arguments.doubles(counts), options, report, changes=True)
-        return FatigueLife(stop_reason=FatigueStop(report.stop_reason), crack=report.crack,
+        life = FatigueLife(stop_reason=FatigueStop(report.stop_reason), crack=report.crack,
                            end=TipEnd(report.end) if report.end else None, steps=report.steps, cycles=report.cycles,
                            growth=report.growth, error=report.error, table=self._fatigue_table())
+        return life if detectable is None else life.inspected(detectable, inspections=inspections)
 
     def _fatigue_table(self) -> npt.NDArray[Any]:
         count = ffi.new("int64_t *")
