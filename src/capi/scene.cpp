@@ -196,7 +196,7 @@ bempd_status bempd_set_resistance_curve(bempd_model* model, int32_t material, in
                                         const double* energies) {
   return with_model(model, __func__, [&](model::Model& m) {
     auto [at, values] = energy_table(count, extensions, "extensions", energies);
-    m.editable_scene().set_resistance_curve(material, std::move(at), std::move(values));
+    scene::set_resistance_curve(m.editable_scene(), material, std::move(at), std::move(values));
   });
 }
 
@@ -204,7 +204,7 @@ bempd_status bempd_set_resistance_directions(bempd_model* model, int32_t materia
                                              const double* energies) {
   return with_model(model, __func__, [&](model::Model& m) {
     auto [at, values] = energy_table(count, angles, "angles", energies);
-    m.editable_scene().set_resistance_directions(material, std::move(at), std::move(values));
+    scene::set_resistance_directions(m.editable_scene(), material, std::move(at), std::move(values));
   });
 }
 

@@ -69,7 +69,7 @@ class CycleIntegration {
 
   using Overloads = std::vector<Overload>;
 
-  // None where a tip is critical.
+  // Rates of all tips; none where a tip is critical.
   std::optional<Growth> rates(const Growth& grown, std::size_t block, const Overloads& overloads) const;
   // Growth by the whole program, which has been passed before at about these lengths; likewise.
   std::optional<Growth> program_growth(const Growth& grown, const Overloads& overloads) const;

@@ -29,7 +29,7 @@ struct GrowthLaw {
   double toughness = 0;      // K_I at which it grows straight on; 0 or infinite: it does not grow [Pa m^(1/2)]
   double plane_modulus = 0;  // E, in plane strain E / (1 - nu^2) [Pa]
   KinkCriterion criterion = KinkCriterion::hoop_stress;
-  // Where the fracture energy depends on the direction: its table, and the direction of the crack from the x axis
+  // Table of a fracture energy that depends on the direction, or null, and the direction of the crack from the x axis
   // [rad]. The toughness is then that in a direction with the share 1.
   const ResistanceDirections* directions = nullptr;
   double heading = 0;

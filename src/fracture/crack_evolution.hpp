@@ -122,8 +122,8 @@ class CrackEvolution {
   // it.
   void take_back() noexcept;
 
-  // Lets the tip of a crack line grow by a step at the present load factor, whatever its load, as an event. Returns
-  // false if no bond lies ahead of it.
+  // Lets the tip of a crack line grow by a step at the present load factor, whatever its load, as an event; false if no
+  // bond lies ahead of it. After a failure the caller restores an earlier state.
   bool extend_line(const crack::TipId& tip);
 
   // Stops a tip of a crack line: it has come to an interface, or its crack continues in boundary elements.

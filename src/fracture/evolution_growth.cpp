@@ -39,23 +39,11 @@ void CrackEvolution::return_to(const Start& start) noexcept {
 }
 
 bool CrackEvolution::extend_line(const crack::TipId& tip) {
-  sources_.refresh();
-  sources_.settle();
-  sources_.begin_call();
-  const Start start = this->start();
-  try {
-    const Event* step = sources_.line_step(tip);
-    if (step) {
-      sources_.mark();
-      perform(*step, {}, false);
-      sources_.bring_up_to_date();
-    }
-    sources_.drop_mark();
-    return step != nullptr;
-  } catch (...) {
-    return_to(start);
-    throw;
-  }
+  sources_.refresh(), sources_.settle();
+  const Event* step = sources_.line_step(tip);
+  if (step) perform(*step, {}, false);
+  sources_.bring_up_to_date();
+  return step != nullptr;
 }
 
 void CrackEvolution::stop_line(const crack::TipId& tip, crack::TipState state) {

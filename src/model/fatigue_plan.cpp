@@ -27,7 +27,7 @@ crack::TipOnStep FatigueRun::standing(std::size_t tip) const {
   one.tip = of.id(), one.law = of.law, one.before = of.levels;
   one.length = length_of_crack(tip);
   one.from = one.to = of.values.place;
-  if (const auto met = overloads_.find(one.tip); met != overloads_.end()) one.overload = met->second;
+  one.overload = overloads_.of(one.tip);
   return one;
 }
 
@@ -48,7 +48,7 @@ double FatigueRun::longest(std::size_t tip) const {
   const regions::TipValues& at = front_[tip].values;
   const double size = size_of(tip);
   const double clearance = clearance_of_tip(model_.scene(), cracks_, at.crack, at.end);
-  const double length = std::min(step_ * size, std::max(step_over_clearance * clearance, least_step * size));
+  const double length = std::min(step_.share() * size, std::max(step_over_clearance * clearance, least_step * size));
   return std::max(length, lengthening_.quantum(at));
 }
 

@@ -35,7 +35,7 @@ FatigueRun::FatigueRun(Model& model, CrackLengthening& lengthening, const Fatigu
       options_(options),
       program_(options.blocks),
       laws_(model),
-      step_(0.5 * options.largest_step) {}
+      step_(options) {}
 
 FatigueReport FatigueRun::run() {
   lengthening_.go_to(program_.load_factors()[program_.highest()]);
@@ -43,12 +43,13 @@ FatigueReport FatigueRun::run() {
   place_ = program_.place_after(options_.first_cycle);
   report_.cycles = options_.first_cycle;
   find_front();
-  if (options_.first_cycle > 0) take_up_overloads();
+  if (options_.first_cycle > 0) {
+    overloads_.take_up(model_.fatigue().overloads(), front_, cracks_, options_.first_cycle);
+    find_rates();
+  }
   record();
   while (step()) lengthening_.report_progress();
-  const double passed = report_.cycles - options_.first_cycle;
-  const bool is_unknown = report_.steps > 0 && !has_estimate_;
-  report_.error = is_unknown ? std::numeric_limits<double>::quiet_NaN() : passed > 0 ? error_ / passed : 0;
+  report_.error = step_.error(report_.cycles - options_.first_cycle, report_.steps > 0);
   return report_;
 }
 
@@ -64,7 +65,7 @@ void FatigueRun::find_front() {
   find_rates();
 }
 
-// In lattices faces are not followed between the load factors of a block. Without constant loads, and without a
+// Faces in lattices are not followed between the load factors of a block. Without constant loads, and without a
 // reversal, those that press on each other are the same at all of them.
 void FatigueRun::require_proportional() {
   require(program_.load_factors().front() >= 0, "a low load factor is ", program_.load_factors().front(),
@@ -73,33 +74,6 @@ void FatigueRun::require_proportional() {
               lengthening_.scene().evolution->state().displacement.col(0).isZero(0),
           "there are constant loads, and faces of cracks in peridynamic regions may close under them; let all loads be "
           "proportional to the load factor, or set contact to none");
-}
-
-// Takes up the overloads of the call that this one goes on from. Throws Error (argument) where they are not known.
-void FatigueRun::take_up_overloads() {
-  for (const FrontTip& tip : front_) {
-    if (!tip.law->retardation()) continue;
-    const auto& known = model_.fatigue().overloads();
-    const auto found = std::find_if(known.begin(), known.end(), [&](const RememberedOverload& one) {
-      return one.tip == tip.id() && (one.place - tip.values.place).norm() <=
-                                        rounding * length_of(cracks_[static_cast<std::size_t>(tip.values.crack) - 1]);
-    });
-    require(found != known.end(), "first_cycle is ", options_.first_cycle, ", and the overloads that crack ",
-            tip.id().crack,
-            " has met before are not known: the last call of bempd_grow_fatigue() on this model did not "
-            "end at its present tip; go on from there, or begin with first_cycle = 0");
-    overloads_[tip.id()] = found->overload;
-  }
-  find_rates();
-}
-
-std::vector<RememberedOverload> FatigueRun::remembered_overloads() const {
-  std::vector<RememberedOverload> all;
-  for (const FrontTip& tip : front_) {
-    const auto met = overloads_.find(tip.id());
-    all.push_back({tip.id(), tip.values.place, met == overloads_.end() ? crack::Overload{} : met->second});
-  }
-  return all;
 }
 
 // Makes a step; returns false if the run is over. A step is halved if it turns too much, if its cycles are too
@@ -129,7 +103,7 @@ bool FatigueRun::step() {
         return end_by(FatigueEnd::tip_stopped, front_[plan->leader].id());
       }
     }
-    step_ *= 0.5;
+    step_.halve();
   }
 }
 
@@ -215,35 +189,13 @@ bool FatigueRun::is_off(const Trial& trial, std::size_t leader, double share) co
   return false;
 }
 
-// Chooses the length of the next step. The rate varies as a power of the length; a twelfth of the change of that power
-// between steps, times the logarithm of the ratio of lengths, is the error of a step. Returns false if that is much
-// more than the tolerance, which is wider for steps with few of the cycles so far; a step that must stand counts with
-// its error. A tip's first step takes the change of the power to its second one.
 bool FatigueRun::choose_step(const Trial& trial, std::size_t leader, bool must_stand) {
-  constexpr double much = 4, most_change = 2, least_change = 0.3, few = 0.1;
-  const crack::TipOnStep& tip = trial.on_step[leader];
-  const double before = rates_[leader], after = crack::mean_rate(tip, tip.growth, program_);
   // Factors of lines are rough from one step to the next, which says nothing of the error of cycles.
-  if (!(before > 0 && after > 0) || tip.after.empty() || lengthening_.grows_lines()) return true;
-  const double way = std::log1p(tip.growth / tip.own_length());
-  const double power = std::log(after / before) / way;
-  const auto known = powers_.find(tip.tip);
-  if (known == powers_.end()) {
-    powers_[tip.tip] = power;
-    first_steps_[tip.tip] = way * trial.cycles.cycles;
-    return true;
-  }
-  const double change_of_power = std::abs(power - known->second) / 12, error = change_of_power * way;
+  if (lengthening_.grows_lines()) return true;
+  const crack::TipOnStep& tip = trial.on_step[leader];
   const double so_far = report_.cycles - options_.first_cycle + trial.cycles.cycles;
-  const double allowed = options_.tolerance * std::max(1.0, few * so_far / std::max(trial.cycles.cycles, 1e-300));
-  if (error > much * allowed && step_ > 1e-3 && !must_stand) return false;
-  const double change = error > 0 ? 0.9 * std::sqrt(allowed / error) : most_change;
-  step_ = std::min(options_.largest_step, step_ * std::clamp(change, least_change, most_change));
-  known->second = power;
-  has_estimate_ = true;
-  error_ += error * trial.cycles.cycles;
-  if (const auto first = first_steps_.extract(tip.tip)) error_ += change_of_power * first.mapped();
-  return true;
+  return step_.choose(tip, rates_[leader], crack::mean_rate(tip, tip.growth, program_), trial.cycles.cycles, so_far,
+                      must_stand);
 }
 
 bool FatigueRun::accept(Trial trial, std::size_t leader) {
@@ -256,7 +208,7 @@ bool FatigueRun::accept(Trial trial, std::size_t leader) {
     grown_[tip.tip] += tip.growth;
     last_growth_[tip.tip] = tip.growth, last_levels_[tip.tip] = tip.before;
     report_.growth += tip.growth;
-    keep_overload(tip, trial.cycles.overloads[t]);
+    overloads_.keep(tip, trial.cycles.overloads[t]);
   }
   report_.cycles += trial.cycles.cycles;
   place_ = trial.cycles.place;
@@ -271,15 +223,9 @@ bool FatigueRun::accept(Trial trial, std::size_t leader) {
   return !is_over(trial.cycles);
 }
 
-// Keeps the overload that a tip has met by the end of a step, counted from there on.
-void FatigueRun::keep_overload(const crack::TipOnStep& tip, crack::Overload overload) {
-  overload.end -= tip.growth;
-  overloads_[tip.tip] = overload;
-}
-
 bool FatigueRun::pass(const crack::CyclesOnStep& cycles) {
   report_.cycles += cycles.cycles;
-  for (std::size_t t = 0; t < front_.size(); ++t) overloads_[front_[t].id()] = cycles.overloads[t];
+  for (std::size_t t = 0; t < front_.size(); ++t) overloads_.set(front_[t].id(), cycles.overloads[t]);
   place_ = cycles.place;
   return !is_over(cycles);
 }

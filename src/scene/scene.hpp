@@ -41,16 +41,13 @@ class Scene {
   // Makes the edges first_edge .. last_edge of one loop a smooth curve through their vertices.
   void set_edges_smooth(int region, int first_edge, int last_edge);
   void set_toughness(int region, std::vector<Point> places, std::vector<double> fracture_energies);
-  // Fracture energies of a material by the growth of a tip [m], and by its direction [rad]; all in [J/m^2].
-  void set_resistance_curve(int material, std::vector<double> extensions, std::vector<double> energies);
-  void set_resistance_directions(int material, std::vector<double> angles, std::vector<double> energies);
+  Material& mutable_material(int id) { return const_cast<Material&>(material(id)); }
   int add_crack(const std::vector<Point>& points);
   // Replaces all cracks by the same number of others, such as the same cracks with their growth.
   void set_cracks(std::vector<Crack> cracks) { cracks_ = std::move(cracks); }
   int add_support(Condition condition);
   int add_load(Condition condition);
-  // Gives a support or load (`what`, `id`) new values: as many samples as it was made with, or values at any places
-  // along its part.
+  // Gives a support or load (`what`, `id`) new values: as many samples as it was made with, or values at any places.
   void set_values(Condition& condition, const char* what, int id, SampledValues values);
   void set_values(Condition& condition, const char* what, int id, PlacedValues values);
   // Values of all supports and loads; exchange_values() swaps them with `values`.
@@ -98,7 +95,6 @@ class Scene {
   Box bounding_box() const;
 
  private:
-  Material& breaking_material(int id);
   Region& mutable_region(int id);
   Region& mutable_region_with_edge(int id, int edge);
   Region& region_to_bend(int id, int edge);
@@ -112,5 +108,9 @@ class Scene {
   std::vector<Crack> cracks_;
   std::vector<Condition> supports_, loads_;
 };
+
+// Sets fracture energies of a material by the growth of a tip [m], or by its direction [rad]; all in [J/m^2].
+void set_resistance_curve(Scene& scene, int material, std::vector<double> extensions, std::vector<double> energies);
+void set_resistance_directions(Scene& scene, int material, std::vector<double> angles, std::vector<double> energies);
 
 }  // namespace bempd::scene

@@ -27,22 +27,22 @@ std::vector<double> shares_of(std::vector<double> energies, double of_material) 
   return energies;
 }
 
-}  // namespace
-
-Material& Scene::breaking_material(int id) {
-  require(material(id).fracture_energy > 0, "material ", id,
+Material& breaking_material(Scene& scene, int id) {
+  require(scene.material(id).fracture_energy > 0, "material ", id,
           " has no fracture_energy, whose place the values take; give it one");
-  return materials_[static_cast<std::size_t>(id) - 1];
+  return scene.mutable_material(id);
 }
 
-void Scene::set_resistance_curve(int id, std::vector<double> extensions, std::vector<double> energies) {
-  Material& material = breaking_material(id);
+}  // namespace
+
+void set_resistance_curve(Scene& scene, int id, std::vector<double> extensions, std::vector<double> energies) {
+  Material& material = breaking_material(scene, id);
   material.resistance.curve = std::make_shared<const crack::ResistanceCurve>(
       std::move(extensions), shares_of(std::move(energies), material.fracture_energy));
 }
 
-void Scene::set_resistance_directions(int id, std::vector<double> angles, std::vector<double> energies) {
-  Material& material = breaking_material(id);
+void set_resistance_directions(Scene& scene, int id, std::vector<double> angles, std::vector<double> energies) {
+  Material& material = breaking_material(scene, id);
   material.resistance.directions = std::make_shared<const crack::ResistanceDirections>(
       std::move(angles), shares_of(std::move(energies), material.fracture_energy));
 }

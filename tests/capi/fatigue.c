@@ -329,7 +329,7 @@ static void misuse_is_told(void) {
   }
 }
 
-/** After growth by cycles the explanation says which tip limits the life, and by how much; not where cracks have
+/** The explanation says after growth by cycles which tip limits the life, and by how much; not where cracks have
  * changed since. */
 static void explanation_tells_the_limiting_tip(void) {
   const plate p = new_plate(0.0, 0.4);

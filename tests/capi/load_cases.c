@@ -86,7 +86,7 @@ static void closed_faces_are_solved_by_themselves(void) {
   CHECK(3.0 * b.stress_intensity_1 - a.stress_intensity_1 < -0.1);
   CHECK(pressed_under(&p, -1.0, 3.0) > 0);
   CHECK_CLOSE(c.stress_intensity_1, 0.0, 1e-12);
-  /* The same by a run: values of the loads, and a step. */
+  /* A run by values of the loads, and a step, finds the same. */
   const double minus = -1.0, one = 1.0, three = 3.0, minus_three = -3.0, corner = 0.3, zero = 0.0;
   CHECK_OK(p.model, bempd_set_tip_frozen(p.model, p.crack, BEMPD_CRACK_START, 1));
   CHECK_OK(p.model, bempd_set_tip_frozen(p.model, p.crack, BEMPD_CRACK_END, 1));

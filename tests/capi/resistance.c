@@ -100,7 +100,7 @@ static bempd_crack_extension last_extension(bempd_model* model) {
   return extension;
 }
 
-/* After a growth by da the load is larger by the root of the energy for da over that at first. */
+/* The load after a growth by da is larger by the root of the energy for da over that at first. */
 static void growth_raises_the_load(void) {
   for (int lattice = 0; lattice < 2; ++lattice) {
     bempd_model *plain = square(lattice, 0, 1.0), *tougher = square(lattice, 1, 1.0);

@@ -131,7 +131,7 @@ TEST(CrackGrowthLaw, equal_energies_in_all_directions_change_nothing) {
       }
 }
 
-// In mode I a weak plane at 45 degrees is taken below G_c(45) / G_c(0) = F11^2 + F21^2, with the kinked factors of
+// A weak plane at 45 degrees is taken in mode I below G_c(45) / G_c(0) = F11^2 + F21^2, with the kinked factors of
 // Amestoy and Leblond, Int. J. Solids Struct. 29, 1992; by the hoop stress below cos(22.5)^6.
 TEST(CrackGrowthLaw, weak_plane_is_taken_below_the_ratio_of_its_energy_release_rate) {
   constexpr double quarter = std::numbers::pi / 4;
