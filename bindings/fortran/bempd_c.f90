@@ -3834,7 +3834,8 @@ module bempd_c
       integer(c_int) :: bempd_fatigue_report_init
     end function bempd_fatigue_report_init
 
-    !> Let the cracks of BEM regions grow by cycles of the loads, and count the cycles.
+    !> Let cracks grow by cycles of the loads, and count the cycles: with boundary elements, or as lines in peridynamic
+    !> regions.
     !>
     !> A block is a number of cycles between two load factors; blocks follow each other and are repeated. Each tip grows
     !> by the law of its material, in the direction in which bempd_grow_cracks() would have it grow at the load at which
@@ -3843,6 +3844,9 @@ module bempd_c
     !> lengths that follow their rates. Between two steps the factor of a tip is taken as a power of its crack's length,
     !> and the cycles are counted block by block. Steps are so long that the estimated error of their cycles is below
     !> the tolerance, and at most a quarter of the way to the nearest edge, hole or crack.
+    !>
+    !> Crack lines grow by whole spacings, so they may pass the length asked for by half of one. In lattices low load
+    !> factors are 0 or more, loads have no constant part where faces can close, and the material has a fracture_energy.
     !>
     !> Cracks stop at their critical factor; K_c is that of the law, or the toughness of the material. The progress
     !> callback is called after every step. After a failure, and where a callback cancels, the model is as it was.
