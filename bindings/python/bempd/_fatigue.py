@@ -88,7 +88,7 @@ class Fatigue:
         >>> model.set_growth_rate(steel, coefficient=1e-11, exponent=3, unit_intensity=1e6)
         >>> life = model.grow_fatigue(high=1, low=0, most_length=0.05, detectable=0.02)
         >>> print(f"{life.cycles:.3g} cycles, {life.stop_reason.name}, an inspection every {life.interval:.2g} cycles")
-        2.73e+05 cycles, LENGTH, an inspection every 7.2e+04 cycles
+        2.73e+05 cycles, LENGTH, an inspection every 6.3e+04 cycles
         """
         blocks = np.broadcast_arrays(*(np.atleast_1d(np.asarray(values, dtype=np.float64)) for values in (high, low)))
         tops, bottoms = (np.ascontiguousarray(values) for values in blocks)

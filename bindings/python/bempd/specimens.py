@@ -77,10 +77,14 @@ class _Builder:
     def __init__(self, outline: Sequence[tuple[float, float]], element_length: float, thickness: float,
                  material: Optional[Material], options: Optional[dict[str, Any]]) -> None:
         self.model = Model(options=options, log=None)
-        self.material = self.model.add_material(thickness=thickness, **{**STEEL, **(material or {})})
+        self.material = self._material(thickness, {**STEEL, **(material or {})})
         self.region = self.model.add_bem_region(self.material, list(outline), element_length)
         self.cracks: list[int] = []
         self.loads: list[int] = []
+
+    def _material(self, thickness: float, given: Material) -> int:
+        numbers: dict[str, Any] = dict(given)
+        return self.model.add_material(thickness=thickness, **numbers)
 
     def crack(self, *points: tuple[float, float]) -> None:
         self.cracks.append(self.model.add_crack(list(points)))
