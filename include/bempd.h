@@ -80,6 +80,8 @@
  *   bempd_set_edges_smooth          makes a row of edges a smooth curve
  *   bempd_set_edge_mesh             lengths of the elements of an edge
  *   bempd_set_toughness_at          fracture energies of a region by place
+ *   bempd_set_resistance_curve      fracture energies of a material by the growth of a tip (R-curve)
+ *   bempd_set_resistance_directions fracture energies of a material by the direction of a crack
  *   bempd_add_crack                 a crack that is there from the start
  *   bempd_remove_region             takes a region back out of the scene
  *   bempd_remove_crack              takes a crack back out of the scene
@@ -188,6 +190,15 @@
  *   bempd_crack_extension_init      prepares the struct of an extension
  *   bempd_extension_count           number of extensions of cracks
  *   bempd_extension                 what a tip did at an event
+ *
+ * Load cases
+ *   bempd_load_case_add             loads that act together
+ *   bempd_load_case_count           number of load cases
+ *   bempd_load_case_tip_count       number of tips under a combination of load cases
+ *   bempd_load_case_tip             a tip under a combination
+ *   bempd_load_case_reaction        force of a support under a combination
+ *   bempd_load_case_evaluate        displacement and stress at places under a combination
+ *   bempd_load_case_pressed_faces   where faces of cracks press on each other under a combination
  *
  * Fatigue
  *   bempd_growth_rate_init          prepares the struct of bempd_set_growth_rate()
@@ -548,6 +559,34 @@ BEMPD_API bempd_status bempd_set_edge_mesh(bempd_model* model, int32_t region, i
  * @return status @since 0.3 */
 BEMPD_API bempd_status bempd_set_toughness_at(bempd_model* model, int32_t region, int64_t count, const double* places,
                                               const double* values);
+
+/** @brief Give a material fracture energies by the growth of a crack, a resistance curve (R-curve), in place of its one
+ * fracture energy.
+ *
+ * A tip grows when its energy release rate reaches the energy for the length by which this end has grown in the model.
+ * The table is linear between its rows and constant before the first and behind the last one. Values of
+ * bempd_set_toughness_at() scale it: they stand for the fracture energy of the material. It acts on cracks with
+ * boundary elements and on cracks that grow as lines in lattices; bonds keep their critical stretch, and a lattice in
+ * which cracks grow bond by bond is refused. A second call replaces the first.
+ * @param[in] model the model, not prepared yet @param[in] material id of a material with a fracture_energy
+ * @param[in] count number of rows, >= 1 @param[in] extensions growth of an end [m], >= 0, ascending, shape [count]
+ * @param[in] energies fracture energies G_c [J/m^2], > 0, shape [count] @return status @since 0.3 */
+BEMPD_API bempd_status bempd_set_resistance_curve(bempd_model* model, int32_t material, int64_t count,
+                                                  const double* extensions, const double* energies);
+
+/** @brief Give a material fracture energies by the direction in which a crack runs, as of grain, layers or weak planes.
+ *
+ * A tip turns to the direction in which the ratio of its energy release rate to the energy is largest, and grows when
+ * that ratio reaches 1. The option crack.criterion says by which rate: after the turn, or from the hoop stress before
+ * it. A direction and its opposite are the same. The table is linear between its rows, also from the last one to the
+ * first one half a turn on; a weak plane is a row between two that are close to it. Values of bempd_set_toughness_at()
+ * and of a resistance curve scale it. It acts where a resistance curve does. A second call replaces the first.
+ * @param[in] model the model, not prepared yet @param[in] material id of a material with a fracture_energy
+ * @param[in] count number of rows, >= 1 @param[in] angles directions from the x axis, counter-clockwise [rad],
+ * ascending, within half a turn, shape [count]
+ * @param[in] energies fracture energies G_c [J/m^2], > 0, shape [count] @return status @since 0.3 */
+BEMPD_API bempd_status bempd_set_resistance_directions(bempd_model* model, int32_t material, int64_t count,
+                                                       const double* angles, const double* energies);
 
 /** @brief Add an initial crack, a polyline.
  *
@@ -1818,6 +1857,66 @@ BEMPD_API bempd_status bempd_extension_count(const bempd_model* model, int64_t* 
  * @param[in] index 0 .. count-1 @param[in,out] extension struct_size in, the rest out @return status @since 0.3 */
 BEMPD_API bempd_status bempd_extension(const bempd_model* model, int64_t index, bempd_crack_extension* extension);
 
+/* --------------------------------------------------------------------------------------- Load cases */
+
+/** @brief Add a load case: loads and moved supports that act together.
+ *
+ * It has the values that they have now, at the load factor 1; later changes of values do not reach it. Results of a
+ * combination, each case times a factor, come from the functions that follow. A combination is solved for the body as
+ * it is, with its factored matrices. Loads in no case do not act, and supports in no case hold their place. Faces of
+ * cracks close and open as they must under each combination, so results add up only where none press on each other
+ * (bempd_load_case_pressed_faces()). Nothing grows or breaks, and the run of the model stays where it is.
+ * @param[in] model the model @param[in] load_count number of loads @param[in] loads ids of loads, shape [load_count];
+ * NULL for none
+ * @param[in] support_count number of supports @param[in] supports ids of supports with prescribed displacements, shape
+ * [support_count]; NULL for none
+ * @param[out] load_case its id, 1 for the first; may be NULL @return status @since 0.3 */
+BEMPD_API bempd_status bempd_load_case_add(bempd_model* model, int64_t load_count, const int32_t* loads,
+                                           int64_t support_count, const int32_t* supports, int32_t* load_case);
+
+/** @brief Number of load cases. @param[in] model the model @param[out] count their number @return status @since 0.3 */
+BEMPD_API bempd_status bempd_load_case_count(const bempd_model* model, int32_t* count);
+
+/** @brief Number of tips under a combination; that of bempd_tip_count(). @param[in] model the model
+ * @param[in] case_count number of factors @param[in] factors of the cases, by id, shape [case_count]; cases beyond have
+ * 0
+ * @param[out] count number of tips @return status @since 0.3 */
+BEMPD_API bempd_status bempd_load_case_tip_count(bempd_model* model, int64_t case_count, const double* factors,
+                                                 int64_t* count);
+
+/** @brief A tip under a combination, as bempd_tip() has it. Its critical load factors say by how much the whole
+ * combination may be multiplied before the tip grows.
+ * @param[in] model the model @param[in] case_count number of factors
+ * @param[in] factors of the cases, by id, shape [case_count]; cases beyond have 0 @param[in] index 0 .. count-1
+ * @param[in,out] tip struct_size in, the rest out @return status @since 0.3 */
+BEMPD_API bempd_status bempd_load_case_tip(bempd_model* model, int64_t case_count, const double* factors, int64_t index,
+                                           bempd_crack_tip* tip);
+
+/** @brief Force that a support exerts on the body under a combination. @param[in] model the model
+ * @param[in] case_count number of factors @param[in] factors of the cases, by id, shape [case_count]; cases beyond have
+ * 0
+ * @param[in] support id of a support @param[out] force shape [2], resultant [N] @return status @since 0.3 */
+BEMPD_API bempd_status bempd_load_case_reaction(bempd_model* model, int64_t case_count, const double* factors,
+                                                int32_t support, double* force);
+
+/** @brief Displacement and stress at places under a combination, as bempd_evaluate() has them. @param[in] model the
+ * model
+ * @param[in] case_count number of factors @param[in] factors of the cases, by id, shape [case_count]; cases beyond have
+ * 0
+ * @param[in] count number of places @param[in] points shape [count][2] [m]
+ * @param[out] displacement shape [count][2] [m]; may be NULL
+ * @param[out] stress shape [count][3], xx, yy, xy [Pa]; may be NULL @return status @since 0.3 */
+BEMPD_API bempd_status bempd_load_case_evaluate(bempd_model* model, int64_t case_count, const double* factors,
+                                                int64_t count, const double* points, double* displacement,
+                                                double* stress);
+
+/** @brief Number of places at which faces of cracks press on each other under a combination; 0 where results add up.
+ * @param[in] model the model @param[in] case_count number of factors
+ * @param[in] factors of the cases, by id, shape [case_count]; cases beyond have 0
+ * @param[out] count number of places @return status @since 0.3 */
+BEMPD_API bempd_status bempd_load_case_pressed_faces(bempd_model* model, int64_t case_count, const double* factors,
+                                                     int64_t* count);
+
 /* ----------------------------------------------------------------------------------------- Fatigue */
 
 /** @brief Laws by which a tip grows in a cycle of the loads. K_max and K_min are the factors of mode I in the direction
@@ -1852,6 +1951,19 @@ typedef double (*bempd_rate_function)(int32_t crack, int32_t end, double highest
                                       double stress_intensity_1, double stress_intensity_2, double length, double x,
                                       double y, void* user);
 
+/** @brief How growth slows down in the plastic zone of an earlier, higher load. The zone of a load is
+ * (K / yield_strength)^2 / (pi zone_constraint). @since 0.3 */
+typedef enum bempd_retardation {
+  /** Earlier loads have no effect. */
+  BEMPD_RETARDATION_NONE = 0,
+  /** Wheeler: da/dN times (zone of the cycle / distance to the end of the overload's zone)^wheeler_exponent. */
+  BEMPD_RETARDATION_WHEELER = 1,
+  /** Willenborg, generalized by Gallagher: K_max and K_min less
+   * phi [K_overload sqrt(distance to the end of its zone / its size) - K_max],
+   * phi = (1 - dK_th / K_max) / (shutoff_ratio - 1). It acts through R, so the law must know R. */
+  BEMPD_RETARDATION_WILLENBORG = 2
+} bempd_retardation;
+
 /** @brief A law of growth by cycles. Fill it with bempd_growth_rate_init(). @since 0.3 */
 typedef struct bempd_growth_rate {
   int64_t struct_size;   /**< sizeof(bempd_growth_rate), set by bempd_growth_rate_init() */
@@ -1872,6 +1984,12 @@ typedef struct bempd_growth_rate {
   double closure_stress;     /**< of BEMPD_RATE_NASGRO: largest stress over the flow stress, >= 0, < 1; default 0 [-] */
   bempd_rate_function function; /**< of BEMPD_RATE_HOST; threshold and critical_intensity hold for it too */
   void* user;                   /**< handed to the function; may be NULL */
+  int32_t retardation;          /**< a bempd_retardation; default BEMPD_RETARDATION_NONE */
+  int32_t reserved2;            /**< 0 */
+  double yield_strength;        /**< of a retardation, > 0 [Pa] */
+  double zone_constraint;       /**< of its plastic zones; default 0: 2 in plane stress, 6 in plane strain [-] */
+  double wheeler_exponent;      /**< of BEMPD_RETARDATION_WHEELER, > 0 [-] */
+  double shutoff_ratio;         /**< of BEMPD_RETARDATION_WILLENBORG: overload over load that stops a tip, > 1 [-] */
 } bempd_growth_rate;
 
 /** @brief Set struct_size and the defaults. @param[out] rate the struct to fill
@@ -1939,7 +2057,8 @@ typedef struct bempd_fatigue_report {
  * grows @return status @since 0.3 */
 BEMPD_API bempd_status bempd_fatigue_report_init(bempd_fatigue_report* report, int64_t struct_size);
 
-/** @brief Let the cracks of BEM regions grow by cycles of the loads, and count the cycles.
+/** @brief Let cracks grow by cycles of the loads, and count the cycles: with boundary elements, or as lines in
+ * peridynamic regions.
  *
  * A block is a number of cycles between two load factors; blocks follow each other and are repeated. Each tip grows by
  * the law of its material, in the direction in which bempd_grow_cracks() would have it grow at the load at which its
@@ -1948,6 +2067,9 @@ BEMPD_API bempd_status bempd_fatigue_report_init(bempd_fatigue_report* report, i
  * rates. Between two steps the factor of a tip is taken as a power of its crack's length, and the cycles are counted
  * block by block. Steps are so long that the estimated error of their cycles is below the tolerance, and at most a
  * quarter of the way to the nearest edge, hole or crack.
+ *
+ * Crack lines grow by whole spacings, so they may pass the length asked for by half of one. In lattices low load
+ * factors are 0 or more, loads have no constant part where faces can close, and the material has a fracture_energy.
  *
  * Cracks stop at their critical factor; K_c is that of the law, or the toughness of the material. The progress callback
  * is called after every step. After a failure, and where a callback cancels, the model is as it was.

@@ -91,3 +91,79 @@ def many_blocks() -> tuple[float, float]:
     life = model.grow_fatigue(high, low, cycles, most_length=0.1)
     mean = float((cycles * (high - low) ** EXPONENT).sum() / cycles.sum())
     return life.cycles, wide_plate_by_closed_form() / mean
+
+
+# Overloads: factors in MPa m^(1/2), the wide plate pulled by 100 MPa per unit of the load factor.
+YIELD, CONSTRAINT, WHEELER, SHUTOFF, RETARDED_COEFFICIENT, WALKER = 300.0, 2.0, 1.5, 3.0, 1e-11, 0.5
+PROGRAMS = {"an overload in each 5000 cycles": ([2.0, 1.0], [0.0, 0.2], [1.0, 5000.0], 3e5),
+            "one overload": ([2.0, 1.0], [0.0, 0.2], [1.0, 1e9], 1.5e5),
+            "none": ([1.0], [0.2], [1e9], 1.5e5)}
+
+
+def retarded(kind: str, program: str) -> tuple[float, float]:
+    """Growth of one end of a crack of 0.02 in the wide plate under overloads: by the library, and by a fine integration."""
+    high, low, cycles, most = PROGRAMS[program]
+    model, steel, _ = plate(8.0, 8.0, 2.0)
+    kinds = {"wheeler": {"wheeler_exponent": WHEELER}, "willenborg": {"shutoff_ratio": SHUTOFF}}
+    model.set_growth_rate(steel, coefficient=RETARDED_COEFFICIENT, exponent=EXPONENT, unit_intensity=UNIT, walker=WALKER,
+                          retardation=kind, yield_strength=YIELD * 1e6, **kinds[kind])
+    model.add_crack([(-0.01, 0), (0.01, 0)])
+    model.grow_fatigue([100 * value for value in high], [100 * value for value in low], cycles, most_cycles=most)
+    return model.crack_length(1) / 2 - 0.01, _integrated(kind, high, low, cycles, most) - 0.01
+
+
+def _integrated(kind: str, high: list[float], low: list[float], cycles: list[float], most: float) -> float:
+    """Half the length of the crack after so many cycles, with K = stress sqrt(pi a), by short steps of fourth order."""
+    a, passed = 0.01, 0.0
+    end, zone, overload = -math.inf, 0.0, 0.0
+
+    def rate(at: float, top: float, bottom: float) -> float:
+        root = math.sqrt(math.pi * at)
+        most_k, least_k, share = 100 * top * root, 100 * bottom * root, 1.0
+        own = (most_k / YIELD) ** 2 / (CONSTRAINT * math.pi)
+        if at + own < end:
+            if kind == "wheeler":
+                share = (own / (end - at)) ** WHEELER
+            else:
+                less = (overload * math.sqrt((end - at) / zone) - most_k) / (SHUTOFF - 1)
+                most_k, least_k = most_k - max(0.0, less), least_k - max(0.0, less)
+        if most_k <= 0:
+            return 0.0
+        return share * RETARDED_COEFFICIENT * ((1 - least_k / most_k) ** (WALKER - 1) * (most_k - least_k)) ** EXPONENT
+
+    while passed < most:
+        for top, bottom, count in zip(high, low, cycles):
+            left = min(count, most - passed)
+            while left > 0:
+                k = 100 * top * math.sqrt(math.pi * a)
+                own = (k / YIELD) ** 2 / (CONSTRAINT * math.pi)
+                if a + own >= end:
+                    end, zone, overload = a + own, own, k
+                first = rate(a, top, bottom)
+                step = min(left, 20.0) if first > 0 else left
+                second = rate(a + 0.5 * step * first, top, bottom)
+                third = rate(a + 0.5 * step * second, top, bottom)
+                fourth = rate(a + step * third, top, bottom)
+                a += step / 6 * (first + 2 * (second + third) + fourth)
+                left, passed = left - step, passed + step
+    return a
+
+
+# The life of a crack in a lattice beside that in boundary elements.
+SIDE, LATTICE_CRACK, LATTICE_END = 1.0, 0.3, 0.55
+
+
+def strip_life(spacings: int = 0) -> bempd.FatigueLife:
+    """A crack from the left edge of a square that is pulled at its top: with elements, or as a line in a lattice."""
+    model = bempd.Model(log=None)
+    acrylic = model.add_material(young_modulus=3e9, poisson_ratio=1 / 3, fracture_energy=1e6)
+    square = bempd.rectangle(0, -SIDE / 2, SIDE, SIDE / 2)
+    if spacings:
+        region = model.add_pd_region(acrylic, square, spacing=SIDE / spacings)
+    else:
+        region = model.add_bem_region(acrylic, square, element_length=SIDE / 8)
+    model.add_crack([(0, 0), (LATTICE_CRACK, 0)])
+    model.fix_edge(region, 1)
+    model.prescribe_edge(region, 3, "y", 1e-4)
+    model.set_growth_rate(acrylic, coefficient=COEFFICIENT, exponent=EXPONENT, unit_intensity=UNIT, critical_intensity=1e6)
+    return model.grow_fatigue(most_length=LATTICE_END)

@@ -1,4 +1,4 @@
-"""Lives of cracks under cycles: the table of docs/fatigue.md.
+"""Lives of cracks under cycles, resistances and specimens: the tables of docs/fatigue.md.
 
 usage: benchmarks/run.sh fatigue [--write] [--references]
     --write: into docs/fatigue.md;  --references: measures the lives with small steps anew and prints them
@@ -11,7 +11,10 @@ import sys
 import time
 from pathlib import Path
 
+import bempd
+import bodies
 import lives
+import resistance
 
 PAGE = Path(__file__).resolve().parents[2] / "docs" / "fatigue.md"
 
@@ -50,6 +53,40 @@ def table() -> list[str]:
     cycles, exact = lives.many_blocks()
     lines.append(f"| spectrum of three short blocks | | {100 * (cycles / exact - 1):+.3f} % | closed form "
                  f"| {time.perf_counter() - begin:.2f} |")
+    for kind, name in (("wheeler", "Wheeler"), ("willenborg", "Willenborg")):
+        for program in ("an overload in each 5000 cycles", "one overload"):
+            begin = time.perf_counter()
+            growth, exact = lives.retarded(kind, program)
+            lines.append(f"| growth by {name}'s model, {program} | | {100 * (growth / exact - 1):+.3f} % | integration "
+                         f"| {time.perf_counter() - begin:.2f} |")
+    elements = lives.strip_life().cycles
+    for spacings in (40, 60):
+        begin = time.perf_counter()
+        life = lives.strip_life(spacings)
+        lines.append(row(f"edge crack as a line in a lattice, {spacings} spacings", life.steps,
+                         life.cycles_at(lives.LATTICE_END), elements, "boundary elements", time.perf_counter() - begin))
+    return lines
+
+
+def resistance_table() -> list[str]:
+    lines = ["| resistance | value | reference | difference |", "|---|---|---|---|"]
+    for length, (exact, _) in resistance.PEAKS.items():
+        found = resistance.peak(length)
+        lines.append(f"| peak of sigma (a0 / E G)^(1/2), l / a0 = {length:g} | {found:.5f} | {exact:.5f} "
+                     f"| {100 * (found / exact - 1):+.3f} % |")
+    for kind in ("elements", "lines"):
+        found = resistance.critical_ratio(kind)
+        lines.append(f"| weak plane at 45 degrees taken below, {kind} | {found:.4f} | 0.7300 | {100 * (found / 0.73 - 1):+.3f} % |")
+    return lines
+
+
+def specimen_table() -> list[str]:
+    lines = ["| specimen | shape | difference from the formula | the source states | source |", "|---|---|---|---|---|"]
+    for kind, sizes, shape in bodies.CASES:
+        specimen = bempd.specimens.KINDS[kind](**sizes)
+        formula = specimen.formula
+        stated = "nothing" if formula.accuracy != formula.accuracy else f"{100 * formula.accuracy:g} %"
+        lines.append(f"| {kind} | {shape} | {100 * specimen.difference():+.2f} % | {stated} | {formula.source} |")
     return lines
 
 
@@ -59,14 +96,14 @@ def main() -> None:
             fine = life(largest_step=0.018, tolerance=0.01)
             print(f"{name}: {fine.cycles:.9g} with {fine.steps} steps")
         return
-    lines = table()
-    print("\n".join(lines))
-    if "--write" in sys.argv:
-        begin, end = "<!-- table of run.py -->\n", "<!-- end of it -->"
+    text = PAGE.read_text(encoding="utf-8")
+    for name, lines in (("table", table()), ("resistances", resistance_table()), ("specimens", specimen_table())):
+        print("\n".join(lines))
+        begin, end = f"<!-- {name} of run.py -->\n", "<!-- end of it -->"
         found = begin + "\n".join(lines) + "\n" + end
-        text = PAGE.read_text(encoding="utf-8")
-        PAGE.write_text(re.sub(re.escape(begin) + ".*?" + re.escape(end), lambda _: found, text, flags=re.DOTALL),
-                        encoding="utf-8")
+        text = re.sub(re.escape(begin) + ".*?" + re.escape(end), lambda _, found=found: found, text, flags=re.DOTALL)
+    if "--write" in sys.argv:
+        PAGE.write_text(text, encoding="utf-8")
 
 
 if __name__ == "__main__":

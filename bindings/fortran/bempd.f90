@@ -55,6 +55,7 @@ module bempd
     generic :: assignment(=) => refuse_copy
     procedure :: add_material, add_bem_region, add_pd_region, add_hole, add_circular_hole, add_crack
     procedure :: add_bem_disc, set_edge_arc, set_edge_arc_about, set_edges_smooth, set_edge_mesh, set_toughness_at
+    procedure :: set_resistance_curve, set_resistance_directions
     procedure :: remove_region, remove_crack, remove_support, remove_load
     procedure :: region_count, edge_count, node_count, element_count, bond_count
     procedure :: fix_edge, fix_point, prescribe_edge, prescribe_edge_function, prescribe_point
@@ -64,6 +65,7 @@ module bempd
     procedure :: crack_count, crack_length, crack_path
     procedure :: add_crack_traction, tips, tip_history, write_tips, crack_opening, grow_cracks, set_tip_frozen, extensions
     procedure :: extend_cracks, set_growth_rate, grow_fatigue, fatigue_records
+    procedure :: add_load_case, load_case_count, combined_tips, combined_reaction, combined_values, pressed_faces
     procedure :: set_progress, set_phase_progress, set_log, request_cancel, request_stop
     procedure :: prepare, step, step_to_next_event, run_to_separation, step_to_values, run_program
     procedure :: load_factor, admissible_load_factors, explain, generation, copy_field, fill_field, view_field
@@ -99,7 +101,7 @@ module bempd
   private :: create, free, last_error, set_option_number, set_option_text, get_option_number, &
     get_option_text, refuse_copy, add_material, add_bem_region, add_pd_region, add_hole, add_circular_hole, add_crack, &
     add_bem_disc, set_edge_arc, set_edge_arc_about, set_edges_smooth, set_edge_mesh, &
-    set_toughness_at, &
+    set_toughness_at, set_resistance_curve, set_resistance_directions, &
     edge_reaction, evaluate_in, singularities, stress_orders, &
     add_edge_forces, set_support_nodal_values, set_load_nodal_values, set_support_values_at, set_load_values_at, &
     fractions_on_edge, edge_nodes, edge_elements, edge_forces, &
@@ -116,6 +118,7 @@ module bempd
     get_statistics, &
     history, history_support, add_crack_traction, tips, tip_history, write_tips, crack_opening, grow_cracks, set_tip_frozen, &
     extensions, crack_count, crack_length, crack_path, extend_cracks, set_growth_rate, grow_fatigue, fatigue_records, &
+    add_load_case, load_case_count, combined_tips, combined_reaction, combined_values, pressed_faces, &
     state_save, state_restore, write_snapshot, write_history, finalize_model, free_state, to_bytes, &
     from_bytes, write_state_file, read_state_file, refuse_copy_of_state, finalize_state
 
@@ -254,6 +257,22 @@ module bempd
       integer, intent(out), optional :: stat
       character(*), intent(inout), optional :: errmsg
     end subroutine set_toughness_at
+    ! Fracture energies [J/m^2] of a material by the growth of a tip [m], in place of its one.
+    module subroutine set_resistance_curve(self, material, extensions, energies, stat, errmsg)
+      class(bempd_model), intent(inout) :: self
+      integer(c_int32_t), intent(in) :: material
+      real(c_double), intent(in) :: extensions(:), energies(:)
+      integer, intent(out), optional :: stat
+      character(*), intent(inout), optional :: errmsg
+    end subroutine set_resistance_curve
+    ! Fracture energies [J/m^2] of a material by the direction of a crack [rad].
+    module subroutine set_resistance_directions(self, material, angles, energies, stat, errmsg)
+      class(bempd_model), intent(inout) :: self
+      integer(c_int32_t), intent(in) :: material
+      real(c_double), intent(in) :: angles(:), energies(:)
+      integer, intent(out), optional :: stat
+      character(*), intent(inout), optional :: errmsg
+    end subroutine set_resistance_directions
     module subroutine add_crack(self, points, crack, stat, errmsg)
       class(bempd_model), intent(inout) :: self
       real(c_double), intent(in) :: points(:, :)
@@ -827,6 +846,51 @@ module bempd
       integer, intent(out), optional :: stat
       character(*), intent(inout), optional :: errmsg
     end subroutine grow_cracks
+    !> A load case: loads and moved supports that act together, with their values at the load factor 1.
+    module subroutine add_load_case(self, loads, supports, load_case, stat, errmsg)
+      class(bempd_model), intent(inout) :: self
+      integer(c_int32_t), intent(in), optional :: loads(:), supports(:)
+      integer(c_int32_t), intent(out), optional :: load_case
+      integer, intent(out), optional :: stat
+      character(*), intent(inout), optional :: errmsg
+    end subroutine add_load_case
+    module subroutine load_case_count(self, count, stat, errmsg)
+      class(bempd_model), intent(inout) :: self
+      integer(c_int32_t), intent(out) :: count
+      integer, intent(out), optional :: stat
+      character(*), intent(inout), optional :: errmsg
+    end subroutine load_case_count
+    !> Tips under a combination; factors(k) is that of the load case k.
+    module subroutine combined_tips(self, factors, found, stat, errmsg)
+      class(bempd_model), intent(inout) :: self
+      real(c_double), intent(in) :: factors(:)
+      type(bempd_crack_tip), allocatable, intent(out) :: found(:)
+      integer, intent(out), optional :: stat
+      character(*), intent(inout), optional :: errmsg
+    end subroutine combined_tips
+    module subroutine combined_reaction(self, factors, support, force, stat, errmsg)
+      class(bempd_model), intent(inout) :: self
+      real(c_double), intent(in) :: factors(:)
+      integer(c_int32_t), intent(in) :: support
+      real(c_double), intent(out) :: force(2)
+      integer, intent(out), optional :: stat
+      character(*), intent(inout), optional :: errmsg
+    end subroutine combined_reaction
+    module subroutine combined_values(self, factors, points, displacement, stress, stat, errmsg)
+      class(bempd_model), intent(inout) :: self
+      real(c_double), intent(in) :: factors(:), points(:, :)
+      real(c_double), allocatable, intent(out) :: displacement(:, :), stress(:, :)
+      integer, intent(out), optional :: stat
+      character(*), intent(inout), optional :: errmsg
+    end subroutine combined_values
+    !> Places at which faces of cracks press on each other under a combination; where there is none, results add up.
+    module subroutine pressed_faces(self, factors, count, stat, errmsg)
+      class(bempd_model), intent(inout) :: self
+      real(c_double), intent(in) :: factors(:)
+      integer(c_int64_t), intent(out) :: count
+      integer, intent(out), optional :: stat
+      character(*), intent(inout), optional :: errmsg
+    end subroutine pressed_faces
     !> Tips grow by lengths at the present load factor, whatever their load.
     module subroutine extend_cracks(self, cracks, ends, lengths, growth, stat, errmsg)
       class(bempd_model), intent(inout) :: self

@@ -284,6 +284,19 @@ module bempd_c
   !> A function of the host.
   integer(c_int), parameter :: BEMPD_RATE_HOST = 5
 
+  !> How growth slows down in the plastic zone of an earlier, higher load. The zone of a load is (K / yield_strength)^2
+  !> / (pi zone_constraint).
+  !>
+  !> since: 0.3
+  integer, parameter :: bempd_retardation = c_int
+  !> Earlier loads have no effect.
+  integer(c_int), parameter :: BEMPD_RETARDATION_NONE = 0
+  !> Wheeler: da/dN times (zone of the cycle / distance to the end of the overload's zone)^wheeler_exponent.
+  integer(c_int), parameter :: BEMPD_RETARDATION_WHEELER = 1
+  !> Willenborg, generalized by Gallagher: K_max and K_min less phi [K_overload sqrt(distance to the end of its zone /
+  !> its size) - K_max], phi = (1 - dK_th / K_max) / (shutoff_ratio - 1). It acts through R, so the law must know R.
+  integer(c_int), parameter :: BEMPD_RETARDATION_WILLENBORG = 2
+
   !> Why bempd_grow_fatigue() came back.
   !>
   !> since: 0.3
@@ -788,6 +801,18 @@ module bempd_c
     type(c_funptr) :: function
     !> handed to the function; may be NULL
     type(c_ptr) :: user
+    !> a bempd_retardation; default BEMPD_RETARDATION_NONE
+    integer(c_int32_t) :: retardation
+    !> 0
+    integer(c_int32_t) :: reserved2
+    !> of a retardation, > 0 [Pa]
+    real(c_double) :: yield_strength
+    !> of its plastic zones; default 0: 2 in plane stress, 6 in plane strain [-]
+    real(c_double) :: zone_constraint
+    !> of BEMPD_RETARDATION_WHEELER, > 0 [-]
+    real(c_double) :: wheeler_exponent
+    !> of BEMPD_RETARDATION_WILLENBORG: overload over load that stops a tip, > 1 [-]
+    real(c_double) :: shutoff_ratio
   end type bempd_growth_rate
 
   !> Options of bempd_grow_fatigue(). Fill it with bempd_fatigue_init().
@@ -1643,6 +1668,60 @@ module bempd_c
       real(c_double), intent(in) :: values(*)
       integer(c_int) :: bempd_set_toughness_at
     end function bempd_set_toughness_at
+
+    !> Give a material fracture energies by the growth of a crack, a resistance curve (R-curve), in place of its one
+    !> fracture energy.
+    !>
+    !> A tip grows when its energy release rate reaches the energy for the length by which this end has grown in the
+    !> model. The table is linear between its rows and constant before the first and behind the last one. Values of
+    !> bempd_set_toughness_at() scale it: they stand for the fracture energy of the material. It acts on cracks with
+    !> boundary elements and on cracks that grow as lines in lattices; bonds keep their critical stretch, and a lattice
+    !> in which cracks grow bond by bond is refused. A second call replaces the first.
+    !>
+    !> model [in]: the model, not prepared yet
+    !> material [in]: id of a material with a fracture_energy
+    !> count [in]: number of rows, >= 1
+    !> extensions [in]: growth of an end [m], >= 0, ascending, shape [count]
+    !> energies [in]: fracture energies G_c [J/m^2], > 0, shape [count]
+    !> return: status
+    !> since: 0.3
+    function bempd_set_resistance_curve(model, material, count, extensions, energies) &
+        bind(c, name="bempd_set_resistance_curve")
+      import :: c_double, c_int, c_int32_t, c_int64_t, c_ptr
+      type(c_ptr), value :: model
+      integer(c_int32_t), value :: material
+      integer(c_int64_t), value :: count
+      real(c_double), intent(in) :: extensions(*)
+      real(c_double), intent(in) :: energies(*)
+      integer(c_int) :: bempd_set_resistance_curve
+    end function bempd_set_resistance_curve
+
+    !> Give a material fracture energies by the direction in which a crack runs, as of grain, layers or weak planes.
+    !>
+    !> A tip turns to the direction in which the ratio of its energy release rate to the energy is largest, and grows
+    !> when that ratio reaches 1. The option crack.criterion says by which rate: after the turn, or from the hoop stress
+    !> before it. A direction and its opposite are the same. The table is linear between its rows, also from the last
+    !> one to the first one half a turn on; a weak plane is a row between two that are close to it. Values of
+    !> bempd_set_toughness_at() and of a resistance curve scale it. It acts where a resistance curve does. A second call
+    !> replaces the first.
+    !>
+    !> model [in]: the model, not prepared yet
+    !> material [in]: id of a material with a fracture_energy
+    !> count [in]: number of rows, >= 1
+    !> angles [in]: directions from the x axis, counter-clockwise [rad], ascending, within half a turn, shape [count]
+    !> energies [in]: fracture energies G_c [J/m^2], > 0, shape [count]
+    !> return: status
+    !> since: 0.3
+    function bempd_set_resistance_directions(model, material, count, angles, energies) &
+        bind(c, name="bempd_set_resistance_directions")
+      import :: c_double, c_int, c_int32_t, c_int64_t, c_ptr
+      type(c_ptr), value :: model
+      integer(c_int32_t), value :: material
+      integer(c_int64_t), value :: count
+      real(c_double), intent(in) :: angles(*)
+      real(c_double), intent(in) :: energies(*)
+      integer(c_int) :: bempd_set_resistance_directions
+    end function bempd_set_resistance_directions
 
     !> Add an initial crack, a polyline.
     !>
@@ -3588,6 +3667,147 @@ module bempd_c
       integer(c_int) :: bempd_extension
     end function bempd_extension
 
+    !> Add a load case: loads and moved supports that act together.
+    !>
+    !> It has the values that they have now, at the load factor 1; later changes of values do not reach it. Results of a
+    !> combination, each case times a factor, come from the functions that follow. A combination is solved for the body
+    !> as it is, with its factored matrices. Loads in no case do not act, and supports in no case hold their place.
+    !> Faces of cracks close and open as they must under each combination, so results add up only where none press on
+    !> each other (bempd_load_case_pressed_faces()). Nothing grows or breaks, and the run of the model stays where it
+    !> is.
+    !>
+    !> model [in]: the model
+    !> load_count [in]: number of loads
+    !> loads [in]: ids of loads, shape [load_count]; NULL for none
+    !> support_count [in]: number of supports
+    !> supports [in]: ids of supports with prescribed displacements, shape [support_count]; NULL for none
+    !> load_case [out]: its id, 1 for the first; may be NULL
+    !> return: status
+    !> since: 0.3
+    function bempd_load_case_add(model, load_count, loads, support_count, supports, load_case) &
+        bind(c, name="bempd_load_case_add")
+      import :: c_int, c_int64_t, c_ptr
+      type(c_ptr), value :: model
+      integer(c_int64_t), value :: load_count
+      type(c_ptr), value :: loads
+      integer(c_int64_t), value :: support_count
+      type(c_ptr), value :: supports
+      type(c_ptr), value :: load_case
+      integer(c_int) :: bempd_load_case_add
+    end function bempd_load_case_add
+
+    !> Number of load cases.
+    !>
+    !> model [in]: the model
+    !> count [out]: their number
+    !> return: status
+    !> since: 0.3
+    function bempd_load_case_count(model, count) bind(c, name="bempd_load_case_count")
+      import :: c_int, c_int32_t, c_ptr
+      type(c_ptr), value :: model
+      integer(c_int32_t), intent(inout) :: count
+      integer(c_int) :: bempd_load_case_count
+    end function bempd_load_case_count
+
+    !> Number of tips under a combination; that of bempd_tip_count().
+    !>
+    !> model [in]: the model
+    !> case_count [in]: number of factors
+    !> factors [in]: of the cases, by id, shape [case_count]; cases beyond have 0
+    !> count [out]: number of tips
+    !> return: status
+    !> since: 0.3
+    function bempd_load_case_tip_count(model, case_count, factors, count) bind(c, name="bempd_load_case_tip_count")
+      import :: c_double, c_int, c_int64_t, c_ptr
+      type(c_ptr), value :: model
+      integer(c_int64_t), value :: case_count
+      real(c_double), intent(in) :: factors(*)
+      integer(c_int64_t), intent(inout) :: count
+      integer(c_int) :: bempd_load_case_tip_count
+    end function bempd_load_case_tip_count
+
+    !> A tip under a combination, as bempd_tip() has it. Its critical load factors say by how much the whole combination
+    !> may be multiplied before the tip grows.
+    !>
+    !> model [in]: the model
+    !> case_count [in]: number of factors
+    !> factors [in]: of the cases, by id, shape [case_count]; cases beyond have 0
+    !> index [in]: 0 .. count-1
+    !> tip [in,out]: struct_size in, the rest out
+    !> return: status
+    !> since: 0.3
+    function bempd_load_case_tip(model, case_count, factors, index, tip) bind(c, name="bempd_load_case_tip")
+      import :: bempd_crack_tip, c_double, c_int, c_int64_t, c_ptr
+      type(c_ptr), value :: model
+      integer(c_int64_t), value :: case_count
+      real(c_double), intent(in) :: factors(*)
+      integer(c_int64_t), value :: index
+      type(bempd_crack_tip), intent(inout) :: tip
+      integer(c_int) :: bempd_load_case_tip
+    end function bempd_load_case_tip
+
+    !> Force that a support exerts on the body under a combination.
+    !>
+    !> model [in]: the model
+    !> case_count [in]: number of factors
+    !> factors [in]: of the cases, by id, shape [case_count]; cases beyond have 0
+    !> support [in]: id of a support
+    !> force [out]: shape [2], resultant [N]
+    !> return: status
+    !> since: 0.3
+    function bempd_load_case_reaction(model, case_count, factors, support, force) &
+        bind(c, name="bempd_load_case_reaction")
+      import :: c_double, c_int, c_int32_t, c_int64_t, c_ptr
+      type(c_ptr), value :: model
+      integer(c_int64_t), value :: case_count
+      real(c_double), intent(in) :: factors(*)
+      integer(c_int32_t), value :: support
+      real(c_double), intent(inout) :: force(2)
+      integer(c_int) :: bempd_load_case_reaction
+    end function bempd_load_case_reaction
+
+    !> Displacement and stress at places under a combination, as bempd_evaluate() has them.
+    !>
+    !> model [in]: the model
+    !> case_count [in]: number of factors
+    !> factors [in]: of the cases, by id, shape [case_count]; cases beyond have 0
+    !> count [in]: number of places
+    !> points [in]: shape [count][2] [m]
+    !> displacement [out]: shape [count][2] [m]; may be NULL
+    !> stress [out]: shape [count][3], xx, yy, xy [Pa]; may be NULL
+    !> return: status
+    !> since: 0.3
+    function bempd_load_case_evaluate(model, case_count, factors, count, points, displacement, stress) &
+        bind(c, name="bempd_load_case_evaluate")
+      import :: c_double, c_int, c_int64_t, c_ptr
+      type(c_ptr), value :: model
+      integer(c_int64_t), value :: case_count
+      real(c_double), intent(in) :: factors(*)
+      integer(c_int64_t), value :: count
+      real(c_double), intent(in) :: points(2, *)
+      type(c_ptr), value :: displacement
+      type(c_ptr), value :: stress
+      integer(c_int) :: bempd_load_case_evaluate
+    end function bempd_load_case_evaluate
+
+    !> Number of places at which faces of cracks press on each other under a combination; 0 where results add up.
+    !>
+    !> model [in]: the model
+    !> case_count [in]: number of factors
+    !> factors [in]: of the cases, by id, shape [case_count]; cases beyond have 0
+    !> count [out]: number of places
+    !> return: status
+    !> since: 0.3
+    function bempd_load_case_pressed_faces(model, case_count, factors, count) &
+        bind(c, name="bempd_load_case_pressed_faces")
+      import :: c_double, c_int, c_int64_t, c_ptr
+      type(c_ptr), value :: model
+      integer(c_int64_t), value :: case_count
+      real(c_double), intent(in) :: factors(*)
+      integer(c_int64_t), intent(inout) :: count
+      integer(c_int) :: bempd_load_case_pressed_faces
+    end function bempd_load_case_pressed_faces
+
     !> Set struct_size and the defaults.
     !>
     !> rate [out]: the struct to fill
@@ -3644,7 +3864,8 @@ module bempd_c
       integer(c_int) :: bempd_fatigue_report_init
     end function bempd_fatigue_report_init
 
-    !> Let the cracks of BEM regions grow by cycles of the loads, and count the cycles.
+    !> Let cracks grow by cycles of the loads, and count the cycles: with boundary elements, or as lines in peridynamic
+    !> regions.
     !>
     !> A block is a number of cycles between two load factors; blocks follow each other and are repeated. Each tip grows
     !> by the law of its material, in the direction in which bempd_grow_cracks() would have it grow at the load at which
@@ -3653,6 +3874,9 @@ module bempd_c
     !> lengths that follow their rates. Between two steps the factor of a tip is taken as a power of its crack's length,
     !> and the cycles are counted block by block. Steps are so long that the estimated error of their cycles is below
     !> the tolerance, and at most a quarter of the way to the nearest edge, hole or crack.
+    !>
+    !> Crack lines grow by whole spacings, so they may pass the length asked for by half of one. In lattices low load
+    !> factors are 0 or more, loads have no constant part where faces can close, and the material has a fracture_energy.
     !>
     !> Cracks stop at their critical factor; K_c is that of the law, or the toughness of the material. The progress
     !> callback is called after every step. After a failure, and where a callback cancels, the model is as it was.

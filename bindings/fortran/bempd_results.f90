@@ -419,6 +419,62 @@ contains
     if (present(growth)) growth = done
   end procedure grow_cracks
 
+  module procedure add_load_case
+    integer(c_int32_t), allocatable, target :: load_ids(:), support_ids(:)
+    integer(c_int32_t), target :: new
+
+    new = 0
+    allocate (load_ids(0), support_ids(0))
+    if (present(loads)) load_ids = loads
+    if (present(supports)) support_ids = supports
+    call finish(self, bempd_load_case_add(self%handle, size(load_ids, kind=c_int64_t), c_loc(load_ids), &
+      size(support_ids, kind=c_int64_t), c_loc(support_ids), c_loc(new)), stat, errmsg)
+    if (present(load_case)) load_case = new
+  end procedure add_load_case
+
+  module procedure load_case_count
+    count = 0
+    call finish(self, bempd_load_case_count(self%handle, count), stat, errmsg)
+  end procedure load_case_count
+
+  module procedure combined_tips
+    integer(c_int64_t) :: count, k, cases
+    integer(c_int) :: status
+
+    count = 0
+    cases = size(factors, kind=c_int64_t)
+    status = bempd_load_case_tip_count(self%handle, cases, factors, count)
+    allocate (found(count))
+    do k = 1, count
+      status = bempd_crack_tip_init(found(k), c_sizeof(found(k)))
+      status = bempd_load_case_tip(self%handle, cases, factors, k - 1, found(k))
+      if (status /= BEMPD_OK) exit
+    end do
+    call finish(self, status, stat, errmsg)
+  end procedure combined_tips
+
+  module procedure combined_reaction
+    force = 0
+    call finish(self, bempd_load_case_reaction(self%handle, size(factors, kind=c_int64_t), factors, support, force), stat, &
+      errmsg)
+  end procedure combined_reaction
+
+  module procedure combined_values
+    real(c_double), allocatable, target :: u(:, :), s(:, :)
+
+    if (.not. are_points(self, "bempd_load_case_evaluate", "points", points, stat, errmsg)) return
+    allocate (u(2, size(points, 2)), s(3, size(points, 2)), source=0.0_c_double)
+    call finish(self, bempd_load_case_evaluate(self%handle, size(factors, kind=c_int64_t), factors, &
+      size(points, 2, c_int64_t), points, c_loc(u), c_loc(s)), stat, errmsg)
+    call move_alloc(u, displacement)
+    call move_alloc(s, stress)
+  end procedure combined_values
+
+  module procedure pressed_faces
+    count = 0
+    call finish(self, bempd_load_case_pressed_faces(self%handle, size(factors, kind=c_int64_t), factors, count), stat, errmsg)
+  end procedure pressed_faces
+
   module procedure extend_cracks
     type(bempd_growth), target :: done
     integer(c_int) :: status

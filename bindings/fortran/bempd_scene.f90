@@ -154,6 +154,34 @@ contains
     call finish(self, bempd_set_toughness_at(self%handle, region, size(places, 2, c_int64_t), places, values), stat, errmsg)
   end procedure set_toughness_at
 
+  module procedure set_resistance_curve
+    if (.not. are_alike(self, "bempd_set_resistance_curve", "extensions", extensions, energies, stat, errmsg)) return
+    call finish(self, bempd_set_resistance_curve(self%handle, material, size(extensions, kind=c_int64_t), extensions, &
+      energies), stat, errmsg)
+  end procedure set_resistance_curve
+
+  module procedure set_resistance_directions
+    if (.not. are_alike(self, "bempd_set_resistance_directions", "angles", angles, energies, stat, errmsg)) return
+    call finish(self, bempd_set_resistance_directions(self%handle, material, size(angles, kind=c_int64_t), angles, &
+      energies), stat, errmsg)
+  end procedure set_resistance_directions
+
+  ! Whether a table of fracture energies has as many energies as places.
+  logical function are_alike(self, function_name, name, places, energies, stat, errmsg)
+    class(bempd_model), intent(inout) :: self
+    character(*), intent(in) :: function_name, name
+    real(c_double), intent(in) :: places(:), energies(:)
+    integer, intent(out), optional :: stat
+    character(*), intent(inout), optional :: errmsg
+    character(48) :: counts
+
+    are_alike = size(places) == size(energies)
+    if (are_alike) return
+    write (counts, '(i0," energies and ",i0,1x)') size(energies), size(places)
+    call refuse(self, function_name // ": there are " // trim(counts) // " " // name // "; give one energy for each", stat, &
+      errmsg)
+  end function are_alike
+
   module procedure add_crack
     integer(c_int32_t), target :: new
 

@@ -1,9 +1,10 @@
+#include "capi/described_tip.hpp"
 #include "capi/guard.hpp"
 
 using namespace bempd;
 using namespace bempd::capi;
 
-namespace {
+namespace bempd::capi {
 
 bempd_crack_tip described(const regions::TipValues& t) {
   return {
@@ -37,7 +38,7 @@ bempd_crack_tip described(const regions::TipValues& t) {
   };
 }
 
-}  // namespace
+}  // namespace bempd::capi
 
 bempd_status bempd_crack_tip_init(bempd_crack_tip* tip, int64_t struct_size) {
   return init_struct(__func__, "tip", tip, struct_size, bempd_crack_tip{});

@@ -24,7 +24,13 @@ constexpr bempd_growth_rate rate_defaults{.struct_size = sizeof(bempd_growth_rat
                                           .closure_alpha = 1,
                                           .closure_stress = 0,
                                           .function = nullptr,
-                                          .user = nullptr};
+                                          .user = nullptr,
+                                          .retardation = BEMPD_RETARDATION_NONE,
+                                          .reserved2 = 0,
+                                          .yield_strength = 0,
+                                          .zone_constraint = 0,
+                                          .wheeler_exponent = 0,
+                                          .shutoff_ratio = 0};
 
 constexpr bempd_fatigue fatigue_defaults{.struct_size = sizeof(bempd_fatigue),
                                          .first_cycle = 0,
@@ -70,6 +76,34 @@ double coefficient_of(const bempd_growth_rate& rate) {
   return coefficient;
 }
 
+void set_retardation(const bempd_growth_rate& rate, crack::RateParameters& parameters) {
+  require(rate.retardation >= BEMPD_RETARDATION_NONE && rate.retardation <= BEMPD_RETARDATION_WILLENBORG,
+          "retardation is ", rate.retardation,
+          "; it must be BEMPD_RETARDATION_NONE (0), BEMPD_RETARDATION_WHEELER (1) ",
+          "or BEMPD_RETARDATION_WILLENBORG (2)");
+  require(rate.reserved2 == 0, "reserved2 is ", rate.reserved2, "; it must be 0");
+  parameters.retarding = static_cast<crack::RateParameters::Retarding>(rate.retardation);
+  if (rate.retardation == BEMPD_RETARDATION_NONE) return;
+  require(rate.kind != BEMPD_RATE_SUSTAINED,
+          "retardation is given with BEMPD_RATE_SUSTAINED, growth in time; it acts on growth by cycles");
+  require(std::isfinite(rate.yield_strength) && rate.yield_strength > 0, "yield_strength is ", rate.yield_strength,
+          "; retardation needs one > 0");
+  require_at_least(rate.zone_constraint, 0, "zone_constraint");
+  parameters.yield_strength = rate.yield_strength, parameters.zone_constraint = rate.zone_constraint;
+  if (rate.retardation == BEMPD_RETARDATION_WHEELER) {
+    require(std::isfinite(rate.wheeler_exponent) && rate.wheeler_exponent > 0, "wheeler_exponent is ",
+            rate.wheeler_exponent, "; it must be > 0");
+    parameters.wheeler_exponent = rate.wheeler_exponent;
+    return;
+  }
+  require(std::isfinite(rate.shutoff_ratio) && rate.shutoff_ratio > 1, "shutoff_ratio is ", rate.shutoff_ratio,
+          "; it must be > 1, the overload over the load that stops a crack");
+  require(rate.kind != BEMPD_RATE_PARIS || rate.walker != 1,
+          "retardation is BEMPD_RETARDATION_WILLENBORG, which acts through the load ratio R, and by the law "
+          "BEMPD_RATE_PARIS with walker = 1 R has no effect; give a walker, or another law");
+  parameters.shutoff_ratio = rate.shutoff_ratio;
+}
+
 crack::RateParameters parameters_of(const bempd_growth_rate* given) {
   const bempd_growth_rate rate = given_struct(given, "rate", rate_defaults);
   require(rate.kind >= BEMPD_RATE_PARIS && rate.kind <= BEMPD_RATE_HOST, "kind is ", rate.kind,
@@ -103,6 +137,7 @@ crack::RateParameters parameters_of(const bempd_growth_rate* given) {
   parameters.threshold = rate.threshold * rate.unit_intensity;
   parameters.critical = rate.critical_intensity * rate.unit_intensity;
   if (by_function) parameters.function = host_rate(rate.function, rate.user);
+  set_retardation(rate, parameters);
   return parameters;
 }
 

@@ -179,6 +179,35 @@ bempd_status bempd_set_toughness_at(bempd_model* model, int32_t region, int64_t 
   });
 }
 
+namespace {
+
+// Two columns of a table of fracture energies; `first` is the name of the column `at`.
+std::pair<std::vector<double>, std::vector<double>> energy_table(std::int64_t count, const double* at,
+                                                                 const char* first, const double* energies) {
+  require(count >= 1, "count is ", count, "; give at least one row of the table");
+  require(at != nullptr, first, " is NULL; give ", count, " numbers");
+  require(energies != nullptr, "energies is NULL; give ", count, " fracture energies");
+  return {{at, at + count}, {energies, energies + count}};
+}
+
+}  // namespace
+
+bempd_status bempd_set_resistance_curve(bempd_model* model, int32_t material, int64_t count, const double* extensions,
+                                        const double* energies) {
+  return with_model(model, __func__, [&](model::Model& m) {
+    auto [at, values] = energy_table(count, extensions, "extensions", energies);
+    scene::set_resistance_curve(m.editable_scene(), material, std::move(at), std::move(values));
+  });
+}
+
+bempd_status bempd_set_resistance_directions(bempd_model* model, int32_t material, int64_t count, const double* angles,
+                                             const double* energies) {
+  return with_model(model, __func__, [&](model::Model& m) {
+    auto [at, values] = energy_table(count, angles, "angles", energies);
+    scene::set_resistance_directions(m.editable_scene(), material, std::move(at), std::move(values));
+  });
+}
+
 bempd_status bempd_add_crack(bempd_model* model, int64_t point_count, const double* points, int32_t* crack) {
   return with_model(model, __func__, [&](model::Model& m) {
     const int added = m.editable_scene().add_crack(points_from(points, point_count, "points"));

@@ -13,8 +13,12 @@ namespace {
 // by the rule of Runge and Kutta, whose error is far below that of the step itself.
 constexpr double parts_of_a_step = 24;
 
-double rate_of(const TipOnStep& tip, double grown, const CycleProgram::Levels& levels) {
-  const double rate = tip.law->rate(tip.cycle(grown, levels));
+// Shares of the distance to the end of an overload's zone: by which a tip grows at most while its retardation is
+// integrated by one step, and by which a whole program lets it grow at most where programs are passed at once.
+constexpr double share_of_zone = 0.04, share_of_zone_by_program = 0.002;
+
+double rate_of(const TipOnStep& tip, double grown, const CycleProgram::Levels& levels, const Overload& overload) {
+  const double rate = tip.law->rate(tip.cycle(grown, levels), overload, grown);
   if (!(rate >= 0) || std::isinf(rate))
     fail(Failure::argument, "the growth rate of crack ", tip.tip.crack, " is ", rate,
          "; it must be a finite number >= 0");
@@ -72,7 +76,7 @@ double mean_rate(const TipOnStep& tip, double grown, const CycleProgram& program
   for (std::size_t b = 0; b < program.size(); ++b) {
     const CycleProgram::Levels& levels = program.block(b);
     if (share_of_critical(tip, grown, levels) >= 1) continue;
-    sum += rate_of(tip, grown, levels) * (program.size() == 1 ? 1 : levels.cycles / program.cycles());
+    sum += rate_of(tip, grown, levels, tip.overload) * (program.size() == 1 ? 1 : levels.cycles / program.cycles());
   }
   return sum;
 }
@@ -91,17 +95,34 @@ std::size_t CycleIntegration::most_loaded(const Growth& grown, std::size_t block
   return most;
 }
 
-std::optional<std::vector<double>> CycleIntegration::rates(const Growth& grown, std::size_t block) const {
+std::optional<std::vector<double>> CycleIntegration::rates(const Growth& grown, std::size_t block,
+                                                           const Overloads& overloads) const {
   if (critical_tip(grown, block) < tips_.size()) return std::nullopt;
   Growth rates;
-  for (std::size_t t = 0; t < tips_.size(); ++t) rates.push_back(rate_of(tips_[t], grown[t], program_.block(block)));
+  for (std::size_t t = 0; t < tips_.size(); ++t)
+    rates.push_back(rate_of(tips_[t], grown[t], program_.block(block), overloads[t]));
   return rates;
 }
 
-std::optional<std::vector<double>> CycleIntegration::program_growth(const Growth& grown) const {
+void CycleIntegration::meet(Overloads& overloads, const Growth& grown, std::size_t block) const {
+  for (std::size_t t = 0; t < tips_.size(); ++t)
+    if (const Retardation* retardation = tips_[t].law->retardation())
+      overloads[t] =
+          retardation->after(overloads[t], grown[t], tips_[t].cycle(grown[t], program_.block(block)).highest);
+}
+
+double CycleIntegration::even_growth(std::size_t tip, double grown, const Overload& overload) const {
+  const double left = overload.end - grown;
+  return tips_[tip].law->retardation() && left > 0 ? left : std::numeric_limits<double>::infinity();
+}
+
+std::optional<std::vector<double>> CycleIntegration::program_growth(const Growth& grown,
+                                                                    const Overloads& overloads) const {
   Growth sum(tips_.size(), 0.0);
+  Overloads met = overloads;
+  for (std::size_t b = 0; b < program_.size(); ++b) meet(met, grown, b);  // by the program before
   for (std::size_t b = 0; b < program_.size(); ++b) {
-    const std::optional<Growth> of_block = rates(grown, b);
+    const std::optional<Growth> of_block = rates(grown, b, met);
     if (!of_block) return std::nullopt;
     for (std::size_t t = 0; t < sum.size(); ++t) sum[t] += program_.block(b).cycles * (*of_block)[t];
   }
@@ -131,16 +152,19 @@ std::optional<std::vector<double>> CycleIntegration::advanced(const Growth& grow
 // Whole programs at once; false where they have to be passed block by block.
 bool CycleIntegration::pass_programs(CyclesOnStep& now, std::size_t goal, double growth, double most_cycles) const {
   if (program_.size() == 1 || now.place.block != 0 || now.place.done > 0) return false;
-  const std::optional<Growth> by_one = program_growth(now.growth);
+  const std::optional<Growth> by_one = program_growth(now.growth, now.overloads);
   if (!by_one || !((*by_one)[goal] > 0)) return false;
+  for (std::size_t t = 0; t < tips_.size(); ++t)
+    if ((*by_one)[t] > share_of_zone_by_program * even_growth(t, now.growth[t], now.overloads[t])) return false;
   const double part = std::min(growth / parts_of_a_step, growth - now.growth[goal]);
-  const auto rates_at = [&](const Growth& grown) { return program_growth(grown); };
+  const auto rates_at = [&](const Growth& grown) { return program_growth(grown, now.overloads); };
   double programs = std::min(part / (*by_one)[goal], (most_cycles - now.cycles) / program_.cycles());
   for (; programs >= 4; programs /= 2) {
     const double whole = std::floor(programs);
     const std::optional<Growth> there = advanced(now.growth, whole, rates_at);
-    if (!there || (*there)[goal] > growth || !program_growth(*there)) continue;
+    if (!there || (*there)[goal] > growth || !program_growth(*there, now.overloads)) continue;
     now.growth = *there;
+    for (std::size_t b = 0; b < program_.size(); ++b) meet(now.overloads, now.growth, b);
     now.cycles += whole * program_.cycles();
     return true;
   }
@@ -151,17 +175,26 @@ bool CycleIntegration::pass_programs(CyclesOnStep& now, std::size_t goal, double
 bool CycleIntegration::pass_block(CyclesOnStep& now, const Growth& at_start, std::size_t goal, double growth,
                                   double most_cycles) const {
   const auto after = [&](double cycles) {
-    return advanced(now.growth, cycles, [&](const Growth& grown) { return rates(grown, now.place.block); });
+    return advanced(now.growth, cycles,
+                    [&](const Growth& grown) { return rates(grown, now.place.block, now.overloads); });
   };
   const auto arrive = [&](double cycles, Growth grown) {
     now.cycles += cycles;
+    // The zone of a cycle is that of the length at which it began; a part of a cycle has met it already.
+    Growth last_begins = now.growth;
+    for (std::size_t t = 0; t < grown.size(); ++t) last_begins[t] += (1 - 1 / cycles) * (grown[t] - last_begins[t]);
     now.growth = std::move(grown);
+    now.in_cycle = cycles < 1;
+    if (cycles >= 1) meet(now.overloads, last_begins, now.place.block);
     program_.go_on(now.place, cycles);
   };
   double cycles = std::min(program_.left(now.place), most_cycles - now.cycles);
   for (std::size_t t = 0; t < tips_.size(); ++t)
     if (at_start[t] > 0 && tips_[t].growth > 0)
       cycles = std::min(cycles, (t == goal ? growth : tips_[t].growth) / parts_of_a_step / at_start[t]);
+  for (std::size_t t = 0; t < tips_.size(); ++t)
+    if (at_start[t] > 0)
+      cycles = std::min(cycles, share_of_zone * even_growth(t, now.growth[t], now.overloads[t]) / at_start[t]);
   std::optional<Growth> grown = after(cycles);
   const bool breaks = !grown || critical_tip(*grown, now.place.block) < tips_.size();
   if (!breaks && (*grown)[goal] < growth * (1 - 1e-12)) {
@@ -188,6 +221,7 @@ CyclesOnStep CycleIntegration::run(const CycleProgram::Place& from, std::vector<
   CyclesOnStep now;
   now.growth = std::move(grown);
   now.place = from;
+  for (const TipOnStep& tip : tips_) now.overloads.push_back(tip.overload);
   std::size_t idle_blocks = 0;
   for (;;) {
     check_cancelled();
@@ -200,7 +234,9 @@ CyclesOnStep CycleIntegration::run(const CycleProgram::Place& from, std::vector<
       return now;
     }
     if (pass_programs(now, goal, growth, most_cycles)) continue;
-    const Growth present = *rates(now.growth, now.place.block);
+    const double begun = now.place.done - std::floor(now.place.done);
+    if (!now.in_cycle || begun < 1e-9 || begun > 1 - 1e-9) meet(now.overloads, now.growth, now.place.block);
+    const Growth present = *rates(now.growth, now.place.block, now.overloads);
     if (std::all_of(present.begin(), present.end(), [](double rate) { return rate == 0; })) {
       if (++idle_blocks > program_.size() || program_.size() == 1) {
         now.end = CyclesEnd::none_grows;

@@ -30,6 +30,8 @@ struct TipOnStep {
   double past_growth = 0;
   std::vector<LevelFactors> past;
 
+  Overload overload;  // that the tip has met before the step
+
   LevelFactors at(double grown, std::size_t level) const;
   TipCycle cycle(double grown, const CycleProgram::Levels& levels) const;
   // Length of the tip's own part of the crack: the power law counts from its other end.
@@ -43,10 +45,12 @@ enum class CyclesEnd { growth, cycles, critical, none_grows };
 // A way through a program.
 struct CyclesOnStep {
   CyclesEnd end = CyclesEnd::growth;
-  std::size_t tip = 0;         // that breaks, where one does
-  double cycles = 0;           // that have passed
-  std::vector<double> growth;  // of each tip [m]
-  CycleProgram::Place place;   // where the program has come to
+  std::size_t tip = 0;              // that breaks, where one does
+  double cycles = 0;                // that have passed
+  std::vector<double> growth;       // of each tip [m]
+  std::vector<Overload> overloads;  // of each tip, by then
+  CycleProgram::Place place;        // where the program has come to
+  bool in_cycle = false;            // less than a cycle has passed in the last part
 };
 
 // Goes through a program while the tips grow by their laws, until one of them has grown by a length, a number of cycles
@@ -63,8 +67,16 @@ class CycleIntegration {
  private:
   using Growth = std::vector<double>;
 
-  std::optional<Growth> rates(const Growth& grown, std::size_t block) const;  // none where a tip is critical
-  std::optional<Growth> program_growth(const Growth& grown) const;            // by the whole program; likewise
+  using Overloads = std::vector<Overload>;
+
+  // Rates of all tips; none where a tip is critical.
+  std::optional<Growth> rates(const Growth& grown, std::size_t block, const Overloads& overloads) const;
+  // Growth by the whole program, which has been passed before at about these lengths; likewise.
+  std::optional<Growth> program_growth(const Growth& grown, const Overloads& overloads) const;
+  // Enters the highest load of a block.
+  void meet(Overloads& overloads, const Growth& grown, std::size_t block) const;
+  // Growth of a tip in which its retardation changes little; infinite without one.
+  double even_growth(std::size_t tip, double grown, const Overload& overload) const;
   template <class Rates>
   std::optional<Growth> advanced(const Growth& grown, double by, const Rates& rates) const;
   std::size_t critical_tip(const Growth& grown, std::size_t block) const;

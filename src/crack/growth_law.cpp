@@ -17,15 +17,16 @@ constexpr double share_of_rounding = 1e-9;
 // Load factor at which the range without growth ends in `direction` (1 or -1), by bisection from `inside`, a load
 // factor in the range; infinite if there is no end. At large load factors the equivalent factor exceeds the load factor
 // times its slope less twice the constant part, which bounds the search.
-double end_of_range(const AffineFactors& factors, double toughness, KinkCriterion criterion, double inside,
-                    double direction) {
-  const double slope = kink_of(direction * factors.proportional, criterion).equivalent_factor;
+double end_of_range(const AffineFactors& factors, const GrowthLaw& law, double inside, double direction) {
+  const double slope = law.kink(direction * factors.proportional).equivalent_factor;
   if (!(slope > share_of_rounding * factors.proportional.stableNorm())) return infinity * direction;
-  double low = inside, high = direction * 2 * (toughness + 2 * factors.constant.stableNorm()) / slope;
+  const double least_share = law.directions ? law.directions->least_share() : 1;
+  const double constant = factors.constant.stableNorm() / std::sqrt(std::min(1.0, least_share));
+  double low = inside, high = direction * 2 * (law.toughness + 2 * constant) / slope;
   if (!std::isfinite(high)) return infinity * direction;
   for (int i = 0; i < 100; ++i) {
     const double middle = 0.5 * (low + high);
-    (growth_ratio(factors, middle, toughness, criterion) < 1 ? low : high) = middle;
+    (law.ratio(factors, middle) < 1 ? low : high) = middle;
   }
   return high;
 }
@@ -33,10 +34,11 @@ double end_of_range(const AffineFactors& factors, double toughness, KinkCriterio
 // Load factor at which the growth ratio of a tip is least, by golden section search; the bounds are a few times the
 // constant part. The hoop stress criterion is used because its ratio is convex in the load factor everywhere: that of
 // the energy release rate is not where kinks close.
-double least_loaded(const AffineFactors& factors, double toughness) {
+double least_loaded(const AffineFactors& factors, GrowthLaw law) {
   const double size = factors.proportional.stableNorm();
-  double high = 4 * (toughness + factors.constant.stableNorm()) / size, low = -high;
-  const auto ratio = [&](double at) { return growth_ratio(factors, at, toughness, KinkCriterion::hoop_stress); };
+  double high = 4 * (law.toughness + factors.constant.stableNorm()) / size, low = -high;
+  law.criterion = KinkCriterion::hoop_stress;
+  const auto ratio = [&](double at) { return law.ratio(factors, at); };
   constexpr double golden = 0.6180339887498949;
   for (int i = 0; i < 100; ++i) {
     const double a = high - golden * (high - low), b = low + golden * (high - low);
@@ -48,21 +50,22 @@ double least_loaded(const AffineFactors& factors, double toughness) {
 
 }  // namespace
 
-double growth_ratio(const AffineFactors& factors, double load_factor, double toughness, KinkCriterion criterion) {
-  return kink_of(factors.at(load_factor), criterion).equivalent_factor / toughness;
-}
-
-GrowthRange growth_range(const AffineFactors& factors, double toughness, KinkCriterion criterion) {
+GrowthRange GrowthLaw::range(const AffineFactors& factors) const {
   if (!(toughness > 0) || std::isinf(toughness)) return {};
-  const auto stays = [&](double load_factor) { return growth_ratio(factors, load_factor, toughness, criterion) < 1; };
+  const auto stays = [&](double load_factor) { return ratio(factors, load_factor) < 1; };
   double inside = 0;
   if (!stays(inside)) {
     if (factors.proportional.isZero(0)) return {infinity, -infinity};
-    inside = least_loaded(factors, toughness);
+    inside = least_loaded(factors, *this);
     if (!stays(inside)) return {infinity, -infinity};
   }
-  return {end_of_range(factors, toughness, criterion, inside, -1),
-          end_of_range(factors, toughness, criterion, inside, 1)};
+  return {end_of_range(factors, *this, inside, -1), end_of_range(factors, *this, inside, 1)};
+}
+
+double GrowthLaw::first_load_factor(const AffineFactors& factors) const {
+  if (!directions) return growth_load_factor(factors.constant, factors.proportional, toughness, criterion);
+  if (!(toughness > 0)) return infinity;
+  return ratio(factors, 0) >= 1 ? 0 : range(factors).highest;
 }
 
 }  // namespace bempd::crack

@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "crack/factors.hpp"
+#include "crack/laws/resistance_directions.hpp"
 #include "elasticity/kinked_tip.hpp"
 
 namespace bempd::crack {
@@ -23,29 +24,38 @@ struct GrowthRange {
   }
 };
 
-// Ratio of the equivalent mode I factor in the direction of growth to the toughness: a tip grows when it reaches 1.
-double growth_ratio(const AffineFactors& factors, double load_factor, double toughness, KinkCriterion criterion);
-
-// Range of load factors in which the equivalent mode I factor of a tip is below the toughness; unbounded if the
-// toughness is infinite, or is not positive (no fracture). By the hoop stress criterion the factor is a maximum of
-// functions linear in the load factor, so the range is an interval. By the energy release rate, without kinks that
-// close, it is the interval around the load factor 0, or around the one at which the growth ratio is least.
-GrowthRange growth_range(const AffineFactors& factors, double toughness, KinkCriterion criterion);
-
 // Growth law of a tip at its present place: the criterion for kinks, and the properties of the material around the tip.
 struct GrowthLaw {
   double toughness = 0;      // K_I at which it grows straight on; 0 or infinite: it does not grow [Pa m^(1/2)]
   double plane_modulus = 0;  // E, in plane strain E / (1 - nu^2) [Pa]
   KinkCriterion criterion = KinkCriterion::hoop_stress;
+  // Table of a fracture energy that depends on the direction, or null, and the direction of the crack from the x axis
+  // [rad]. The toughness is then that in a direction with the share 1.
+  const ResistanceDirections* directions = nullptr;
+  double heading = 0;
 
-  double resistance() const { return toughness * toughness / plane_modulus; }  // energy per area [J/m^2]
-  Kink kink(const AffineFactors& factors, double load_factor) const {
-    return kink_of(factors.at(load_factor), criterion);
+  double share_in(double angle) const { return directions ? directions->share(heading + angle) : 1; }
+  // Energy per area that growth at an angle takes, and the energy release rate of a kink [J/m^2].
+  double resistance(double angle = 0) const { return toughness * toughness / plane_modulus * share_in(angle); }
+  double rate(const Kink& kink) const {
+    return kink.equivalent_factor * kink.equivalent_factor / plane_modulus * share_in(kink.angle);
   }
+
+  Kink kink(const Point& factors) const {
+    return directions ? directions->kink(factors, heading, criterion) : kink_of(factors, criterion);
+  }
+  Kink kink(const AffineFactors& factors, double load_factor) const { return kink(factors.at(load_factor)); }
+  // Ratio of the equivalent mode I factor in the direction of growth to the toughness: the tip grows when it reaches 1.
   double ratio(const AffineFactors& factors, double load_factor) const {
-    return toughness > 0 ? growth_ratio(factors, load_factor, toughness, criterion) : 0;
+    return toughness > 0 ? kink(factors, load_factor).equivalent_factor / toughness : 0;
   }
-  GrowthRange range(const AffineFactors& factors) const { return growth_range(factors, toughness, criterion); }
+  // Range of load factors in which that ratio is below 1; unbounded if the toughness is infinite, or is not positive
+  // (no fracture). By the hoop stress criterion the factor is a maximum of functions linear in the load factor, so the
+  // range is an interval. By the energy release rate, without kinks that close, it is the interval around the load
+  // factor 0, or around the one at which the ratio is least.
+  GrowthRange range(const AffineFactors& factors) const;
+  // Smallest load factor >= 0 at which the ratio is 1 or more; infinite if there is none.
+  double first_load_factor(const AffineFactors& factors) const;
 };
 
 // Toughness: K_I at which a crack grows straight on in a material of this fracture energy [J/m^2].

@@ -10,7 +10,7 @@ double plane_modulus(const PlaneElasticity& elasticity);
 
 // Smallest load factor >= 0 at which the energy release rate of a tip that grows straight on reaches the fracture
 // energy. There |constant + factor * proportional| is the toughness, where both are pairs (K_I, K_II). The largest
-// double if there is none. A tip under shear turns and grows earlier (crack::growth_range()).
+// double if there is none. A tip under shear turns and grows earlier (crack::GrowthLaw::range()).
 double straight_load_factor(const Point& constant, const Point& proportional, double toughness);
 
 }  // namespace bempd

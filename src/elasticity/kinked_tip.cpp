@@ -94,6 +94,12 @@ Point kinked_factors(const Point& factors, double angle) {
   return {f11 * factors.x() + f12 * factors.y(), f21 * factors.x() + f22 * factors.y()};
 }
 
+double factor_of_kink(const Point& factors, double angle, KinkCriterion criterion) {
+  if (criterion == KinkCriterion::hoop_stress) return hoop_factor(factors, angle);
+  const double rate = opening_rate(factors, angle);
+  return rate > 0 ? std::sqrt(rate) : -std::sqrt(-rate);
+}
+
 Point kink_growth(double angle) {
   const double m = angle / pi, m2 = m * m, root = std::sqrt(2 * pi);
   const double g1 = m2 * polynomial({2 * pi * root, -47.933390, 63.665987, -50.70880, 26.66807, -6.0205, -7.3148,

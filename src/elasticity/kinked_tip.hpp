@@ -26,6 +26,10 @@ double hoop_factor(const Point& factors, double angle);
 // without another solution.
 Point kinked_factors(const Point& factors, double angle);
 
+// Equivalent mode I factor of an infinitesimal kink of this angle by a criterion: the hoop factor, or the square root
+// of the energy release rate times E'; negative if the kink closes.
+double factor_of_kink(const Point& factors, double angle, KinkCriterion criterion);
+
 // Change of the factors (K_I, K_II) of a straight kink with its length: to those of the infinitesimal kink it adds the
 // result times the T stress and the square root of the length (Amestoy and Leblond, section 5).
 Point kink_growth(double angle);

@@ -30,6 +30,12 @@ class EventSources {
   // Next event on the way to a target; null if none is left in that direction. It may lie beyond the target.
   const Event* next(double target, const SteppingOptions& options);
   Outcome perform();
+  // Event at which the tip of a crack line takes a step, as LineEvents::step_of() has it.
+  const Event* line_step(const crack::TipId& tip) {
+    if (!lines_) return nullptr;
+    told_ = &*lines_;
+    return lines_->step_of(tip);
+  }
 
   // Source of the steps of crack lines, for a state that is up to date; null if cracks grow bond by bond.
   LineEvents* lines() {

@@ -25,6 +25,14 @@ void CrackEvolution::return_to(const Start& start) noexcept {
   sources_.return_to_mark();
 }
 
+bool CrackEvolution::extend_line(const crack::TipId& tip) {
+  sources_.refresh(), sources_.settle();
+  const Event* step = sources_.line_step(tip);
+  if (step) perform(*step, {}, false);
+  sources_.bring_up_to_date();
+  return step != nullptr;
+}
+
 void CrackEvolution::stop_line(const crack::TipId& tip, crack::TipState state) {
   sources_.refresh();
   sources_.settle();

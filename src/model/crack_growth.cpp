@@ -37,8 +37,7 @@ std::pair<double, std::size_t> first_growth(const std::vector<regions::TipValues
                                             const scene::Options& options) {
   std::vector<crack::Candidate> candidates;
   for (const regions::TipValues& tip : tips) {
-    const double load_factor =
-        growth_load_factor(tip.constant_factors, tip.proportional_factors, tip.toughness, growth_criterion(options));
+    const double load_factor = law_of(tip, options).first_load_factor(factors_of(tip));
     const bool overloaded = load_factor == 0 && tip.toughness > 0;
     const double ratio = overloaded ? law_of(tip, options).ratio(factors_of(tip), 0) : 1;
     candidates.push_back({{tip.crack, tip.end}, load_factor, ratio, overloaded});

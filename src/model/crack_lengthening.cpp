@@ -11,9 +11,9 @@ void move_load(PreparedScene& scene, double load_factor, const std::set<crack::T
   scene.evolution->advance(load_factor, fracture::Goal::load_factor, stepping, {}, {});
 }
 
-CrackLengthening::CrackLengthening(Model& model) : model_(model) {
+CrackLengthening::CrackLengthening(Model& model, bool in_elements) : model_(model) {
   model_.prepare();
-  require(model_.has_crack_elements(),
+  require(!in_elements || model_.has_crack_elements(),
           "no crack in a BEM region has a tip; add one, or let cracks in peridynamic regions grow by steps");
   if (model_.loads_.acting != Acting::values)
     loads_ = model_.replace_loads(regions::apply_conditions(model_.scene_, model_.prepared_->discretization),
@@ -47,9 +47,10 @@ LongerCracks CrackLengthening::lengthened(const std::vector<Lengthened>& tips) {
     const regions::TipValues& tip = one.tip;
     const crack::GrowthLaw law = law_of(tip, model_.options_);
     crack::Extension extension = crack::begin_extension({tip.crack, tip.end}, tip.place, one.angle, growing.load_factor,
-                                                        factors_of(tip), law.resistance());
-    const double factor = law.kink(factors_of(tip), growing.load_factor).equivalent_factor;
-    extension.rate_before = factor > 0 ? factor * factor / law.plane_modulus : 0;
+                                                        factors_of(tip), law.resistance(one.angle));
+    const Kink kink = law.kink(factors_of(tip), growing.load_factor);
+    const double factor = kink.equivalent_factor;
+    extension.rate_before = factor > 0 ? law.rate(kink) : 0;
     growing.tips.push_back(tip);
     growing.extensions.push_back(extension);
     growing.lengths.push_back(one.length);

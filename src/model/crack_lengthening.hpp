@@ -29,19 +29,33 @@ class CrackLengthening {
  public:
   // Prepares the model and finds its equilibrium under the values that the host has set. Throws Error (argument) if no
   // crack has boundary elements.
-  explicit CrackLengthening(Model& model);
+  explicit CrackLengthening(Model& model) : CrackLengthening(model, true) {}
+  CrackLengthening(const CrackLengthening&) = delete;
+  CrackLengthening& operator=(const CrackLengthening&) = delete;
+  virtual ~CrackLengthening() = default;
 
   // Tips that may grow: neither frozen by the host nor stopped. Their factors are functions of the load factor.
-  std::vector<regions::TipValues> tips() { return model_.growing_tips(); }
+  virtual std::vector<regions::TipValues> tips() { return model_.growing_tips(); }
+  // Cracks as they are now.
+  virtual std::vector<scene::Crack> cracks() const { return model_.scene_.cracks(); }
+  // Region in which the tip of a crack grows.
+  virtual int region_of(const regions::TipValues& tip, const PreparedScene& scene) const {
+    return scene.discretization.cracks[static_cast<std::size_t>(tip.crack) - 1].region_at(tip.end);
+  }
   PreparedScene& scene() { return *model_.prepared_; }
+  // Prepared scene of longer cracks that are not accepted yet.
+  virtual PreparedScene& scene_of(LongerCracks& longer) { return *longer.grown.scene; }
+  virtual bool grows_lines() const { return false; }
+  // Least length by which a tip can grow, of which its growth is a multiple [m]; 0 for any length.
+  virtual double quantum(const regions::TipValues&) const { return 0; }
 
-  // Moves the load factor; cracks with elements do not grow meanwhile.
-  void go_to(double load_factor);
+  // Moves the load factor; cracks do not grow meanwhile.
+  virtual void go_to(double load_factor);
   // Scene with longer cracks at the same load factor, in whose history the growth is entered; the model itself stays
   // unchanged. Throws crack::CannotGrow.
-  LongerCracks lengthened(const std::vector<Lengthened>& tips);
+  virtual LongerCracks lengthened(const std::vector<Lengthened>& tips);
   // Continues in the scene with longer cracks, which becomes the model's.
-  void go_on_in(LongerCracks longer);
+  virtual void go_on_in(LongerCracks longer);
   // Calls the host's progress function; throws Error (cancelled) if that asks to stop.
   void report_progress();
   void tell(const std::string& warning) const {
@@ -51,10 +65,14 @@ class CrackLengthening {
 
   // Ends the call: keep() keeps its result, take_back() returns the model to the start of the call.
   void keep() noexcept;
-  void take_back() noexcept;
+  virtual void take_back() noexcept;
+
+ protected:
+  CrackLengthening(Model& model, bool in_elements);
+
+  Model& model_;
 
  private:
-  Model& model_;
   std::vector<scene::Crack> cracks_;         // at the start
   std::optional<Model::LoadsBefore> loads_;  // likewise
   fracture::EvolutionState state_;           // likewise

@@ -26,14 +26,6 @@ void tell_growth(regions::TipValues& values, const crack::Tip& tip) {
   values.load_rule = tip.load_rule, values.load_error = tip.load_error;
 }
 
-// Computes the results of the growth criterion in force for a tip with known stress intensity factors.
-void complete(regions::TipValues& tip, const scene::Options& options) {
-  if (!tip.factors.allFinite() || !tip.constant_factors.allFinite() || !tip.proportional_factors.allFinite()) return;
-  tell_growth(tip, carried(tip, options));
-  if (std::isfinite(tip.critical_kink_angle)) tip.load_error = tip.error / tip.factors.norm();
-  tip.straight_load_factor = straight_load_factor(tip.constant_factors, tip.proportional_factors, tip.toughness);
-}
-
 void never_grows(regions::TipValues& tip) {
   tip.critical_load_factor = std::numeric_limits<double>::max();
   tip.critical_load_factor_down = -tip.critical_load_factor;
@@ -70,6 +62,16 @@ double grown_among_bonds(int crack, int end, const scene::Crack& described,
 }
 
 }  // namespace
+
+void complete(regions::TipValues& tip, const scene::Options& options) {
+  if (!tip.factors.allFinite() || !tip.constant_factors.allFinite() || !tip.proportional_factors.allFinite()) return;
+  tell_growth(tip, carried(tip, options));
+  if (std::isfinite(tip.critical_kink_angle)) tip.load_error = tip.error / tip.factors.norm();
+  const crack::GrowthLaw law = law_of(tip, options);
+  tip.straight_load_factor =
+      straight_load_factor(tip.constant_factors, tip.proportional_factors,
+                           law.directions ? tip.toughness * std::sqrt(law.share_in(0)) : tip.toughness);
+}
 
 regions::BondedBody Model::bonded_body() const {
   const coupling::EquilibriumSystem& system = *prepared_->system;
@@ -138,6 +140,8 @@ std::vector<regions::TipValues> Model::tips_of_lines() const {
     const crack::Tip& tip = carried[k];
     regions::TipValues& values = tips[k];
     if (values.contours == 0) take_stress_ahead(values, tip, load_factor());
+    values.directions = tip.law.directions;
+    if (values.toughness > 0) values.toughness = tip.law.toughness;
     complete(values, options_);
     tell_growth(values, tip);
     values.closed = values.closed || tip.closed;

@@ -41,13 +41,13 @@ crack::AffineFactors factors_of(const regions::TipValues& tip) {
 }
 
 crack::GrowthLaw law_of(const regions::TipValues& tip, const scene::Options& options) {
-  return {tip.toughness, tip.plane_modulus, growth_criterion(options)};
+  return {tip.toughness, tip.plane_modulus, growth_criterion(options), tip.directions, heading_of(tip.direction)};
 }
 
 crack::Tip carried(const regions::TipValues& tip, const scene::Options& options) {
   crack::Tip one{{tip.crack, tip.end}, tip.place, tip.direction, factors_of(tip), law_of(tip, options), {}};
   one.range = one.law.range(one.factors);
-  one.kink_angle = kink_of(tip.factors, one.law.criterion).angle;
+  one.kink_angle = one.law.kink(tip.factors).angle;
   if (std::isfinite(one.range.highest)) one.critical_kink_angle = one.law.kink(one.factors, one.range.highest).angle;
   return one;
 }
@@ -73,8 +73,8 @@ Growing growing_with(const std::vector<regions::TipValues>& tips, std::size_t fi
     const crack::GrowthLaw law = law_of(tip, options);
     const Kink kink = law.kink(factors_of(tip), load_factor);
     crack::Extension extension = crack::begin_extension({tip.crack, tip.end}, tip.place, kink.angle, load_factor,
-                                                        factors_of(tip), law.resistance());
-    extension.rate_before = kink.equivalent_factor * kink.equivalent_factor / law.plane_modulus;
+                                                        factors_of(tip), law.resistance(kink.angle));
+    extension.rate_before = law.rate(kink);
     growing.tips.push_back(tip);
     growing.extensions.push_back(extension);
   }
@@ -123,7 +123,7 @@ double largest_turn(const Growing& growing, const std::vector<regions::TipValues
   double largest = 0;
   for (const fracture::CrackExtension& e : growing.extensions) {
     const regions::TipValues* tip = tip_of(e, after);
-    if (!e.has_ended() && tip) largest = std::max(largest, std::abs(kink_at(*tip, e.load_factor, options).angle));
+    if (!e.has_ended() && tip && !tip->directions) largest = std::max(largest, std::abs(kink_at(*tip, e.load_factor, options).angle));
   }
   return largest;
 }
@@ -131,7 +131,7 @@ double largest_turn(const Growing& growing, const std::vector<regions::TipValues
 void turn_to_chords(Growing& growing, const std::vector<regions::TipValues>& after, const scene::Options& options) {
   for (fracture::CrackExtension& e : growing.extensions) {
     const regions::TipValues* tip = tip_of(e, after);
-    if (!e.has_ended() && tip) e.angle += 0.5 * kink_at(*tip, e.load_factor, options).angle;
+    if (!e.has_ended() && tip && !tip->directions) e.angle += 0.5 * kink_at(*tip, e.load_factor, options).angle;
   }
 }
 
@@ -154,6 +154,16 @@ std::optional<double> end_of_path(const Growing& growing, const std::vector<regi
   return common.is_empty() || !std::isfinite(end) ? std::nullopt : std::optional(end);
 }
 
+namespace {
+
+// Energy per area that growth straight on takes [J/m^2].
+double resistance_ahead_of(const regions::TipValues& tip) {
+  const double share = tip.directions ? tip.directions->share(heading_of(tip.direction)) : 1;
+  return tip.toughness * tip.toughness / tip.plane_modulus * share;
+}
+
+}  // namespace
+
 // Energies of a growth. Each extension releases the integral of its energy release rate (trapezoidal rule). On the
 // equilibrium path the rate is the fracture energy all along. For tips that have ended, whose last rate is unknown, the
 // remainder of `released` is divided by length.
@@ -166,7 +176,7 @@ fracture::Growth booked(Growing growing, const std::vector<regions::TipValues>& 
     fracture::CrackExtension& e = growth.extensions[k];
     const double area = e.length * thickness[k];
     const regions::TipValues* tip = tip_of(e, after);
-    const double at_end = tip ? tip->toughness * tip->toughness / tip->plane_modulus : e.resistance;
+    const double at_end = tip ? resistance_ahead_of(*tip) : e.resistance;
     const double mean = at_end == e.resistance ? 1 : 0.5 * (1 + at_end / e.resistance);
     e.surface_energy = mean * e.resistance * area;
     growth.surface_energy += e.surface_energy;

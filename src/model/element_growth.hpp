@@ -31,6 +31,9 @@ crack::GrowthLaw law_of(const regions::TipValues& tip, const scene::Options& opt
 // Tip with known stress intensity factors as a carrier of cracks (crack::Carrier) describes it.
 crack::Tip carried(const regions::TipValues& tip, const scene::Options& options);
 
+// Computes the results of the growth criterion in force for a tip with known stress intensity factors.
+void complete(regions::TipValues& tip, const scene::Options& options);
+
 // Growth of the tip with the index `first`, and of the tips that the option crack.tie_share lets grow with it.
 Growing growing_with(const std::vector<regions::TipValues>& tips, std::size_t first, double load_factor,
                      const scene::Options& options);
@@ -48,7 +51,7 @@ std::vector<scene::Crack> extended(const scene::Scene& scene, std::vector<scene:
                                    Growing& growing);
 
 // Largest angle [rad] by which a crack would turn at the end of its extension; `after` are the tips of the extended
-// cracks.
+// cracks. Tips whose fracture energy depends on the direction do not count: their turns are kinks, not a curved path.
 double largest_turn(const Growing& growing, const std::vector<regions::TipValues>& after,
                     const scene::Options& options);
 

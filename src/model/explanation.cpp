@@ -65,6 +65,7 @@ class Explainer {
     tell_of_body(reasons);
     for (const regions::TipValues& tip : model_.tips()) tell_of_tip(tip, reasons);
     tell_of_ended(reasons);
+    tell_of_cycles(reasons);
     found_.text = reasons.text();
     return found_;
   }
@@ -187,6 +188,36 @@ class Explainer {
       }
       if (where) reasons.add(text("The tip of ", name_of(e.tip()), " has ended at ", where, "."));
     }
+  }
+
+  // Last records of the last growth by cycles, of tips that grow and are still where it left them.
+  std::vector<FatigueRecord> grown_by_cycles() const {
+    std::vector<FatigueRecord> last;
+    for (const FatigueRecord& record : model_.fatigue().records()) {
+      if (!last.empty() && last.front().step != record.step) last.clear();
+      last.push_back(record);
+    }
+    std::erase_if(last, [&](const FatigueRecord& record) {
+      if (!(record.rate > 0) || record.tip.crack > model_.crack_count()) return true;
+      return std::abs(model_.crack_length(record.tip.crack) - record.length) > 1e-9 * record.length;
+    });
+    return last;
+  }
+
+  // Tells which tip limits the life: the one that grows fastest in relation to the length of its crack.
+  void tell_of_cycles(Reasons& reasons) const {
+    std::vector<FatigueRecord> tips = grown_by_cycles();
+    if (tips.empty()) return;
+    const auto speed = [](const FatigueRecord& record) { return record.rate / record.length; };
+    std::stable_sort(tips.begin(), tips.end(), [&](const auto& a, const auto& b) { return speed(a) > speed(b); });
+    const FatigueRecord& first = tips.front();
+    std::string sentence = text("By cycles, ", name_of(first.tip), ", ", place_of(first.place),
+                                ", limits the life where the last growth by cycles has ended: it grows by ", first.rate,
+                                " in a cycle, with K_max = ", first.highest);
+    if (tips.size() > 1)
+      sentence += text("; in relation to the length of its crack that is ", speed(first) / speed(tips[1]),
+                       " times the growth of the next tip, ", name_of(tips[1].tip));
+    reasons.add(sentence + ".");
   }
 
   Model& model_;

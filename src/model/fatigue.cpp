@@ -6,6 +6,7 @@
 #include "model/crack_lengthening.hpp"
 #include "model/fatigue_run.hpp"
 #include "model/growth_options.hpp"
+#include "model/line_lengthening.hpp"
 
 namespace bempd::model {
 
@@ -20,12 +21,14 @@ const crack::RateParameters* Fatigue::rate_of(int material) const {
 }
 
 FatigueReport Fatigue::grow(const FatigueOptions& options) {
-  CrackLengthening lengthening(model_);
+  const std::unique_ptr<CrackLengthening> kind = lengthening_for(model_);
+  CrackLengthening& lengthening = *kind;
   try {
     FatigueRun run(model_, lengthening, options);
     const FatigueReport report = run.run();
     lengthening.keep();
     records_ = run.take_records();
+    overloads_ = run.remembered_overloads();
     return report;
   } catch (...) {
     lengthening.take_back();
@@ -51,19 +54,18 @@ GrowthResult Fatigue::extend(const std::vector<std::pair<crack::TipId, double>>&
   CrackLengthening lengthening(model_);
   try {
     const std::vector<regions::TipValues> tips = lengthening.tips();
-    const KinkCriterion criterion = growth_criterion(model_.options());
     std::vector<Lengthened> grow;
     for (const auto& [id, length] : lengths) {
       const regions::TipValues& tip = tip_with(tips, id);
-      const Kink kink = kink_of(factors_of(tip).at(model_.load_factor()), criterion);
+      const Kink kink = law_of(tip, model_.options()).kink(factors_of(tip), model_.load_factor());
       grow.push_back({tip, length, kink.equivalent_factor > 0 ? kink.angle : 0});
     }
     LongerCracks longer = lengthening.lengthened(grow);
     if (model_.options().text_value("crack.direction") == "chord") {
       for (Lengthened& one : grow)
         for (const regions::TipValues& after : longer.grown.tips)
-          if (after.crack == one.tip.crack && after.end == one.tip.end)
-            one.angle += 0.5 * kink_of(factors_of(after).at(model_.load_factor()), criterion).angle;
+          if (after.crack == one.tip.crack && after.end == one.tip.end && !after.directions)
+            one.angle += 0.5 * law_of(after, model_.options()).kink(factors_of(after), model_.load_factor()).angle;
       longer = lengthening.lengthened(grow);
     }
     GrowthResult result = result_of(longer.grown.growth);

@@ -63,6 +63,13 @@ struct FatigueRecord {
   double rate = 0;                 // mean over the program [m]
 };
 
+// Overload that a tip has met, at the place at which a call left the tip.
+struct RememberedOverload {
+  crack::TipId tip;
+  Point place{0, 0};
+  crack::Overload overload;
+};
+
 // Fatigue: growth of cracks by cycles of the loads.
 class Fatigue {
  public:
@@ -76,6 +83,8 @@ class Fatigue {
   FatigueReport grow(const FatigueOptions& options);
   // Records of the last call of grow().
   const std::vector<FatigueRecord>& records() const { return records_; }
+  // Overloads that tips have met by the end of that call; a call that goes on from there takes them up.
+  const std::vector<RememberedOverload>& overloads() const { return overloads_; }
 
   // Extends tips by the given lengths at the present load factor, as one event.
   GrowthResult extend(const std::vector<std::pair<crack::TipId, double>>& lengths);
@@ -84,6 +93,7 @@ class Fatigue {
   Model& model_;
   std::map<int, crack::RateParameters> rates_;
   std::vector<FatigueRecord> records_;
+  std::vector<RememberedOverload> overloads_;
 };
 
 }  // namespace bempd::model

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "elasticity/kinked_tip.hpp"
+#include "model/crack_lengthening.hpp"
 #include "model/growth_options.hpp"
 
 namespace bempd::model {
@@ -12,8 +13,9 @@ namespace {
 // Stress intensity factors of tips at the load factors of a program.
 class FactorsByLevel {
  public:
-  FactorsByLevel(PreparedScene& scene, const std::vector<regions::TipValues>& tips, const crack::CycleProgram& program)
-      : scene_(scene), tips_(tips), program_(program) {}
+  FactorsByLevel(PreparedScene& scene, const std::vector<regions::TipValues>& tips, const crack::CycleProgram& program,
+                 bool follows_faces)
+      : scene_(scene), tips_(tips), program_(program), follows_faces_(follows_faces) {}
 
   std::vector<std::vector<Point>> all() {
     const std::size_t highest = program_.highest();
@@ -21,7 +23,7 @@ class FactorsByLevel {
     take(highest, program_.load_factors().size(), tips_);
     take(0, highest, tips_);
     const coupling::Constraints& constraints = scene_.system->constraints();
-    if (constraints.size() == 0 || program_.load_factors().size() == 1) return factors_;
+    if (constraints.size() == 0 || program_.load_factors().size() == 1 || !follows_faces_) return factors_;
     fracture::EvolutionState state = scene_.evolution->state();
     fracture::Continuation continuation = scene_.evolution->continuation();
     closed_ = constraints.closed();
@@ -70,6 +72,7 @@ class FactorsByLevel {
   PreparedScene& scene_;
   const std::vector<regions::TipValues>& tips_;
   const crack::CycleProgram& program_;
+  bool follows_faces_;
   std::vector<char> closed_;
   std::vector<std::vector<Point>> factors_;
 };
@@ -81,30 +84,34 @@ double equivalent_in(const Point& factors, double angle, KinkCriterion criterion
 
 }  // namespace
 
-const crack::RateLaw* RateLaws::of(const regions::TipValues& tip, const PreparedScene& scene) {
-  const int region = scene.discretization.cracks[static_cast<std::size_t>(tip.crack) - 1].region_at(tip.end);
+const crack::RateLaw* RateLaws::of(int region, double toughness) {
+  if (region == 0) return nullptr;
   const int material = model_.scene().region(region).material();
   const crack::RateParameters* parameters = model_.fatigue().rate_of(material);
   if (!parameters) return nullptr;
-  const double toughness = tip.toughness > 0 ? tip.toughness : FatigueOptions::unlimited;
+  if (!(toughness > 0)) toughness = FatigueOptions::unlimited;
   std::unique_ptr<crack::RateLaw>& law = laws_[{material, toughness}];
-  if (!law) law = crack::make_rate_law(*parameters, toughness);
+  if (!law)
+    law = crack::make_rate_law(*parameters, toughness,
+                               model_.scene().material(material).elasticity.state == PlaneState::strain);
   return law.get();
 }
 
 // The angle of a tip is that of the load at which its equivalent factor is larger, the highest or the lowest one.
 Front front_of(PreparedScene& scene, const std::vector<regions::TipValues>& tips, const crack::CycleProgram& program,
-               Model& model, RateLaws& laws) {
+               const CrackLengthening& lengthening, Model& model, RateLaws& laws) {
   const KinkCriterion criterion = growth_criterion(model.options());
-  const std::vector<std::vector<Point>> factors = FactorsByLevel(scene, tips, program).all();
+  const std::vector<std::vector<Point>> factors =
+      FactorsByLevel(scene, tips, program, !lengthening.grows_lines()).all();
   Front front;
   for (std::size_t t = 0; t < tips.size(); ++t) {
     FrontTip tip;
     tip.values = tips[t];
-    tip.law = laws.of(tips[t], scene);
-    const Kink high = kink_of(factors[t][program.highest()], criterion);
-    const Kink low = kink_of(factors[t][program.lowest()], criterion);
+    const crack::GrowthLaw law = law_of(tips[t], model.options());
+    const Kink high = law.kink(factors[t][program.highest()]), low = law.kink(factors[t][program.lowest()]);
     tip.angle = low.equivalent_factor > high.equivalent_factor ? low.angle : high.angle;
+    const double toughness = law.directions ? law.toughness * std::sqrt(law.share_in(tip.angle)) : law.toughness;
+    tip.law = laws.of(lengthening.region_of(tips[t], scene), toughness);
     for (const Point& at : factors[t]) tip.levels.push_back({at, equivalent_in(at, tip.angle, criterion)});
     front.push_back(std::move(tip));
   }

@@ -27,7 +27,8 @@ using Front = std::vector<FrontTip>;
 class RateLaws {
  public:
   explicit RateLaws(Model& model) : model_(model) {}
-  const crack::RateLaw* of(const regions::TipValues& tip, const PreparedScene& scene);
+  // `toughness`: K_I at which the tip breaks in the direction of its growth; 0 or infinite if nothing is known of it.
+  const crack::RateLaw* of(int region, double toughness);
 
  private:
   Model& model_;
@@ -38,7 +39,7 @@ class RateLaws {
 // Tips of a scene with their factors at each load factor of a program. If faces close or open between two load factors,
 // the scene is moved to these load factors and back to the highest one; its history does not record that.
 Front front_of(PreparedScene& scene, const std::vector<regions::TipValues>& tips, const crack::CycleProgram& program,
-               Model& model, RateLaws& laws);
+               const CrackLengthening& lengthening, Model& model, RateLaws& laws);
 
 const FrontTip* tip_in(const Front& front, const crack::TipId& tip);
 

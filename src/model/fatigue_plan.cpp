@@ -27,11 +27,12 @@ crack::TipOnStep FatigueRun::standing(std::size_t tip) const {
   one.tip = of.id(), one.law = of.law, one.before = of.levels;
   one.length = length_of_crack(tip);
   one.from = one.to = of.values.place;
+  one.overload = overloads_.of(one.tip);
   return one;
 }
 
 double FatigueRun::length_of_crack(std::size_t tip) const {
-  return length_of(model_.scene().crack(front_[tip].values.crack));
+  return length_of(cracks_[static_cast<std::size_t>(front_[tip].values.crack) - 1]);
 }
 
 // Size of a tip: its part of the crack's length. The growing ends of a crack share the length in the ratio of their
@@ -46,8 +47,9 @@ double FatigueRun::size_of(std::size_t tip) const {
 double FatigueRun::longest(std::size_t tip) const {
   const regions::TipValues& at = front_[tip].values;
   const double size = size_of(tip);
-  const double clearance = clearance_of_tip(model_.scene(), model_.scene().cracks(), at.crack, at.end);
-  return std::min(step_ * size, std::max(step_over_clearance * clearance, least_step * size));
+  const double clearance = clearance_of_tip(model_.scene(), cracks_, at.crack, at.end);
+  const double length = std::min(step_.share() * size, std::max(step_over_clearance * clearance, least_step * size));
+  return std::max(length, lengthening_.quantum(at));
 }
 
 // Plans a step; empty if no tip grows. If few cycles are left, the present rates limit the lengths, with room for

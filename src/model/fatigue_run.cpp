@@ -35,18 +35,21 @@ FatigueRun::FatigueRun(Model& model, CrackLengthening& lengthening, const Fatigu
       options_(options),
       program_(options.blocks),
       laws_(model),
-      step_(0.5 * options.largest_step) {}
+      step_(options) {}
 
 FatigueReport FatigueRun::run() {
   lengthening_.go_to(program_.load_factors()[program_.highest()]);
+  if (lengthening_.grows_lines()) require_proportional();
   place_ = program_.place_after(options_.first_cycle);
   report_.cycles = options_.first_cycle;
   find_front();
+  if (options_.first_cycle > 0) {
+    overloads_.take_up(model_.fatigue().overloads(), front_, cracks_, options_.first_cycle);
+    find_rates();
+  }
   record();
   while (step()) lengthening_.report_progress();
-  const double passed = report_.cycles - options_.first_cycle;
-  const bool is_unknown = report_.steps > 0 && !has_estimate_;
-  report_.error = is_unknown ? std::numeric_limits<double>::quiet_NaN() : passed > 0 ? error_ / passed : 0;
+  report_.error = step_.error(report_.cycles - options_.first_cycle, report_.steps > 0);
   return report_;
 }
 
@@ -54,11 +57,23 @@ void FatigueRun::find_front() {
   const std::vector<regions::TipValues> tips = lengthening_.tips();
   require(!tips.empty(),
           "all tips are frozen, or have stopped before an interface; let one grow again with bempd_set_tip_frozen()");
-  front_ = front_of(lengthening_.scene(), tips, program_, model_, laws_);
+  front_ = front_of(lengthening_.scene(), tips, program_, lengthening_, model_, laws_);
+  cracks_ = lengthening_.cracks();
   std::erase_if(front_, [](const FrontTip& tip) { return tip.law == nullptr; });
   require(!front_.empty(),
           "no material with a tip has a law of growth by cycles; give it one with bempd_set_growth_rate()");
   find_rates();
+}
+
+// Faces in lattices are not followed between the load factors of a block. Without constant loads, and without a
+// reversal, those that press on each other are the same at all of them.
+void FatigueRun::require_proportional() {
+  require(program_.load_factors().front() >= 0, "a low load factor is ", program_.load_factors().front(),
+          "; in peridynamic regions growth by cycles takes low load factors >= 0");
+  require(lengthening_.scene().system->constraints().size() == 0 ||
+              lengthening_.scene().evolution->state().displacement.col(0).isZero(0),
+          "there are constant loads, and faces of cracks in peridynamic regions may close under them; let all loads be "
+          "proportional to the load factor, or set contact to none");
 }
 
 // Makes a step; returns false if the run is over. A step is halved if it turns too much, if its cycles are too
@@ -88,7 +103,7 @@ bool FatigueRun::step() {
         return end_by(FatigueEnd::tip_stopped, front_[plan->leader].id());
       }
     }
-    step_ *= 0.5;
+    step_.halve();
   }
 }
 
@@ -117,12 +132,13 @@ FatigueRun::Trial FatigueRun::trial(std::vector<double> lengths, std::vector<dou
   trial.lengths = std::move(lengths), trial.angles = std::move(angles);
   std::vector<Lengthened> grow;
   for (std::size_t t = 0; t < front_.size(); ++t)
-    if (t == leader || trial.lengths[t] > std::min(least_growth * size_of(t), slow * trial.lengths[leader]))
+    if (t == leader || trial.lengths[t] > std::max(std::min(least_growth * size_of(t), slow * trial.lengths[leader]),
+                                                   0.5 * lengthening_.quantum(front_[t].values)))
       grow.push_back({front_[t].values, trial.lengths[t], trial.angles[t]});
   trial.longer = lengthening_.lengthened(grow);
   std::vector<regions::TipValues> tips = trial.longer.grown.tips;
   std::erase_if(tips, [&](const auto& tip) { return tip_in(front_, {tip.crack, tip.end}) == nullptr; });
-  trial.after = front_of(*trial.longer.grown.scene, tips, program_, model_, laws_);
+  trial.after = front_of(lengthening_.scene_of(trial.longer), tips, program_, lengthening_, model_, laws_);
   trial.on_step = on_step(trial);
   std::vector<double> ahead;
   for (const FrontTip& tip : front_) ahead.push_back(ahead_[tip.id()]);
@@ -150,7 +166,8 @@ std::vector<crack::TipOnStep> FatigueRun::on_step(const Trial& trial) const {
 
 double FatigueRun::turn(const Trial& trial, std::size_t tip) const {
   const FrontTip* after = tip_in(trial.after, front_[tip].id());
-  return after && trial.on_step[tip].growth > 0 && rates_[tip] > 0 ? after->angle : 0;
+  const bool is_curve = after && !after->values.directions;  // else turns are kinks
+  return is_curve && trial.on_step[tip].growth > 0 && rates_[tip] > 0 ? after->angle : 0;
 }
 
 double FatigueRun::largest_turn(const Trial& trial) const {
@@ -166,40 +183,19 @@ bool FatigueRun::is_off(const Trial& trial, std::size_t leader, double share) co
     const crack::TipOnStep& tip = trial.on_step[t];
     const double difference = trial.cycles.growth[t] - tip.growth;
     if (!(tip.growth > 0) || (tip.after.empty() && difference > 0)) continue;
-    const double allowed = t == leader ? off_at_first : share;
-    if (std::abs(difference) > allowed * tip.growth) return true;
+    const double allowed = t == leader ? off_at_first : share, quantum = lengthening_.quantum(front_[t].values);
+    if (std::abs(difference) > std::max(allowed * tip.growth, 0.51 * quantum)) return true;
   }
   return false;
 }
 
-// Chooses the length of the next step. The rate varies as a power of the length; a twelfth of the change of that power
-// between steps, times the logarithm of the ratio of lengths, is the error of a step. Returns false if that is much
-// more than the tolerance, which is wider for steps with few of the cycles so far; a step that must stand counts with
-// its error. A tip's first step takes the change of the power to its second one.
 bool FatigueRun::choose_step(const Trial& trial, std::size_t leader, bool must_stand) {
-  constexpr double much = 4, most_change = 2, least_change = 0.3, few = 0.1;
+  // Factors of lines are rough from one step to the next, which says nothing of the error of cycles.
+  if (lengthening_.grows_lines()) return true;
   const crack::TipOnStep& tip = trial.on_step[leader];
-  const double before = rates_[leader], after = crack::mean_rate(tip, tip.growth, program_);
-  if (!(before > 0 && after > 0) || tip.after.empty()) return true;
-  const double way = std::log1p(tip.growth / tip.own_length());
-  const double power = std::log(after / before) / way;
-  const auto known = powers_.find(tip.tip);
-  if (known == powers_.end()) {
-    powers_[tip.tip] = power;
-    first_steps_[tip.tip] = way * trial.cycles.cycles;
-    return true;
-  }
-  const double change_of_power = std::abs(power - known->second) / 12, error = change_of_power * way;
   const double so_far = report_.cycles - options_.first_cycle + trial.cycles.cycles;
-  const double allowed = options_.tolerance * std::max(1.0, few * so_far / std::max(trial.cycles.cycles, 1e-300));
-  if (error > much * allowed && step_ > 1e-3 && !must_stand) return false;
-  const double change = error > 0 ? 0.9 * std::sqrt(allowed / error) : most_change;
-  step_ = std::min(options_.largest_step, step_ * std::clamp(change, least_change, most_change));
-  known->second = power;
-  has_estimate_ = true;
-  error_ += error * trial.cycles.cycles;
-  if (const auto first = first_steps_.extract(tip.tip)) error_ += change_of_power * first.mapped();
-  return true;
+  return step_.choose(tip, rates_[leader], crack::mean_rate(tip, tip.growth, program_), trial.cycles.cycles, so_far,
+                      must_stand);
 }
 
 bool FatigueRun::accept(Trial trial, std::size_t leader) {
@@ -212,10 +208,12 @@ bool FatigueRun::accept(Trial trial, std::size_t leader) {
     grown_[tip.tip] += tip.growth;
     last_growth_[tip.tip] = tip.growth, last_levels_[tip.tip] = tip.before;
     report_.growth += tip.growth;
+    overloads_.keep(tip, trial.cycles.overloads[t]);
   }
   report_.cycles += trial.cycles.cycles;
   place_ = trial.cycles.place;
   front_ = std::move(trial.after);
+  cracks_ = lengthening_.cracks();
   find_rates();
   record();
   for (const crack::Extension& e : extensions) {
@@ -227,6 +225,7 @@ bool FatigueRun::accept(Trial trial, std::size_t leader) {
 
 bool FatigueRun::pass(const crack::CyclesOnStep& cycles) {
   report_.cycles += cycles.cycles;
+  for (std::size_t t = 0; t < front_.size(); ++t) overloads_.set(front_[t].id(), cycles.overloads[t]);
   place_ = cycles.place;
   return !is_over(cycles);
 }

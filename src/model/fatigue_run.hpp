@@ -6,6 +6,8 @@
 
 #include "model/fatigue.hpp"
 #include "model/fatigue_front.hpp"
+#include "model/fatigue_overloads.hpp"
+#include "model/fatigue_step_length.hpp"
 
 namespace bempd::model {
 
@@ -21,6 +23,7 @@ class FatigueRun {
 
   FatigueReport run();
   std::vector<FatigueRecord> take_records() { return std::move(records_); }
+  std::vector<RememberedOverload> remembered_overloads() const { return overloads_.remembered(front_); }
 
  private:
   // Step that has been computed but not accepted yet; lists have an entry for each tip of the front.
@@ -58,6 +61,7 @@ class FatigueRun {
   bool is_off(const Trial& trial, std::size_t leader, double share) const;
   bool choose_step(const Trial& trial, std::size_t leader, bool must_stand);
   bool accept(Trial trial, std::size_t leader);
+  void require_proportional();
   bool pass(const crack::CyclesOnStep& cycles);
   bool pass_without_growth();
   bool is_over(const crack::CyclesOnStep& cycles);
@@ -70,17 +74,15 @@ class FatigueRun {
   crack::CycleProgram program_;
   RateLaws laws_;
   Front front_;
+  std::vector<scene::Crack> cracks_;      // as they are now
   std::vector<double> rates_;             // of the front, mean over the program
   std::map<crack::TipId, double> ahead_;  // by how much a tip has grown more than its crack [m]
   std::map<crack::TipId, double> grown_;
   std::map<crack::TipId, double> last_growth_;                            // in the step before [m]
   std::map<crack::TipId, std::vector<crack::LevelFactors>> last_levels_;  // before that
-  std::map<crack::TipId, double> powers_;       // of its rate in its length, in the last step that it led
-  std::map<crack::TipId, double> first_steps_;  // cycles of a tip's first step times the logarithm of its lengths
+  MetOverloads overloads_;
   crack::CycleProgram::Place place_;
-  double step_;                // share of the leader's size
-  double error_ = 0;           // [cycles]
-  bool has_estimate_ = false;  // whether the error of a step is known
+  FatigueStepLength step_;
   FatigueReport report_;
   std::vector<FatigueRecord> records_;
 };

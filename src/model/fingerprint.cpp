@@ -27,6 +27,14 @@ void add(Hash& hash, const scene::Material& material) {
     hash.add(stage.stiffness_share);
     hash.add(stage.critical_share);
   }
+  const auto add_table = [&](const char* kind, const std::vector<double>& at, const std::vector<double>& shares) {
+    hash.add(std::string_view(kind));
+    add(hash, at), add(hash, shares);
+  };
+  if (const crack::ResistanceCurve* curve = material.resistance.curve.get())
+    add_table("resistance by growth", curve->extensions(), curve->shares());
+  if (const crack::ResistanceDirections* table = material.resistance.directions.get())
+    add_table("resistance by direction", table->angles(), table->shares());
 }
 
 void add_place(Hash& hash, const scene::Condition& condition) {

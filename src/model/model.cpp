@@ -126,7 +126,13 @@ void Model::check_mechanism(const PreparedScene& p) const {
 // Prepares crack lines in lattices: laws of growth and initial tips. Nothing is done if cracks grow bond by bond.
 void Model::grow_lines(PreparedScene& p) const {
   const std::string rule = options_.text_in_effect("crack.rule");
-  if (rule == "bond") return;
+  if (rule == "bond") {
+    for (const int id : scene_.region_ids())
+      require(scene_.region(id).has_elements() || scene_.material_of(id).resistance.is_constant(), "region ", id,
+              " breaks bond by bond, which knows no resistance by growth or direction; let cracks grow as lines there "
+              "(crack.rule = line or tips), or give its material no such table");
+    return;
+  }
   pd::TipLaws laws;
   laws.more_begin = rule != "tips";
   laws.criterion = growth_criterion(options_);
@@ -161,6 +167,7 @@ void Model::grow_lines(PreparedScene& p) const {
   for (const regions::StartingTip& tip : regions::tips_of_cracks(scene_, p.in_lattices, p.discretization, options_)) {
     tips.push_back({tip.place, tip.direction, law_of_region.at(tip.region), tip.id});
     tips.back().even_ahead = tip.even_ahead;
+    tips.back().grown = scene_.cracks()[static_cast<std::size_t>(tip.id.crack) - 1].grown(tip.id.end);
   }
   laws.of_crack = regions::lengths_of(p.in_lattices);
   laws.weakened = p.in_lattices.weakened;

@@ -19,6 +19,7 @@
 #include "model/edge_results.hpp"
 #include "model/fatigue.hpp"
 #include "model/host_listener.hpp"
+#include "model/load_cases.hpp"
 #include "model/pieces.hpp"
 #include "model/prepared_scene.hpp"
 #include "model/results.hpp"
@@ -110,6 +111,8 @@ class Model {
   EdgeResults& edges() { return edges_; }
   Fatigue& fatigue() { return fatigue_; }
   const Fatigue& fatigue() const { return fatigue_; }
+  LoadCases& load_cases() { return load_cases_; }
+  const LoadCases& load_cases() const { return load_cases_; }
   // Whether the body counts as separated although bonds still connect the held part and the loaded part, like a hinge.
   bool hangs();
 
@@ -137,6 +140,8 @@ class Model {
  private:
   friend class CrackLengthening;
   friend class ElementCarrier;
+  friend class LineLengthening;
+  friend class LoadCases;
 
   void restore_body(const SavedState& state);
   // Runs to a target. `on_way` are the values of loads and supports that act; null for those that the host has set.
@@ -238,6 +243,7 @@ class Model {
   Pieces pieces_{*this};
   EdgeResults edges_{*this};
   Fatigue fatigue_{*this};
+  LoadCases load_cases_{*this};
   results::Snapshots snapshots_;
   Progress progress_;
   Log log_;

@@ -12,8 +12,8 @@ namespace bempd::model {
 bool is_sound(const fracture::GrowingTip& tip) {
   const auto is_ratio = [](double ratio) { return ratio >= 0 && std::isfinite(ratio); };
   return tip.place.allFinite() && std::abs(tip.direction.norm() - 1) < 1e-6 && tip.law >= 0 && tip.id.crack >= 1 &&
-         (tip.id.end == 0 || tip.id.end == 1) && std::isfinite(tip.even_ahead.value_or(0)) &&
-         tip.state <= crack::TipState::carried_on &&
+         (tip.id.end == 0 || tip.id.end == 1) && std::isfinite(tip.even_ahead.value_or(0)) && tip.grown >= 0 &&
+         std::isfinite(tip.grown) && tip.state <= crack::TipState::carried_on &&
          std::all_of(tip.energy_ratios.begin(), tip.energy_ratios.end(), is_ratio);
 }
 

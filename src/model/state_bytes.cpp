@@ -45,7 +45,7 @@ requires std::is_same_v<std::remove_const_t<Tip>, fracture::GrowingTip>
 void visit_members(Tip& t, Visit& visit) {
   visit(t.place.x()), visit(t.place.y()), visit(t.direction.x()), visit(t.direction.y());
   visit(t.law), visit(t.energy_ratios), visit(t.id), visit(t.state);
-  if (visit.format > 15) visit(t.even_ahead);
+  if (visit.format > 15) visit(t.even_ahead), visit(t.grown);
 }
 template <class Face, class Visit>
 requires std::is_same_v<std::remove_const_t<Face>, fracture::GrownFace>

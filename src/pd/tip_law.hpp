@@ -4,8 +4,10 @@
 #include <cmath>
 #include <vector>
 
+#include "crack/laws/resistance.hpp"
 #include "elasticity/kinked_tip.hpp"
 #include "geometry/edge.hpp"
+#include "geometry/turning.hpp"
 #include "pd/varied_energy.hpp"
 #include "pd/weakened_term.hpp"
 
@@ -22,11 +24,20 @@ struct TipLaw {
 
   double point_volume() const { return spacing * spacing * thickness; }  // of a full point [m^3]
 
-  // The law with the toughness at a place.
-  TipLaw at(const Point& place) const {
+  // Fracture energy by growth and by direction; null where it depends on neither.
+  const crack::ResistanceCurve* curve = nullptr;
+  const crack::ResistanceDirections* directions = nullptr;
+
+  // The law with the toughness at a place, of a tip that has grown by a length.
+  TipLaw at(const Point& place, double grown) const {
     TipLaw there = *this;
     if (energies) there.toughness *= std::sqrt(energies->share(place));
+    if (curve) there.toughness *= std::sqrt(curve->share(grown));
     return there;
+  }
+  // Fracture energy of a tip that has grown by a length, for a step in a direction, over that of the material.
+  double energy_share(double grown, const Point& direction) const {
+    return (curve ? curve->share(grown) : 1) * (directions ? directions->share(heading_of(direction)) : 1);
   }
 };
 

@@ -71,6 +71,7 @@ struct TipValues {
   Point proportional_factors{unknown, unknown};
   double toughness = 0;      // K_I at which it grows straight on; 0: it does not [Pa m^(1/2)]
   double plane_modulus = 0;  // [Pa]
+  const crack::ResistanceDirections* directions = nullptr;  // null: the toughness is the same in all directions
 
   // Results of the growth criterion in force (Model::complete()); load factors: +- largest double if it never grows.
   double kink_angle = unknown;                 // from the direction, counter-clockwise, at the present loads [rad]

@@ -22,6 +22,8 @@ struct Crack {
     return std::span(points).subspan(static_cast<std::size_t>(grown_at_start),
                                      points.size() - static_cast<std::size_t>(grown_at_start + grown_at_end));
   }
+  // Length by which an end (0: first point, 1: last point) has grown [m].
+  double grown(int end) const;
 };
 
 // Scene as the host described it. An id is the position in these vectors plus 1; a removed object leaves its position
@@ -41,13 +43,13 @@ class Scene {
   // Makes the edges first_edge .. last_edge of one loop a smooth curve through their vertices.
   void set_edges_smooth(int region, int first_edge, int last_edge);
   void set_toughness(int region, std::vector<Point> places, std::vector<double> fracture_energies);
+  Material& mutable_material(int id) { return const_cast<Material&>(material(id)); }
   int add_crack(const std::vector<Point>& points);
   // Replaces all cracks, for instance by the same ones with their growth and with cracks that have begun in the run.
   void set_cracks(std::vector<Crack> cracks) { cracks_ = std::move(cracks); }
   int add_support(Condition condition);
   int add_load(Condition condition);
-  // Gives a support or load (`what`, `id`) new values: as many samples as it was made with, or values at any places
-  // along its part.
+  // Gives a support or load (`what`, `id`) new values: as many samples as it was made with, or values at any places.
   void set_values(Condition& condition, const char* what, int id, SampledValues values);
   void set_values(Condition& condition, const char* what, int id, PlacedValues values);
   // Values of all supports and loads; exchange_values() swaps them with `values`.
@@ -108,5 +110,9 @@ class Scene {
   std::vector<Crack> cracks_;
   std::vector<Condition> supports_, loads_;
 };
+
+// Sets fracture energies of a material by the growth of a tip [m], or by its direction [rad]; all in [J/m^2].
+void set_resistance_curve(Scene& scene, int material, std::vector<double> extensions, std::vector<double> energies);
+void set_resistance_directions(Scene& scene, int material, std::vector<double> angles, std::vector<double> energies);
 
 }  // namespace bempd::scene

@@ -47,7 +47,7 @@ contains
   subroutine wrong_shapes_are_refused_by_the_module()
     type(bempd_model) :: model
     real(dp) :: sideways(4, 2)
-    real(dp), allocatable :: displacement(:, :)
+    real(dp), allocatable :: displacement(:, :), stresses(:, :)
     character(300) :: message
     integer :: stat, material, region
 
@@ -68,6 +68,12 @@ contains
     call check_error(stat, BEMPD_ERROR_ARGUMENT, message, "bempd_set_toughness_at: places has shape (4,2)")
     call model%set_toughness_at(1, transpose(sideways), [1._dp], stat, message)
     call check_error(stat, BEMPD_ERROR_ARGUMENT, message, "bempd_set_toughness_at: there are 1 values and 4 places")
+    call model%set_resistance_curve(1, [0._dp, 1._dp], [1._dp], stat, message)
+    call check_error(stat, BEMPD_ERROR_ARGUMENT, message, "bempd_set_resistance_curve: there are 1 energies and 2")
+    call model%set_resistance_directions(1, [0._dp], [1._dp, 2._dp], stat, message)
+    call check_error(stat, BEMPD_ERROR_ARGUMENT, message, "bempd_set_resistance_directions: there are 2 energies and 1")
+    call model%combined_values([1._dp], sideways, displacement, stresses, stat, message)
+    call check_error(stat, BEMPD_ERROR_ARGUMENT, message, "bempd_load_case_evaluate: points has shape (4,2)")
     call model%evaluate(sideways, displacement, stat=stat, errmsg=message)
     call check_error(stat, BEMPD_ERROR_ARGUMENT, message, "bempd_evaluate: points has shape (4,2)")
     call model%add_bem_region(material, transpose(sideways), .5_dp, region, stat, message)

@@ -88,6 +88,7 @@ program fortran_runs
   call pressure_in_a_crack_has_its_factor_and_opening()
   call cracks_grow_where_they_are_not_frozen()
   call cracks_grow_by_cycles_and_by_lengths()
+  call load_cases_add_up()
   call reactions_and_evaluation_agree_with_a_uniform_bar()
   call pressure_and_moments_balance()
   call edges_sides_arcs_and_singular_places()
@@ -455,6 +456,42 @@ contains
     call model%extend_cracks([crack], [int(BEMPD_CRACK_END, c_int32_t)], [.05_dp], growth)
     call check(growth%tips == 1 .and. abs(growth%length - .05_dp) < 1e-9_dp, "a tip has grown by a length")
   end subroutine cracks_grow_by_cycles_and_by_lengths
+
+  subroutine load_cases_add_up()
+    real(dp), parameter :: square(2, 4) = reshape([-1._dp, -1._dp, 1._dp, -1._dp, 1._dp, 1._dp, -1._dp, 1._dp], [2, 4])
+    type(bempd_model) :: model
+    type(bempd_crack_tip), allocatable :: one(:), other(:), both(:)
+    real(dp), allocatable :: displacement(:, :), stress(:, :)
+    real(dp) :: force(2)
+    integer(c_int32_t) :: material, crack, held, loads(3), cases(2), count
+    integer(c_int64_t) :: pressed
+
+    call model%create()
+    call model%add_material(1._dp, .3_dp, material, fracture_energy=1._dp)
+    call model%set_resistance_curve(material, [0._dp, 1._dp], [1._dp, 2._dp])
+    call model%set_resistance_directions(material, [0._dp, 1._dp], [1._dp, 1.5_dp])
+    call model%add_bem_region(material, square, .5_dp)
+    call model%add_crack(reshape([-.3_dp, 0._dp, .3_dp, 0._dp], [2, 2]), crack)
+    call model%fix_point(-1._dp, -1._dp, BEMPD_BOTH, held)
+    call model%fix_point(1._dp, -1._dp, BEMPD_Y)
+    call model%add_traction(1, 3, BEMPD_Y, proportional=[1._dp], load=loads(1))
+    call model%add_traction(1, 1, BEMPD_Y, proportional=[-1._dp], load=loads(2))
+    call model%add_crack_traction(crack, BEMPD_PRESSURE, proportional=[1._dp], load=loads(3))
+    call model%add_load_case(loads(1:2), load_case=cases(1))
+    call model%add_load_case(loads(3:3), load_case=cases(2))
+    call model%load_case_count(count)
+    call check(count == 2 .and. cases(2) == 2, "there are two load cases")
+    call model%combined_tips([1._dp, 0._dp], one)
+    call model%combined_tips([0._dp, 1._dp], other)
+    call model%combined_tips([2._dp, .5_dp], both)
+    call check(abs(2 * one(1)%stress_intensity_1 + .5_dp * other(1)%stress_intensity_1 - both(1)%stress_intensity_1) < 1e-9_dp, &
+      "factors add up")
+    call model%combined_reaction([1._dp], held, force)
+    call model%combined_values([1._dp], reshape([.5_dp, .5_dp], [2, 1]), displacement, stress)
+    call model%pressed_faces([1._dp], pressed)
+    call check(maxval(abs(force)) < 1e-9_dp .and. stress(2, 1) > .5_dp .and. pressed == 0, "the plate is pulled")
+    call model%free()
+  end subroutine load_cases_add_up
 
   subroutine cracks_grow_where_they_are_not_frozen()
     type(bempd_model) :: model

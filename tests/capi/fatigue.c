@@ -1,5 +1,6 @@
 /** Growth by cycles and by given lengths, and misuse of both. */
 #include <float.h>
+#include <math.h>
 
 #include "scenes.h"
 
@@ -328,6 +329,91 @@ static void misuse_is_told(void) {
   }
 }
 
+/** The explanation says after growth by cycles which tip limits the life, and by how much; not where cracks have
+ * changed since. */
+static void explanation_tells_the_limiting_tip(void) {
+  const plate p = new_plate(0.0, 0.4);
+  const bempd_growth_rate rate = paris();
+  const bempd_fatigue options = to_length(0.7);
+  char words[2000] = "";
+  CHECK_OK(p.model, bempd_set_growth_rate(p.model, p.material, &rate));
+  CHECK_OK(p.model, bempd_explain(p.model, 1, NULL, words, sizeof words, NULL));
+  CHECK(strstr(words, "By cycles") == NULL);
+  grow(&p, &options);
+  CHECK_OK(p.model, bempd_explain(p.model, 1, NULL, words, sizeof words, NULL));
+  CHECK(strstr(words, "By cycles, crack 1 at its end") != NULL &&
+        strstr(words, "times the growth of the next") != NULL);
+  const int32_t end = BEMPD_CRACK_END;
+  const double length = 0.01;
+  CHECK_OK(p.model, bempd_extend_cracks(p.model, 1, &p.crack, &end, &length, NULL));
+  CHECK_OK(p.model, bempd_explain(p.model, 1, NULL, words, sizeof words, NULL));
+  CHECK(strstr(words, "By cycles") == NULL);
+  bempd_model_free(p.model);
+}
+
+/** What retardation needs, and what it does not take. */
+static void wrong_retardation_is_refused(void) {
+  const plate p = new_plate(0.0, 0.0);
+  bempd_growth_rate rate = paris();
+#define RATE_REFUSED(words) \
+  CHECK_FAILS(p.model, BEMPD_ERROR_ARGUMENT, words, bempd_set_growth_rate(p.model, p.material, &rate))
+  rate.retardation = 3;
+  RATE_REFUSED("retardation is 3");
+  rate.retardation = BEMPD_RETARDATION_WHEELER;
+  RATE_REFUSED("yield_strength is 0");
+  rate.yield_strength = NAN;
+  RATE_REFUSED("yield_strength is nan");
+  rate.yield_strength = 1.0;
+  RATE_REFUSED("wheeler_exponent is 0");
+  rate.wheeler_exponent = 1.0, rate.zone_constraint = -1.0;
+  RATE_REFUSED("zone_constraint is -1");
+  rate.zone_constraint = 0.0, rate.reserved2 = 1;
+  RATE_REFUSED("reserved2 is 1");
+  rate.reserved2 = 0;
+  CHECK_OK(p.model, bempd_set_growth_rate(p.model, p.material, &rate));
+  rate.retardation = BEMPD_RETARDATION_WILLENBORG;
+  RATE_REFUSED("shutoff_ratio is 0");
+  rate.shutoff_ratio = 2.0;
+  RATE_REFUSED("walker = 1");
+  rate.walker = 0.5;
+  CHECK_OK(p.model, bempd_set_growth_rate(p.model, p.material, &rate));
+  rate.kind = BEMPD_RATE_SUSTAINED;
+  RATE_REFUSED("growth in time");
+  bempd_model_free(p.model);
+}
+
+/** A call that goes on in the middle of the blocks meets the overload of the call before; without it, it is refused. */
+static void overloads_are_taken_up(void) {
+  const double high[] = {2.0, 1.0}, low[] = {0.0, 0.0}, cycles[] = {1.0, 1e9};
+  bempd_growth_rate rate = paris();
+  rate.coefficient = 1e-3;
+  rate.retardation = BEMPD_RETARDATION_WHEELER;
+  rate.yield_strength = 3.0, rate.wheeler_exponent = 1.0;
+  double lengths[2] = {0.0, 0.0};
+  for (int parts = 1; parts <= 2; ++parts) {
+    const plate p = new_plate(0.0, 0.0);
+    bempd_fatigue options = to_length(0.0);
+    bempd_fatigue_report report;
+    CHECK_OK(NULL, bempd_fatigue_report_init(&report, sizeof report));
+    CHECK_OK(p.model, bempd_set_growth_rate(p.model, p.material, &rate));
+    for (int part = 1; part <= parts; ++part) {
+      options.most_cycles = 200.0 * part / parts;
+      CHECK_OK(p.model, bempd_grow_fatigue(p.model, 2, high, low, cycles, &options, &report));
+      options.first_cycle = report.cycles;
+    }
+    CHECK_OK(p.model, bempd_crack_length(p.model, p.crack, &lengths[parts - 1]));
+    const int32_t end = BEMPD_CRACK_END;
+    const double length = 0.01;
+    CHECK_OK(p.model, bempd_extend_cracks(p.model, 1, &p.crack, &end, &length, NULL));
+    options.most_cycles = 400.0;
+    CHECK_FAILS(p.model, BEMPD_ERROR_ARGUMENT, "overloads",
+                bempd_grow_fatigue(p.model, 2, high, low, cycles, &options, &report));
+    bempd_model_free(p.model);
+  }
+  CHECK(lengths[0] > 0.21);
+  CHECK_CLOSE(lengths[1], lengths[0], 1e-3 * (lengths[0] - 0.2));
+}
+
 int main(void) {
   records_belong_to_steps();
   runs_go_on();
@@ -335,5 +421,8 @@ int main(void) {
   cracks_grow_by_lengths();
   hosts_have_laws();
   misuse_is_told();
+  explanation_tells_the_limiting_tip();
+  wrong_retardation_is_refused();
+  overloads_are_taken_up();
   return check_finish();
 }

@@ -40,6 +40,10 @@ static void null_model_is_refused_while_building(void) {
   NO_MODEL(bempd_add_hole(NULL, 1, 4, r.vertices, &id));
   NO_MODEL(bempd_set_edge_mesh(NULL, 1, 1, 1.0, 1.0));
   NO_MODEL(bempd_set_toughness_at(NULL, 1, 1, &value, &value));
+  NO_MODEL(bempd_set_resistance_curve(NULL, 1, 1, &value, &value));
+  NO_MODEL(bempd_set_resistance_directions(NULL, 1, 1, &value, &value));
+  NO_MODEL(bempd_load_case_add(NULL, 1, &id, 0, NULL, NULL));
+  NO_MODEL(bempd_load_case_count(NULL, &id));
   NO_MODEL(bempd_add_crack(NULL, 2, r.vertices, &id));
   NO_MODEL(bempd_region_count(NULL, &id));
   NO_MODEL(bempd_edge_count(NULL, 1, &id));

@@ -1,5 +1,6 @@
 """README.md and docs/languages.md show a first program in every language: each must be the file of examples/first_crack, must
-run as it is printed, and all must print the line that tests/claims.json has.
+run as it is printed, and all must print the line that tests/claims.json has. So must the smallest programs of
+examples/crack_life.
 
     readme_programs.py SOURCE_FOLDER WORK_FOLDER LIBRARY C_COMPILER [--fortran COMPILER MODULES LIBRARY] [--rust CARGO]
 """
@@ -43,8 +44,9 @@ def main():
     parser.add_argument("--fortran", nargs=3)
     parser.add_argument("--rust")
     arguments = parser.parse_args()
-    source, work, libraries = arguments.source, arguments.work, arguments.library.parent
+    source, work = arguments.source, arguments.work
 
+    smallest = {language: (source / "examples/crack_life" / file.replace("main", "smallest")).read_text() for language, file in FILES.items()}
     programs = {}
     for language, file in FILES.items():
         page = (source / PAGES[language]).read_text()
@@ -54,6 +56,13 @@ def main():
             sys.exit(f"{PAGES[language]} does not show examples/first_crack/{file} as it is in a block of ```{language}")
         programs[language] = blocks[blocks.index(shown)]
 
+    run(programs, "first_program", work / "first", arguments)
+    run(smallest, "crack_life_program", work / "crack_life", arguments)
+
+
+def run(programs, claim, work, arguments):
+    """Runs one program in every language; all must print the line of a claim."""
+    source, libraries = arguments.source, arguments.library.parent
     shutil.rmtree(work, ignore_errors=True)
     work.mkdir(parents=True)
     for language, program in programs.items():
@@ -83,7 +92,7 @@ def main():
 
     for language, line in said.items():
         print(f"{language:8} {line}", end="")
-    claimed = json.loads((source / "tests/claims.json").read_text())["claims"]["first_program"]["claimed"]
+    claimed = json.loads((arguments.source / "tests/claims.json").read_text())["claims"][claim]["claimed"]
     if set(said.values()) != {claimed + "\n"}:
         sys.exit(f"every program must print what is claimed:\n         {claimed}")
 

@@ -58,6 +58,7 @@ class Scene {
   void add_curved();
   void grow();
   void grow_by_cycles();
+  void combine_load_cases();
   void read_tips();
   void read_paths();
   void read_pieces();

@@ -137,6 +137,9 @@ void Scene::vary_toughness() {
   const double first = bytes_.of(energies), second = bytes_.of(energies);
   const std::array values = {first, second, first};
   FUZZ_CALL(bempd_set_toughness_at, model_, region(), 2 + bytes_.pick(2), places.data(), values.data());
+  const std::array rows = {0.0, bytes_.mostly(0.5), 1.0};
+  if (bytes_.pick(2) == 1) FUZZ_CALL(bempd_set_resistance_curve, model_, 1, 3, rows.data(), values.data());
+  if (bytes_.pick(2) == 1) FUZZ_CALL(bempd_set_resistance_directions, model_, 1, 3, rows.data(), values.data());
 }
 
 void Scene::add_crack(bool in_lattice) {

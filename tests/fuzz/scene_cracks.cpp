@@ -121,6 +121,31 @@ void Scene::grow_by_cycles() {
   const std::int32_t crack = 1 + bytes_.pick(2), end = 1 + bytes_.pick(2);
   const double length = bytes_.mostly(0.1 * scale_);
   FUZZ_CALL(bempd_extend_cracks, model_, 1, &crack, &end, &length, nullptr);
+  combine_load_cases();
+}
+
+// A combination of load cases, after which the model is as it was.
+void Scene::combine_load_cases() {
+  const std::int32_t load = 1 + bytes_.pick(3), support = 1 + bytes_.pick(3);
+  FUZZ_CALL(bempd_load_case_add, model_, bytes_.pick(2), &load, bytes_.pick(2), &support, nullptr);
+  std::int32_t cases = 0;
+  if (!FUZZ_CALL(bempd_load_case_count, model_, &cases) || cases == 0) return;
+  const auto before = marks();
+  const double factor = bytes_.mostly(-1.0);
+  std::int64_t count = 0;
+  if (FUZZ_CALL(bempd_load_case_tip_count, model_, 1, &factor, &count) && count > 0) {
+    bempd_crack_tip tip;
+    good("bempd_crack_tip_init", nullptr, bempd_crack_tip_init(&tip, sizeof tip));
+    FUZZ_CALL(bempd_load_case_tip, model_, 1, &factor, count - 1, &tip);
+  }
+  FUZZ_CALL(bempd_load_case_pressed_faces, model_, 1, &factor, &count);
+  const Place at = place();
+  const std::array point = {at.x, at.y};
+  std::array<double, 2> force{}, displacement{};
+  std::array<double, 3> stress{};
+  FUZZ_CALL(bempd_load_case_reaction, model_, 1, &factor, support, force.data());
+  FUZZ_CALL(bempd_load_case_evaluate, model_, 1, &factor, 1, point.data(), displacement.data(), stress.data());
+  require_same("bempd_load_case_tip", before, marks());
 }
 
 void Scene::read_tips() {

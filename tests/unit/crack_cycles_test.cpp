@@ -12,6 +12,10 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
+std::unique_ptr<RateLaw> make_rate_law(const RateParameters& parameters, double toughness) {
+  return crack::make_rate_law(parameters, toughness, false);
+}
+
 TipCycle cycle(double highest, double lowest) {
   TipCycle c;
   c.highest = highest, c.lowest = lowest;
@@ -115,4 +119,46 @@ TEST(CyclesOnStep, a_program_in_which_nothing_grows_ends_the_run) {
 }
 
 }  // namespace
+RateParameters slowed(RateParameters::Retarding kind) {
+  RateParameters p = parameters(RateParameters::Kind::paris_walker, 2, 3);
+  p.walker = 0.5, p.threshold = 1, p.retarding = kind, p.yield_strength = 10, p.wheeler_exponent = 1.5;
+  p.shutoff_ratio = 3;
+  return p;
+}
+
+TEST(Retardation, plastic_zones_are_larger_in_plane_stress) {
+  for (const bool strain : {false, true}) {
+    const auto law = crack::make_rate_law(slowed(RateParameters::Retarding::wheeler), infinity, strain);
+    EXPECT_NEAR(law->retardation()->zone(4), 0.16 / ((strain ? 6 : 2) * std::numbers::pi), 1e-15);
+  }
+  RateParameters p = slowed(RateParameters::Retarding::wheeler);
+  p.zone_constraint = 1;
+  EXPECT_NEAR(make_rate_law(p, infinity)->retardation()->zone(-4), 0, 0);
+  EXPECT_NEAR(make_rate_law(p, infinity)->retardation()->zone(4), 0.16 / std::numbers::pi, 1e-15);
+}
+
+TEST(Retardation, wheelers_share_is_one_at_the_end_of_the_zone) {
+  const auto law = make_rate_law(slowed(RateParameters::Retarding::wheeler), infinity);
+  const Overload overload = law->retardation()->after({}, 0, 8);
+  const double own = law->retardation()->zone(4), whole = law->rate(cycle(4, 1));
+  EXPECT_NEAR(law->rate(cycle(4, 1), overload, 0), whole * std::pow(0.25, 1.5), 1e-12 * whole);
+  EXPECT_NEAR(law->rate(cycle(4, 1), overload, overload.end - own * (1 + 1e-9)), whole, 1e-8 * whole);
+  EXPECT_EQ(law->rate(cycle(4, 1), overload, overload.end - 0.9 * own), whole);
+  EXPECT_EQ(law->retardation()->after(overload, 0, 4).highest, 8);
+  EXPECT_EQ(law->retardation()->after(overload, overload.end - 0.9 * own, 4).highest, 4);
+}
+
+TEST(Retardation, willenborgs_overload_by_the_shutoff_ratio_stops_a_tip) {
+  const auto law = make_rate_law(slowed(RateParameters::Retarding::willenborg), infinity);
+  // phi = (1 - 1 / 4) / (3 - 1), and both factors are less by phi (8 - 4).
+  const double less = 0.375 * 4;
+  EXPECT_NEAR(law->rate(cycle(4, 1), law->retardation()->after({}, 0, 8), 0), law->rate(cycle(4 - less, 1 - less)),
+              1e-12);
+  RateParameters p = slowed(RateParameters::Retarding::willenborg);
+  p.threshold = 0;
+  const auto without = make_rate_law(p, infinity);
+  EXPECT_NEAR(without->rate(cycle(4, 1), without->retardation()->after({}, 0, 12 - 1e-9), 0), 0, 1e-3);
+  EXPECT_EQ(without->rate(cycle(4, 1), without->retardation()->after({}, 0, 12 + 1e-9), 0), 0);
+}
+
 }  // namespace bempd::crack

@@ -12,12 +12,19 @@ namespace {
 
 using namespace bempd;
 using crack::AffineFactors;
-using crack::growth_range;
-using crack::growth_ratio;
+using crack::GrowthLaw;
 using crack::GrowthRange;
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr KinkCriterion both[] = {KinkCriterion::hoop_stress, KinkCriterion::energy_release_rate};
+
+GrowthRange growth_range(const AffineFactors& factors, double toughness, KinkCriterion criterion) {
+  return GrowthLaw{toughness, 1, criterion}.range(factors);
+}
+
+double growth_ratio(const AffineFactors& factors, double load_factor, double toughness, KinkCriterion criterion) {
+  return GrowthLaw{toughness, 1, criterion}.ratio(factors, load_factor);
+}
 
 TEST(CrackGrowthLaw, pure_opening_grows_upwards_alone) {
   for (const KinkCriterion criterion : both) {
@@ -111,6 +118,55 @@ TEST(CrackGrowthLaw, overloaded_tip_grows_at_the_present_load_factor) {
 TEST(CrackGrowthLaw, constant_load_beyond_the_toughness_grows_at_every_load_factor) {
   EXPECT_TRUE(growth_range({{2, 0}, {0, 0}}, 1, KinkCriterion::hoop_stress).is_empty());
   EXPECT_TRUE(growth_range({{0, 2}, {0.1, 0}}, 1, KinkCriterion::hoop_stress).next(0, true) == 0);
+}
+
+TEST(CrackGrowthLaw, equal_energies_in_all_directions_change_nothing) {
+  const crack::ResistanceDirections even({0.2, 1.0, 2.5}, {1, 1, 1});
+  for (const KinkCriterion criterion : both)
+    for (const Point& factors : {Point(1, 0), Point(1, 0.3), Point(0.4, -1), Point(0, 2)})
+      for (const double heading : {0.0, 0.7, -2.8}) {
+        const Kink found = even.kink(factors, heading, criterion), known = kink_of(factors, criterion);
+        EXPECT_NEAR(found.angle, known.angle, 2e-7);
+        EXPECT_NEAR(found.equivalent_factor, known.equivalent_factor, 1e-12);
+      }
+}
+
+// A weak plane at 45 degrees is taken in mode I below G_c(45) / G_c(0) = F11^2 + F21^2, with the kinked factors of
+// Amestoy and Leblond, Int. J. Solids Struct. 29, 1992; by the hoop stress below cos(22.5)^6.
+TEST(CrackGrowthLaw, weak_plane_is_taken_below_the_ratio_of_its_energy_release_rate) {
+  constexpr double quarter = std::numbers::pi / 4;
+  const double by_energy = kinked_factors({1, 0}, quarter).squaredNorm(), by_hoop = std::pow(std::cos(quarter / 2), 6);
+  EXPECT_NEAR(by_energy, 0.7300, 5e-5);
+  for (const auto& [criterion, ratio] : {std::pair(both[0], by_hoop), std::pair(both[1], by_energy)})
+    for (const double heading : {0.0, 1.1, 3.0})
+      for (const double side : {-1.0, 1.0})
+        for (const double share : {0.999, 1.001}) {
+          const double plane = std::fmod(heading + side * quarter + 8 * std::numbers::pi, std::numbers::pi);
+          const crack::ResistanceDirections directions({plane - 1e-3, plane, plane + 1e-3}, {1, share * ratio, 1});
+          const Kink kink = directions.kink({1, 0}, heading, criterion);
+          EXPECT_NEAR(kink.angle, share < 1 ? side * quarter : 0, 1e-9) << heading << ' ' << side;
+          const GrowthLaw law{2, 1, criterion, &directions, heading};
+          EXPECT_NEAR(law.range({{0, 0}, {1, 0}}).highest, 2 * std::min(1.0, std::sqrt(share)), 1e-9);
+        }
+}
+
+TEST(CrackGrowthLaw, directions_without_a_sense_are_the_same) {
+  const crack::ResistanceDirections table({0.1, 0.9, 2.2}, {1, 0.4, 2});
+  for (double angle = -7; angle < 7; angle += 0.13)
+    EXPECT_NEAR(table.share(angle), table.share(angle + std::numbers::pi), 1e-12);
+  EXPECT_DOUBLE_EQ(table.share(0.9), 0.4);
+  EXPECT_NEAR(table.share(0.5), 0.7, 1e-12);
+  EXPECT_NEAR(table.share((2.2 + 0.1 + std::numbers::pi) / 2), 1.5, 1e-12);  // between the last row and the first
+}
+
+TEST(CrackGrowthLaw, resistance_curve_is_linear_between_its_rows) {
+  const crack::ResistanceCurve curve({0, 1, 3}, {1, 2, 1.5});
+  EXPECT_EQ(curve.share(0), 1);
+  EXPECT_DOUBLE_EQ(curve.share(0.25), 1.25);
+  EXPECT_EQ(curve.share(1), 2);
+  EXPECT_DOUBLE_EQ(curve.share(2), 1.75);
+  EXPECT_EQ(curve.share(7), 1.5);
+  EXPECT_EQ(crack::ResistanceCurve({1}, {3}).share(0), 3);
 }
 
 }  // namespace

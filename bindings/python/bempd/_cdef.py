@@ -100,6 +100,10 @@ bempd_status bempd_set_edge_mesh(bempd_model *model, int32_t region, int32_t edg
     double element_length, double grading);
 bempd_status bempd_set_toughness_at(bempd_model *model, int32_t region, int64_t count,
     const double *places, const double *values);
+bempd_status bempd_set_resistance_curve(bempd_model *model, int32_t material, int64_t count,
+    const double *extensions, const double *energies);
+bempd_status bempd_set_resistance_directions(bempd_model *model, int32_t material, int64_t count,
+    const double *angles, const double *energies);
 bempd_status bempd_add_crack(bempd_model *model, int64_t point_count, const double *points,
     int32_t *crack);
 bempd_status bempd_remove_region(bempd_model *model, int32_t region);
@@ -502,6 +506,19 @@ bempd_status bempd_crack_extension_init(bempd_crack_extension *extension, int64_
 bempd_status bempd_extension_count(const bempd_model *model, int64_t *count);
 bempd_status bempd_extension(const bempd_model *model, int64_t index,
     bempd_crack_extension *extension);
+bempd_status bempd_load_case_add(bempd_model *model, int64_t load_count, const int32_t *loads,
+    int64_t support_count, const int32_t *supports, int32_t *load_case);
+bempd_status bempd_load_case_count(const bempd_model *model, int32_t *count);
+bempd_status bempd_load_case_tip_count(bempd_model *model, int64_t case_count,
+    const double *factors, int64_t *count);
+bempd_status bempd_load_case_tip(bempd_model *model, int64_t case_count, const double *factors,
+    int64_t index, bempd_crack_tip *tip);
+bempd_status bempd_load_case_reaction(bempd_model *model, int64_t case_count, const double *factors,
+    int32_t support, double *force);
+bempd_status bempd_load_case_evaluate(bempd_model *model, int64_t case_count, const double *factors,
+    int64_t count, const double *points, double *displacement, double *stress);
+bempd_status bempd_load_case_pressed_faces(bempd_model *model, int64_t case_count,
+    const double *factors, int64_t *count);
 typedef enum bempd_rate_kind {
   BEMPD_RATE_PARIS = 1,
   BEMPD_RATE_FORMAN = 2,
@@ -512,6 +529,11 @@ typedef enum bempd_rate_kind {
 typedef double (*bempd_rate_function)(int32_t crack, int32_t end, double highest, double lowest,
     double stress_intensity_1, double stress_intensity_2, double length, double x, double y,
     void *user);
+typedef enum bempd_retardation {
+  BEMPD_RETARDATION_NONE = 0,
+  BEMPD_RETARDATION_WHEELER = 1,
+  BEMPD_RETARDATION_WILLENBORG = 2
+} bempd_retardation;
 typedef struct bempd_growth_rate {
   int64_t struct_size;
   int32_t kind;
@@ -528,6 +550,12 @@ typedef struct bempd_growth_rate {
   double closure_stress;
   bempd_rate_function function;
   void *user;
+  int32_t retardation;
+  int32_t reserved2;
+  double yield_strength;
+  double zone_constraint;
+  double wheeler_exponent;
+  double shutoff_ratio;
 } bempd_growth_rate;
 bempd_status bempd_growth_rate_init(bempd_growth_rate *rate, int64_t struct_size);
 bempd_status bempd_set_growth_rate(bempd_model *model, int32_t material,
@@ -1053,6 +1081,43 @@ region [in]: id of a region whose material has a fracture_energy
 count [in]: number of places, >= 1
 places [in]: places [m], no two the same, inside the region or not, shape [count][2]
 values [in]: fracture energies G0 [J/m^2], > 0, shape [count]
+return: status
+since: 0.3""",
+    "bempd_set_resistance_curve": """\
+Give a material fracture energies by the growth of a crack, a resistance curve (R-curve), in place
+of its one fracture energy.
+
+A tip grows when its energy release rate reaches the energy for the length by which this end has
+grown in the model. The table is linear between its rows and constant before the first and behind
+the last one. Values of bempd_set_toughness_at() scale it: they stand for the fracture energy of the
+material. It acts on cracks with boundary elements and on cracks that grow as lines in lattices;
+bonds keep their critical stretch, and a lattice in which cracks grow bond by bond is refused. A
+second call replaces the first.
+
+model [in]: the model, not prepared yet
+material [in]: id of a material with a fracture_energy
+count [in]: number of rows, >= 1
+extensions [in]: growth of an end [m], >= 0, ascending, shape [count]
+energies [in]: fracture energies G_c [J/m^2], > 0, shape [count]
+return: status
+since: 0.3""",
+    "bempd_set_resistance_directions": """\
+Give a material fracture energies by the direction in which a crack runs, as of grain, layers or
+weak planes.
+
+A tip turns to the direction in which the ratio of its energy release rate to the energy is largest,
+and grows when that ratio reaches 1. The option crack.criterion says by which rate: after the turn,
+or from the hoop stress before it. A direction and its opposite are the same. The table is linear
+between its rows, also from the last one to the first one half a turn on; a weak plane is a row
+between two that are close to it. Values of bempd_set_toughness_at() and of a resistance curve scale
+it. It acts where a resistance curve does. A second call replaces the first.
+
+model [in]: the model, not prepared yet
+material [in]: id of a material with a fracture_energy
+count [in]: number of rows, >= 1
+angles [in]: directions from the x axis, counter-clockwise [rad], ascending, within half a turn,
+  shape [count]
+energies [in]: fracture energies G_c [J/m^2], > 0, shape [count]
 return: status
 since: 0.3""",
     "bempd_add_crack": """\
@@ -2663,6 +2728,84 @@ index [in]: 0 .. count-1
 extension [in,out]: struct_size in, the rest out
 return: status
 since: 0.3""",
+    "bempd_load_case_add": """\
+Add a load case: loads and moved supports that act together.
+
+It has the values that they have now, at the load factor 1; later changes of values do not reach it.
+Results of a combination, each case times a factor, come from the functions that follow. A
+combination is solved for the body as it is, with its factored matrices. Loads in no case do not
+act, and supports in no case hold their place. Faces of cracks close and open as they must under
+each combination, so results add up only where none press on each other
+(bempd_load_case_pressed_faces()). Nothing grows or breaks, and the run of the model stays where it
+is.
+
+model [in]: the model
+load_count [in]: number of loads
+loads [in]: ids of loads, shape [load_count]; NULL for none
+support_count [in]: number of supports
+supports [in]: ids of supports with prescribed displacements, shape [support_count]; NULL for none
+load_case [out]: its id, 1 for the first; may be NULL
+return: status
+since: 0.3""",
+    "bempd_load_case_count": """\
+Number of load cases.
+
+model [in]: the model
+count [out]: their number
+return: status
+since: 0.3""",
+    "bempd_load_case_tip_count": """\
+Number of tips under a combination; that of bempd_tip_count().
+
+model [in]: the model
+case_count [in]: number of factors
+factors [in]: of the cases, by id, shape [case_count]; cases beyond have 0
+count [out]: number of tips
+return: status
+since: 0.3""",
+    "bempd_load_case_tip": """\
+A tip under a combination, as bempd_tip() has it. Its critical load factors say by how much the
+whole combination may be multiplied before the tip grows.
+
+model [in]: the model
+case_count [in]: number of factors
+factors [in]: of the cases, by id, shape [case_count]; cases beyond have 0
+index [in]: 0 .. count-1
+tip [in,out]: struct_size in, the rest out
+return: status
+since: 0.3""",
+    "bempd_load_case_reaction": """\
+Force that a support exerts on the body under a combination.
+
+model [in]: the model
+case_count [in]: number of factors
+factors [in]: of the cases, by id, shape [case_count]; cases beyond have 0
+support [in]: id of a support
+force [out]: shape [2], resultant [N]
+return: status
+since: 0.3""",
+    "bempd_load_case_evaluate": """\
+Displacement and stress at places under a combination, as bempd_evaluate() has them.
+
+model [in]: the model
+case_count [in]: number of factors
+factors [in]: of the cases, by id, shape [case_count]; cases beyond have 0
+count [in]: number of places
+points [in]: shape [count][2] [m]
+displacement [out]: shape [count][2] [m]; may be NULL
+stress [out]: shape [count][3], xx, yy, xy [Pa]; may be NULL
+return: status
+since: 0.3""",
+    "bempd_load_case_pressed_faces": """\
+Number of places at which faces of cracks press on each other under a combination; 0 where results
+add up.
+
+model [in]: the model
+case_count [in]: number of factors
+factors [in]: of the cases, by id, shape [case_count]; cases beyond have 0
+count [out]: number of places
+return: status
+since: 0.3""",
     "bempd_rate_kind": """\
 Laws by which a tip grows in a cycle of the loads. K_max and K_min are the factors of mode I in the
 direction in which the tip grows, at the highest and the lowest load of the cycle, with the faces of
@@ -2696,6 +2839,19 @@ y [in]: place of the tip [m]
 user [in]: the pointer given with the function
 return: growth [m], >= 0; NaN, infinity and negative numbers end the call with BEMPD_ERROR_ARGUMENT
 since: 0.3""",
+    "bempd_retardation": """\
+How growth slows down in the plastic zone of an earlier, higher load. The zone of a load is (K /
+yield_strength)^2 / (pi zone_constraint).
+
+since: 0.3""",
+    "BEMPD_RETARDATION_NONE": """Earlier loads have no effect.""",
+    "BEMPD_RETARDATION_WHEELER": """\
+Wheeler: da/dN times (zone of the cycle / distance to the end of the overload's
+zone)^wheeler_exponent.""",
+    "BEMPD_RETARDATION_WILLENBORG": """\
+Willenborg, generalized by Gallagher: K_max and K_min less phi [K_overload sqrt(distance to the end
+of its zone / its size) - K_max], phi = (1 - dK_th / K_max) / (shutoff_ratio - 1). It acts through
+R, so the law must know R.""",
     "bempd_growth_rate": """A law of growth by cycles. Fill it with bempd_growth_rate_init().
 
 since: 0.3""",
@@ -2721,6 +2877,14 @@ fracture_energy, or none without that [unit_intensity]""",
 of BEMPD_RATE_NASGRO: largest stress over the flow stress, >= 0, < 1; default 0 [-]""",
     "bempd_growth_rate.function": """of BEMPD_RATE_HOST; threshold and critical_intensity hold for it too""",
     "bempd_growth_rate.user": """handed to the function; may be NULL""",
+    "bempd_growth_rate.retardation": """a bempd_retardation; default BEMPD_RETARDATION_NONE""",
+    "bempd_growth_rate.reserved2": """0""",
+    "bempd_growth_rate.yield_strength": """of a retardation, > 0 [Pa]""",
+    "bempd_growth_rate.zone_constraint": """\
+of its plastic zones; default 0: 2 in plane stress, 6 in plane strain [-]""",
+    "bempd_growth_rate.wheeler_exponent": """of BEMPD_RETARDATION_WHEELER, > 0 [-]""",
+    "bempd_growth_rate.shutoff_ratio": """\
+of BEMPD_RETARDATION_WILLENBORG: overload over load that stops a tip, > 1 [-]""",
     "bempd_growth_rate_init": """\
 Set struct_size and the defaults.
 
@@ -2798,7 +2962,8 @@ struct_size [in]: sizeof(bempd_fatigue_report) as the caller was compiled: older
 return: status
 since: 0.3""",
     "bempd_grow_fatigue": """\
-Let the cracks of BEM regions grow by cycles of the loads, and count the cycles.
+Let cracks grow by cycles of the loads, and count the cycles: with boundary elements, or as lines in
+peridynamic regions.
 
 A block is a number of cycles between two load factors; blocks follow each other and are repeated.
 Each tip grows by the law of its material, in the direction in which bempd_grow_cracks() would have
@@ -2808,6 +2973,10 @@ model is afterwards. All cracks grow in it, by lengths that follow their rates. 
 the factor of a tip is taken as a power of its crack's length, and the cycles are counted block by
 block. Steps are so long that the estimated error of their cycles is below the tolerance, and at
 most a quarter of the way to the nearest edge, hole or crack.
+
+Crack lines grow by whole spacings, so they may pass the length asked for by half of one. In
+lattices low load factors are 0 or more, loads have no constant part where faces can close, and the
+material has a fracture_energy.
 
 Cracks stop at their critical factor; K_c is that of the law, or the toughness of the material. The
 progress callback is called after every step. After a failure, and where a callback cancels, the

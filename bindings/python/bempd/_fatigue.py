@@ -20,6 +20,7 @@ KINDS = {
     "nasgro": lib.BEMPD_RATE_NASGRO,
     "sustained": lib.BEMPD_RATE_SUSTAINED,
 }
+RETARDATIONS = {"wheeler": lib.BEMPD_RETARDATION_WHEELER, "willenborg": lib.BEMPD_RETARDATION_WILLENBORG}
 #: Called as f(crack, end, highest, lowest, stress_intensity_1, stress_intensity_2, length, x, y); gives the growth in a
 #: cycle [m]. An exception ends the call, which leaves the model as it was, and is raised again.
 RateFunction = Callable[[int, int, float, float, float, float, float, float, float], float]
@@ -36,17 +37,23 @@ class Fatigue:
     def set_growth_rate(self, material: int, law: Union[str, RateFunction] = "paris", *, coefficient: float = 0.0,
                         exponent: float = 0.0, unit_intensity: float = 1.0, threshold: float = 0.0,
                         critical_intensity: float = 0.0, walker: float = 1.0, p: float = 0.0, q: float = 0.0,
-                        closure_alpha: float = 1.0, closure_stress: float = 0.0) -> None:
+                        closure_alpha: float = 1.0, closure_stress: float = 0.0, retardation: Optional[str] = None,
+                        yield_strength: float = 0.0, zone_constraint: float = 0.0, wheeler_exponent: float = 0.0,
+                        shutoff_ratio: float = 0.0) -> None:
         """Say how far a crack in a material grows in a cycle: da/dN = C dK^m by default.
 
         `law` is "paris" (with `walker` for the effect of R), "forman", "nasgro", "sustained" (growth in time), or a
         function. Factors are over `unit_intensity`: with 1e6 coefficients are those of tables in MPa m^(1/2) and m.
+
+        `retardation` after overloads is "wheeler" (with `wheeler_exponent`) or "willenborg" (with `shutoff_ratio`); both take
+        a `yield_strength` [Pa].
         """
         handle = self._open()
         struct = new_struct("bempd_growth_rate", "bempd_growth_rate_init")
         numbers = dict(coefficient=coefficient, exponent=exponent, unit_intensity=unit_intensity, threshold=threshold,
                        critical_intensity=critical_intensity, walker=walker, p=p, q=q, closure_alpha=closure_alpha,
-                       closure_stress=closure_stress)
+                       closure_stress=closure_stress, yield_strength=yield_strength, zone_constraint=zone_constraint,
+                       wheeler_exponent=wheeler_exponent, shutoff_ratio=shutoff_ratio)
         for name, value in numbers.items():
             setattr(struct, name, arguments.real(f"set_growth_rate: {name}", value))
         if callable(law):
@@ -55,16 +62,21 @@ class Fatigue:
             struct.kind = KINDS[law]
         else:
             raise ArgumentError(f"set_growth_rate: law is {law!r}; give one of {', '.join(KINDS)}, or a function")
+        if retardation is not None:
+            if retardation not in RETARDATIONS:
+                raise ArgumentError(f"set_growth_rate: retardation is {retardation!r}; give one of {', '.join(RETARDATIONS)}, or None")
+            struct.retardation = RETARDATIONS[retardation]
         handle.call("bempd_set_growth_rate", material, struct)
 
     def grow_fatigue(self, high: npt.ArrayLike = 1.0, low: npt.ArrayLike = 0.0, cycles: Optional[npt.ArrayLike] = None, *,
                      first_cycle: float = 0.0, most_cycles: Optional[float] = None, most_length: Optional[float] = None,
-                     most_steps: int = 1000, tolerance: float = 1e-3, largest_step: float = 0.25) -> FatigueLife:
+                     most_steps: int = 1000, tolerance: float = 1e-3, largest_step: float = 0.25,
+                     detectable: Optional[float] = None, inspections: int = 2) -> FatigueLife:
         """Let cracks grow by cycles of the loads, and count the cycles.
 
         A block is a number of `cycles` between the load factors `high` and `low`; several blocks follow each other and are
         repeated. One block without cycles is a constant amplitude. The model is at the highest load factor afterwards,
-        with the longer cracks.
+        with the longer cracks. With a `detectable` length [m] the life has an interval of so many `inspections`.
 
         >>> import bempd
         >>> model = bempd.Model()
@@ -74,9 +86,9 @@ class Fatigue:
         >>> support = model.fix_point((-0.1, -0.3)), model.fix_point((0.1, -0.3), "y")
         >>> loads = model.add_traction(plate, 3, "y", 100e6), model.add_traction(plate, 1, "y", -100e6)
         >>> model.set_growth_rate(steel, coefficient=1e-11, exponent=3, unit_intensity=1e6)
-        >>> life = model.grow_fatigue(high=1, low=0, most_length=0.05)
-        >>> print(f"{life.cycles:.3g} cycles, {life.stop_reason.name}")
-        2.73e+05 cycles, LENGTH
+        >>> life = model.grow_fatigue(high=1, low=0, most_length=0.05, detectable=0.02)
+        >>> print(f"{life.cycles:.3g} cycles, {life.stop_reason.name}, an inspection every {life.interval:.2g} cycles")
+        2.73e+05 cycles, LENGTH, an inspection every 6.3e+04 cycles
         """
         blocks = np.broadcast_arrays(*(np.atleast_1d(np.asarray(values, dtype=np.float64)) for values in (high, low)))
         tops, bottoms = (np.ascontiguousarray(values) for values in blocks)
@@ -91,9 +103,10 @@ class Fatigue:
         report = new_struct("bempd_fatigue_report", "bempd_fatigue_report_init")
         self._open().call("bempd_grow_fatigue", len(tops), arguments.doubles(tops), arguments.doubles(bottoms),
                           ffi.NULL if counts is None else arguments.doubles(counts), options, report, changes=True)
-        return FatigueLife(stop_reason=FatigueStop(report.stop_reason), crack=report.crack,
+        life = FatigueLife(stop_reason=FatigueStop(report.stop_reason), crack=report.crack,
                            end=TipEnd(report.end) if report.end else None, steps=report.steps, cycles=report.cycles,
                            growth=report.growth, error=report.error, table=self._fatigue_table())
+        return life if detectable is None else life.inspected(detectable, inspections=inspections)
 
     def _fatigue_table(self) -> npt.NDArray[Any]:
         count = ffi.new("int64_t *")

@@ -349,6 +349,38 @@ class Scene:
             raise ArgumentError(f"set_toughness_at: values has the shape {energies.shape}; give {len(points)} numbers, one for each place")
         self._open().call("bempd_set_toughness_at", region, len(points), arguments.doubles(points), arguments.doubles(energies))
 
+    def set_resistance_curve(self, material: int, extensions: npt.ArrayLike, energies: npt.ArrayLike) -> None:
+        """Give a material fracture energies G_c [J/m^2] by the growth of a tip [m] (R-curve), in place of its one.
+
+        The table is linear between its rows and constant beyond them. It acts on cracks with elements and as lines.
+
+        >>> import bempd
+        >>> model = bempd.Model(options={"stepping.control": "path"})
+        >>> ceramic = model.add_material(young_modulus=300e9, poisson_ratio=0.2, fracture_energy=20)
+        >>> model.set_resistance_curve(ceramic, [0, 0.001, 0.002], [20, 50, 60])
+        """
+        self._set_energies("bempd_set_resistance_curve", material, "extensions", extensions, energies)
+
+    def set_resistance_directions(self, material: int, angles: npt.ArrayLike, energies: npt.ArrayLike) -> None:
+        """Give a material fracture energies G_c [J/m^2] by the direction of a crack [rad], as of layers or weak planes.
+
+        A tip goes where G over G_c is largest, by the option crack.criterion. Angles are ascending within half a turn.
+
+        >>> import bempd
+        >>> model = bempd.Model(options={"crack.criterion": "energy"})
+        >>> slate = model.add_material(young_modulus=50e9, poisson_ratio=0.2, fracture_energy=40)
+        >>> model.set_resistance_directions(slate, [0.7, 0.75, 0.8], [40, 10, 40])  # a weak plane at 0.75
+        """
+        self._set_energies("bempd_set_resistance_directions", material, "angles", angles, energies)
+
+    def _set_energies(self, call: str, material: int, name: str, values: npt.ArrayLike, energies: npt.ArrayLike) -> None:
+        function = call[len("bempd_"):]
+        at = arguments.real_array(f"{function}: {name}", values)
+        given = arguments.real_array(f"{function}: energies", energies)
+        if at.ndim != 1 or given.shape != at.shape:
+            raise ArgumentError(f"{function}: {name} has the shape {at.shape} and energies {given.shape}; give a number of each in a row")
+        self._open().call(call, material, len(at), arguments.doubles(at), arguments.doubles(given))
+
     def add_crack(self, points: npt.ArrayLike) -> int:
         """Add an initial crack along a polyline; returns its id."""
         polyline = arguments.point_array("add_crack: points", points)

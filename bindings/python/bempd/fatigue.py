@@ -40,6 +40,7 @@ class FatigueLife:
     growth: float  #: of all tips [m]
     error: float  #: estimate for the cycles, as a share of them; NaN if no tip led two steps
     table: npt.NDArray[Any] = dataclasses.field(repr=False, compare=False)
+    interval: float = float("nan")  #: cycles between two inspections, where a detectable length was given
 
     def tip(self, crack: int, end: Union[TipEnd, int] = TipEnd.END) -> npt.NDArray[Any]:
         """The rows of one tip."""
@@ -72,6 +73,12 @@ class FatigueLife:
         if np.isnan(found):
             raise ArgumentError(f"inspection_interval: crack {crack} never has the length {detectable:g} here")
         return (self.cycles - found) / inspections
+
+    def inspected(self, detectable: float, *, inspections: int = 2) -> FatigueLife:
+        """The same with the interval of inspections of the crack that ended the growth, or else of the longest one."""
+        last = self.table[self.table["step"] == self.table["step"].max()]
+        crack = self.crack or int(last["crack"][np.argmax(last["length"])])
+        return dataclasses.replace(self, interval=self.inspection_interval(detectable, crack, inspections=inspections))
 
     def write_csv(self, path: Union[str, os.PathLike[str]]) -> None:
         """Write the table: N, a, K, dK, R, da/dN of each tip and step."""

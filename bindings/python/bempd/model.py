@@ -17,6 +17,7 @@ from ._edges import Edges
 from ._ensemble_worker import model_options
 from ._fatigue import Fatigue
 from ._handle import Handle
+from ._load_cases import LoadCases
 from ._help import complete
 from ._library import check, ffi, invoke, lib, new_struct
 from ._results import Results
@@ -33,7 +34,7 @@ from .state import State
 UNTIL = {"values": lib.BEMPD_UNTIL_VALUES, "event": lib.BEMPD_UNTIL_EVENT, "separated": lib.BEMPD_UNTIL_SEPARATED}
 
 
-class Model(Scene, Edges, Results, Fatigue):
+class Model(Scene, Edges, Results, Fatigue, LoadCases):
     """Cracks in a two-dimensional elastic body: build it, step, ask, close.
 
     One thread at a time, except request_cancel(); other threads run on while the library works. Used in a `with`

@@ -2,23 +2,12 @@
 
 #include <cmath>
 #include <limits>
+#include <memory>
 
-#include "crack/tip.hpp"
-#include "geometry/point.hpp"
+#include "crack/laws/retardation.hpp"
+#include "crack/laws/tip_cycle.hpp"
 
 namespace bempd::crack {
-
-// One cycle of the loads at a tip. Its equivalent factors are those of mode I in the direction in which the tip grows.
-struct TipCycle {
-  TipId tip;
-  Point high{0, 0}, low{0, 0};     // K_I and K_II at the highest and the lowest load of the cycle [Pa m^(1/2)]
-  double highest = 0, lowest = 0;  // equivalent factors there [Pa m^(1/2)]
-  double length = 0;               // of the crack [m]
-  Point place{0, 0};               // of the tip [m]
-
-  double range() const { return highest - lowest; }
-  double ratio() const { return lowest / highest; }  // R
-};
 
 // How far a tip grows in a cycle, below the load at which it breaks.
 class RateLaw {
@@ -36,6 +25,16 @@ class RateLaw {
     if (!(cycle.highest > 0) || !(cycle.range() > threshold_)) return 0;
     return growth(cycle);
   }
+  // Growth of a tip that has grown by `grown` in the zone of an overload.
+  double rate(const TipCycle& cycle, const Overload& overload, double grown) const {
+    if (!retardation_ || !retardation_->acts(overload, grown, cycle.highest)) return rate(cycle);
+    const Retardation::Reduced reduced = retardation_->reduced(cycle, overload, grown);
+    return reduced.share > 0 ? reduced.share * rate(reduced.cycle) : 0;
+  }
+
+  // Null: earlier loads have no effect.
+  const Retardation* retardation() const { return retardation_.get(); }
+  void slow_down(std::unique_ptr<Retardation> retardation) { retardation_ = std::move(retardation); }
 
  protected:
   virtual double growth(const TipCycle& cycle) const = 0;
@@ -43,6 +42,7 @@ class RateLaw {
 
  private:
   double threshold_, critical_;
+  std::unique_ptr<Retardation> retardation_;
 };
 
 }  // namespace bempd::crack

@@ -7,7 +7,9 @@
 
 namespace bempd::crack {
 
-std::unique_ptr<RateLaw> make_rate_law(const RateParameters& parameters, double toughness) {
+namespace {
+
+std::unique_ptr<RateLaw> make_law(const RateParameters& parameters, double toughness) {
   using Kind = RateParameters::Kind;
   const RateParameters& p = parameters;
   const double critical = p.critical > 0 ? p.critical : toughness;
@@ -27,6 +29,27 @@ std::unique_ptr<RateLaw> make_rate_law(const RateParameters& parameters, double 
       break;
   }
   return std::make_unique<ParisWalker>(p.coefficient, p.exponent, p.walker, p.threshold, critical);
+}
+
+std::unique_ptr<Retardation> make_retardation(const RateParameters& p, bool plane_strain) {
+  const double constraint = p.zone_constraint > 0 ? p.zone_constraint : plane_strain ? 6 : 2;
+  switch (p.retarding) {
+    case RateParameters::Retarding::wheeler:
+      return std::make_unique<Wheeler>(p.yield_strength, constraint, p.wheeler_exponent);
+    case RateParameters::Retarding::willenborg:
+      return std::make_unique<Willenborg>(p.yield_strength, constraint, p.threshold, p.shutoff_ratio);
+    case RateParameters::Retarding::none:
+      break;
+  }
+  return nullptr;
+}
+
+}  // namespace
+
+std::unique_ptr<RateLaw> make_rate_law(const RateParameters& parameters, double toughness, bool plane_strain) {
+  std::unique_ptr<RateLaw> law = make_law(parameters, toughness);
+  law->slow_down(make_retardation(parameters, plane_strain));
+  return law;
 }
 
 }  // namespace bempd::crack

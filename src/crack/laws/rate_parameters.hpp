@@ -10,6 +10,7 @@ namespace bempd::crack {
 
 // A law of growth by rates as a host states it.
 struct RateParameters {
+  enum class Retarding { none = 0, wheeler = 1, willenborg = 2 };
   enum class Kind { paris_walker = 1, forman = 2, nasgro = 3, sustained = 4, host = 5 };
 
   Kind kind = Kind::paris_walker;
@@ -19,10 +20,15 @@ struct RateParameters {
   Nasgro::Closure closure;
   double threshold = 0, critical = 0;  // [Pa m^(1/2)]; critical 0: the toughness of the material
   HostRate::Function function;
+
+  Retarding retarding = Retarding::none;
+  double yield_strength = 0;   // [Pa]
+  double zone_constraint = 0;  // 0: by the plane state of the material
+  double wheeler_exponent = 0, shutoff_ratio = 0;
 };
 
-// The law in a material with this toughness, infinite where nothing is known of it. Throws Error (argument) for a law
-// that needs one.
-std::unique_ptr<RateLaw> make_rate_law(const RateParameters& parameters, double toughness);
+// The law in a material with this toughness, infinite where nothing is known of it, in plane strain or plane stress.
+// Throws Error (argument) for a law that needs a toughness.
+std::unique_ptr<RateLaw> make_rate_law(const RateParameters& parameters, double toughness, bool plane_strain);
 
 }  // namespace bempd::crack

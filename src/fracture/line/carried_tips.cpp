@@ -9,7 +9,8 @@ double LineSteps::kink_at(const GrowingTip& tip, const coupling::Affine& displac
   const AffineIntensity fit = intensity_at(tip, displacement);
   const AffineIntensity turning = has_begun(tip) ? turning_of(tip, fit, displacement, load_factor) : fit;
   const Eigen::Vector2d at(1, load_factor);
-  return kink_of({turning.one.dot(at), turning.two.dot(at)}).angle;
+  const Point factors(turning.one.dot(at), turning.two.dot(at));
+  return law_of(tip).directions ? growth_law(tip, tip.place).kink(factors).angle : kink_of(factors).angle;
 }
 
 // Tips of the crack lines with the range of load factors in which they do not grow. The critical load factors do not
@@ -21,7 +22,7 @@ std::vector<crack::Tip> LineEvents::tips() {
   for (std::size_t k = 0; k < found.size(); ++k) {
     const GrowingTip& tip = state.tips[k];
     found[k].id = tip.id, found[k].place = tip.place, found[k].direction = tip.direction;
-    found[k].law = steps_.growth_law(tip.law, tip.place);
+    found[k].law = steps_.growth_law(tip, tip.place);
     if (LineSteps::has_ended(tip)) continue;
     const AffineIntensity fit = steps_.intensity_at(tip, state.displacement);
     found[k].factors = {{fit.one[0], fit.two[0]}, {fit.one[1], fit.two[1]}};

@@ -20,6 +20,7 @@ struct GrowingTip {
   // Distance ahead of `place` at which the tip acts [m]: there evenly spread bonds would end that have as much
   // stiffness as the crack has cut. Known for initial cracks with a placed cut until they grow; else empty.
   std::optional<double> even_ahead{};
+  double grown = 0;  // length by which it has grown [m]
 
   // The place at which the tip acts.
   Point acts_at() const { return place + even_ahead.value_or(0) * direction; }

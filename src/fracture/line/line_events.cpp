@@ -121,6 +121,21 @@ const Event* LineEvents::next(double target, const SteppingOptions& options) {
   return &event_;
 }
 
+const Event* LineEvents::step_of(const crack::TipId& tip) {
+  step_.reset();
+  birth_.reset();
+  ties_ = 0;
+  trials_.stand_apart(false);
+  const BodyState& state = body_.state();
+  const LoadWay way{state.load_factor, true, Control::path};
+  for (const LineStep& step : steps_.all(state.tips, state.displacement, way, &trials_, true))
+    if (step.id == tip) step_ = step;
+  if (!step_) return nullptr;
+  event_ = steps_.event_of(*step_, state.load_factor);
+  event_.changes = body_.system().with_followers(std::move(event_.changes));
+  return &event_;
+}
+
 Outcome LineEvents::perform() {
   Outcome outcome = whole_body_.perform(event_);
   outcome.ties = ties_;
@@ -142,10 +157,11 @@ void LineEvents::begin_crack(Outcome& outcome) {
   for (const int end : {0, 1}) {
     const Point direction = (end == 0 ? 1 : -1) * birth_->direction;
     tips.push_back({birth_->middle + law.spacing / 2 * direction, direction, birth_->law, {id + 1, end}});
+    const double resistance = steps_.growth_law(tips.back(), birth_->middle).resistance();
+    tips.back().grown = law.spacing / 2;
     constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
     crack::Extension extension = crack::begin_extension(tips.back().id, birth_->middle, 0, body_.state().load_factor,
-                                                        {{unknown, unknown}, {unknown, unknown}},
-                                                        steps_.growth_law(birth_->law, birth_->middle).resistance());
+                                                        {{unknown, unknown}, {unknown, unknown}}, resistance);
     crack::arrive(extension, tips.back().place, law.spacing / 2, crack::TipState::grows);
     extension.rate_before = extension.rate_after = unknown;
     outcome.extensions.push_back(extension);

@@ -14,9 +14,11 @@ constexpr int rounds_for_kink = 8;
 // Largest ratio of an intensity and a load factor that can still be multiplied and squared.
 constexpr double largest_ratio_of_loads = 1e150;
 
-Kink kink_at(const AffineIntensity& of, double load_factor) {
+// Kink by the hoop stress, unless the directions of the law differ.
+Kink kink_at(const AffineIntensity& of, double load_factor, const crack::GrowthLaw& law) {
   const Eigen::Vector2d at(1, load_factor);
-  return kink_of({of.one.dot(at), of.two.dot(at)});
+  const Point factors(of.one.dot(at), of.two.dot(at));
+  return law.directions ? law.kink(factors) : kink_of(factors);
 }
 
 bool are_proportional(const AffineIntensity& intensity, const AffineIntensity& turning) {
@@ -25,9 +27,10 @@ bool are_proportional(const AffineIntensity& intensity, const AffineIntensity& t
 
 // Load factor above the one at which a tip reaches its toughness, as the start of an iteration; 0 if larger loads do
 // not increase the tip's intensity.
-double beyond_toughness(const AffineIntensity& intensity, double toughness) {
-  const double slope = kink_of({intensity.one[1], intensity.two[1]}).equivalent_factor;
-  const double size = toughness + std::hypot(intensity.one[0], intensity.two[0]);
+double beyond_toughness(const AffineIntensity& intensity, const crack::GrowthLaw& law) {
+  const Point slopes(intensity.one[1], intensity.two[1]);
+  const double slope = (law.directions ? law.kink(slopes) : kink_of(slopes)).equivalent_factor;
+  const double size = law.toughness + std::hypot(intensity.one[0], intensity.two[0]);
   return slope > 0 ? load_ratio(4 * size, slope).value_or(0) : 0;
 }
 
@@ -45,7 +48,7 @@ class ByHoopStress {
   std::optional<LineLoad> load() {
     const double present = criterion_.present;
     bool grows = aim(proportional_ || present <= 0 ? 1 : present) ||
-                 (!proportional_ && aim(beyond_toughness(intensity_, criterion_.toughness)));
+                 (!proportional_ && aim(beyond_toughness(intensity_, criterion_.law)));
     for (int round = 1; grows && !proportional_ && round < rounds_for_kink; ++round) grows = aim(found_.load_factor);
     if (is_due(grows)) {
       aim(present);
@@ -57,12 +60,14 @@ class ByHoopStress {
 
  private:
   bool aim(double load_factor) {
-    const double kink = kink_at(intensity_, load_factor).angle;
+    const double kink = kink_at(intensity_, load_factor, criterion_.law).angle;
+    const double toughness =
+        criterion_.law.toughness * (criterion_.law.directions ? std::sqrt(criterion_.law.share_in(kink)) : 1);
     const auto share = [&](int part) {
-      return hoop_factor({intensity_.one[part], intensity_.two[part]}, kink) * criterion_.correction /
-             criterion_.toughness;
+      return hoop_factor({intensity_.one[part], intensity_.two[part]}, kink) * criterion_.correction / toughness;
     };
-    found_.constant = share(0), found_.growing = share(1), found_.angle = kink_at(turning_, load_factor).angle;
+    found_.constant = share(0), found_.growing = share(1),
+    found_.angle = kink_at(turning_, load_factor, criterion_.law).angle;
     if (!(found_.growing > 0)) return false;
     const std::optional<double> root = load_ratio(1 - found_.constant, found_.growing);
     found_.load_factor = root.value_or(0);
@@ -75,7 +80,8 @@ class ByHoopStress {
     const double present = criterion_.present, least = proportional_ ? 1 + ratio_rounding : 1;
     return (!proportional_ || present < 0) && criterion_.control == Control::load &&
            (!grows || found_.load_factor > present) &&
-           kink_at(intensity_, present).equivalent_factor * criterion_.correction >= least * criterion_.toughness;
+           kink_at(intensity_, present, criterion_.law).equivalent_factor * criterion_.correction >=
+               least * criterion_.law.toughness;
   }
 
   const AffineIntensity &intensity_, &turning_;
@@ -87,11 +93,11 @@ class ByHoopStress {
 std::optional<LineLoad> load_by_energy(const AffineIntensity& intensity, const AffineIntensity& turning,
                                        const LineCriterion& criterion) {
   const crack::AffineFactors factors{{intensity.one[0], intensity.two[0]}, {intensity.one[1], intensity.two[1]}};
-  const double toughness = criterion.toughness / criterion.correction, present = criterion.present;
-  const crack::GrowthRange range = growth_range(factors, toughness, criterion.measure);
-  const auto ratio_at = [&](double load_factor) {
-    return crack::growth_ratio(factors, load_factor, toughness, criterion.measure);
-  };
+  crack::GrowthLaw law = criterion.law;
+  law.toughness /= criterion.correction;
+  const double present = criterion.present;
+  const crack::GrowthRange range = law.range(factors);
+  const auto ratio_at = [&](double load_factor) { return law.ratio(factors, load_factor); };
   const bool holds_load = criterion.control == Control::load;
   if (range.is_empty() && !holds_load) return std::nullopt;
   LineLoad found;
@@ -107,7 +113,7 @@ std::optional<LineLoad> load_by_energy(const AffineIntensity& intensity, const A
   } else {
     return std::nullopt;
   }
-  found.angle = kink_at(turning, found.load_factor).angle;
+  found.angle = kink_at(turning, found.load_factor, law).angle;
   return found;
 }
 
@@ -121,8 +127,9 @@ std::optional<double> load_ratio(double dividend, double divisor) {
 
 std::optional<LineLoad> load_of_growth(const AffineIntensity& intensity, const AffineIntensity& turning,
                                        const LineCriterion& criterion) {
-  if (!(criterion.toughness > 0) || std::isinf(criterion.toughness)) return std::nullopt;
-  if (criterion.measure == KinkCriterion::energy_release_rate) return load_by_energy(intensity, turning, criterion);
+  if (!(criterion.law.toughness > 0) || std::isinf(criterion.law.toughness)) return std::nullopt;
+  if (criterion.law.criterion == KinkCriterion::energy_release_rate)
+    return load_by_energy(intensity, turning, criterion);
   return ByHoopStress(intensity, turning, criterion).load();
 }
 

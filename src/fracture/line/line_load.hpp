@@ -2,6 +2,7 @@
 
 #include <optional>
 
+#include "crack/growth_law.hpp"
 #include "elasticity/kinked_tip.hpp"
 #include "fracture/line/tip_stress.hpp"
 #include "fracture/stepping_options.hpp"
@@ -10,9 +11,8 @@ namespace bempd::fracture {
 
 // Criterion by which a tip grows. Load factors are multiplied by the sign of the load path, so that they always rise.
 struct LineCriterion {
-  double toughness;   // [Pa m^(1/2)]
-  double correction;  // by which the intensity is multiplied before the two are compared
-  KinkCriterion measure = KinkCriterion::hoop_stress;
+  crack::GrowthLaw law;
+  double correction;  // by which the intensity is multiplied before it is compared with the toughness
   double present = 0;
   Control control = Control::load;
 };
@@ -25,7 +25,8 @@ struct LineLoad {
 
 // Load factor and angle at which a tip grows; empty if it does not grow at any load factor on the load path. `turning`
 // determines the angle, `intensity` the load factor. The tip turns to the direction of maximum hoop stress, also if the
-// energy release rate decides when it grows.
+// energy release rate decides when it grows. In a material whose fracture energy depends on the direction one criterion
+// decides both.
 std::optional<LineLoad> load_of_growth(const AffineIntensity& intensity, const AffineIntensity& turning,
                                        const LineCriterion& criterion);
 

@@ -73,7 +73,7 @@ bool LineSteps::has_begun(const GrowingTip& tip) const {
 // 0 (no turn) if that stress is only rounding.
 AffineIntensity LineSteps::turning_of(const GrowingTip& tip, const AffineIntensity& by_fit,
                                       const coupling::Affine& displacement, double present) const {
-  const pd::TipLaw law = law_of(tip).at(tip.acts_at());
+  const pd::TipLaw law = law_of(tip).at(tip.acts_at(), tip.grown);
   AffineIntensity ahead = stress_.closely_ahead_of(tip, law, displacement, body_.pressure_in(tip.id.crack));
   const auto size = [](const AffineIntensity& one, int part) { return std::hypot(one.one[part], one.two[part]); };
   const std::optional<double> critical = load_ratio(law.toughness, size(by_fit, 1));
@@ -88,7 +88,7 @@ AffineIntensity LineSteps::turning_of(const GrowingTip& tip, const AffineIntensi
 std::optional<LineStep> LineSteps::next(const std::vector<GrowingTip>& tips, std::size_t number,
                                         const coupling::Affine& displacement, const LoadWay& load_way) const {
   const GrowingTip& tip = tips[number];
-  const pd::TipLaw law = law_of(tip).at(tip.acts_at());
+  const pd::TipLaw law = law_of(tip).at(tip.acts_at(), tip.grown);
   if (std::isinf(law.toughness)) return std::nullopt;
   const WilliamsFit fit = stress_.fitted(tip, law, displacement, body_.pressure_in(tip.id.crack));
   const AffineIntensity by_fit = intensity_of(tip, fit);
@@ -97,7 +97,7 @@ std::optional<LineStep> LineSteps::next(const std::vector<GrowingTip>& tips, std
   const AffineIntensity turning =
       has_begun(tip) ? on_way(turning_of(tip, by_fit, displacement, present), load_way) : intensity;
   const std::optional<LineLoad> load =
-      load_of_growth(intensity, turning, {law.toughness, correction(tip), laws_.criterion, present, load_way.control});
+      load_of_growth(intensity, turning, {growth_law(law, tip.direction), correction(tip), present, load_way.control});
   if (!load) return std::nullopt;
   LineStep step;
   step.tip = number, step.id = tip.id, step.law = tip.law, step.angle = load->angle,
@@ -178,6 +178,7 @@ double LineSteps::ratio_after(const GrowingTip& tip, const pd::TipLaw& law, cons
 void LineSteps::move(const LineStep& step, std::vector<GrowingTip>& tips) const {
   GrowingTip& tip = tips[step.tip];
   tip.place += step.way.length * step.direction;
+  tip.grown += step.way.length;
   tip.even_ahead.reset();
   tip.direction = step.direction;
   if (laws_.laws.size() > 1) tip.law = law_ahead_of(tip);
@@ -210,7 +211,10 @@ crack::Extension LineSteps::remember(const LineStep& step, double ratio, double 
                                      std::vector<GrowingTip>& tips) const {
   GrowingTip& tip = tips[step.tip];
   const Point from = tip.place - step.way.length * step.direction;
-  const pd::TipLaw law = laws_.laws[static_cast<std::size_t>(step.law)].at(from);
+  const double grown_before = tip.grown - step.way.length;
+  pd::TipLaw law = laws_.laws[static_cast<std::size_t>(step.law)].at(from, grown_before);
+  const double share_of_direction = law.directions ? law.directions->share(heading_of(step.direction)) : 1;
+  if (law.directions) law.toughness *= std::sqrt(share_of_direction);
   // The event's ratio contains the correction by earlier steps, which must not enter the remembered ratios.
   const double before = step.by_energy ? ratio : ratio / correction(tip);
   // The expected energy is the mean of the rates at both ends of the step: the rate changes by up to a half within a
@@ -219,7 +223,7 @@ crack::Extension LineSteps::remember(const LineStep& step, double ratio, double 
   const double after = arrives          ? before
                        : step.by_energy ? before * step.after_step
                                         : std::max(ratio_after(tip, law, displacement, load_factor), 0.0);
-  const double fracture_energy = growth_law(step.law, from).resistance();
+  const double fracture_energy = law.toughness * law.toughness / law.modulus;
   const double rate = fracture_energy * (before * before + after * after) / 2;
   const double expected = rate * law.thickness * step.way.length;
   const double released = expected > 0 ? released_energy / expected : 1;
@@ -235,7 +239,9 @@ crack::Extension LineSteps::remember(const LineStep& step, double ratio, double 
   crack::Extension extension =
       crack::begin_extension(tip.id, from, step.angle, load_factor, step.factors, fracture_energy);
   crack::arrive(extension, tip.place, step.way.length, tip.state);
-  const double mean_energy = (fracture_energy + growth_law(step.law, tip.place).resistance()) / 2;
+  const pd::TipLaw there = laws_.laws[static_cast<std::size_t>(step.law)].at(tip.place, tip.grown);
+  const double energy_there = there.toughness * there.toughness / there.modulus * share_of_direction;
+  const double mean_energy = (fracture_energy + energy_there) / 2;
   extension.surface_energy = mean_energy * law.thickness * step.way.length;
   extension.rate_before = fracture_energy * before * before;
   extension.rate_after = arrives ? 0 : fracture_energy * after * after;

@@ -15,6 +15,7 @@
 #include "fracture/line/trial_steps.hpp"
 #include "fracture/load_way.hpp"
 #include "fracture/loaded_body.hpp"
+#include "geometry/turning.hpp"
 
 namespace bempd::fracture {
 
@@ -54,9 +55,12 @@ class LineSteps {
 
   const pd::TipLaws& laws() const { return laws_; }
   const pd::TipLaw& law_of(const GrowingTip& tip) const { return laws_.laws[static_cast<std::size_t>(tip.law)]; }
-  crack::GrowthLaw growth_law(int law, const Point& place) const {
-    const pd::TipLaw there = laws_.laws[static_cast<std::size_t>(law)].at(place);
-    return {there.toughness, there.modulus, laws_.criterion};
+  // Law of a tip at a place.
+  crack::GrowthLaw growth_law(const GrowingTip& tip, const Point& place) const {
+    return growth_law(law_of(tip).at(place, tip.grown), tip.direction);
+  }
+  crack::GrowthLaw growth_law(const pd::TipLaw& there, const Point& direction) const {
+    return {there.toughness, there.modulus, laws_.criterion, there.directions, heading_of(direction)};
   }
 
   // Sets the tips that the host has frozen.

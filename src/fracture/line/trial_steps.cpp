@@ -189,6 +189,7 @@ std::optional<TrialGrowth> TrialSteps::along(const GrowingTip& tip, const pd::Ti
       std::clamp(way_.clear_spacings(tip.place, direction, law, 2 * longest_trial) / 2, 1, longest_trial);
   const Point normal = left_of(direction);
   const bool is_first = tip.energy_ratios.empty();
+  const double share = law.energy_share(tip.grown, direction);
   std::vector<int> order;
   std::vector<char> taken;
   std::vector<TrialGrowth::Length> found;
@@ -206,7 +207,7 @@ std::optional<TrialGrowth> TrialSteps::along(const GrowingTip& tip, const pd::Ti
     for (const coupling::StageChange& c : system_.with_followers(std::move(changes)))
       if (std::find(order.begin(), order.end(), c.term) == order.end()) order.push_back(c.term);
     if (counted.length > 0 && std::isfinite(counted.energy))
-      found.push_back({static_cast<Eigen::Index>(order.size()), counted.length, counted.energy});
+      found.push_back({static_cast<Eigen::Index>(order.size()), counted.length, counted.energy * share});
   }
   if (found.empty()) return std::nullopt;
   order.resize(static_cast<std::size_t>(found.back().terms));

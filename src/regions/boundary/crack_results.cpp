@@ -183,7 +183,11 @@ std::vector<TipValues> BoundaryRegion::tips(const Solution& solution, TipDetail 
     value.stress_along = along[t];
     value.error = error_of_difference * length_of(present.factors - factors[t].back().factors);
     value.constant_factors = constant.factors, value.proportional_factors = proportional.factors;
-    value.toughness = crack::toughness_of(material().fracture_energy * toughness().share(tip.place), modulus);
+    const crack::Resistance& resistance = material().resistance;
+    const double grown_share = resistance.curve ? resistance.curve->share(cracks_->grown_of(tip)) : 1;
+    value.toughness =
+        crack::toughness_of(material().fracture_energy * toughness().share(tip.place) * grown_share, modulus);
+    value.directions = resistance.directions.get();
     value.plane_modulus = modulus;
     values.push_back(value);
   }

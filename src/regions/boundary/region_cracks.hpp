@@ -48,6 +48,12 @@ class RegionCracks {
   int region() const { return region_; }
   bool has(int crack) const;
   int id_of(const bem::CrackTip& tip) const { return paths_[lines_.lines[tip.line].crack].id; }
+  // Length by which a tip has grown [m].
+  double grown_of(const bem::CrackTip& tip) const {
+    const CrackExtent& extent = extents_[lines_.lines[tip.line].crack];
+    const double behind = extent.length - extent.given_from - extent.given_length;
+    return tip.end == bem::TipEnd::end ? std::max(0.0, behind) : extent.given_from;
+  }
   // Traction on crack faces: constant part of the loads times `constant` plus proportional part times `proportional`;
   // empty without loads.
   bem::FaceTraction traction(const std::vector<CrackLoad>& loads, double constant, double proportional) const;

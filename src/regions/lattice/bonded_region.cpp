@@ -47,7 +47,9 @@ std::optional<pd::TipLaw> BondedRegion::tip_law(const scene::Options& options) c
   const double energy = pd::fracture_energy(critical_stretch(options), e, horizon);
   const double modulus =
       e.state == PlaneState::stress ? e.young_modulus : e.young_modulus / (1 - e.poisson_ratio * e.poisson_ratio);
-  return {{spacing(), horizon, e.thickness, modulus, crack::toughness_of(energy, modulus), toughness().if_any()}};
+  const crack::Resistance& resistance = material().resistance;
+  return {{spacing(), horizon, e.thickness, modulus, crack::toughness_of(energy, modulus), toughness().if_any(),
+           resistance.curve.get(), resistance.directions.get()}};
 }
 
 void BondedRegion::add_own_bonds(const Preparation& preparation, const Contributions& contributions) {

@@ -131,7 +131,7 @@ std::vector<TipValues> lattice_tips(const BondedBody& body, const std::vector<La
     check_cancelled();
     const std::optional<pd::TipLaw> law =
         tip.region > 0 ? body.discretization.region(tip.region).tip_law(options) : std::nullopt;
-    values.push_back(values_of(body, tip, law ? law->at(tip.axes.place).toughness : 0, solution));
+    values.push_back(values_of(body, tip, law ? law->at(tip.axes.place, 0).toughness : 0, solution));
   }
   return values;
 }

@@ -4,11 +4,16 @@ from __future__ import annotations
 
 import csv
 import pathlib
+import sys
+from typing import Any
 
 import numpy as np
 import pytest
 
 import bempd
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[3] / "benchmarks" / "fatigue"))
+import lives  # noqa: E402
 
 
 def plate(half_length: float = 0.05, *, width: float = 1.0, height: float = 3.0, **rate: float) -> bempd.Model:
@@ -113,3 +118,75 @@ def test_tips_grow_by_lengths() -> None:
     growth = model.extend_cracks({(1, bempd.TipEnd.START): 0.01, (1, bempd.TipEnd.END): 0.02})
     assert growth.tips == 2 and growth.length == pytest.approx(0.03)
     assert [round(vertex.x, 6) for vertex in model.crack_path(1)] == [-0.06, -0.05, 0.05, 0.07]
+
+
+def lattice_strip(**settings: Any) -> bempd.Model:
+    model = bempd.Model(log=None, **settings)
+    acrylic = model.add_material(young_modulus=3e9, poisson_ratio=1 / 3, fracture_energy=1e6)
+    region = model.add_pd_region(acrylic, bempd.rectangle(0, -0.5, 1, 0.5), spacing=1 / 40)
+    model.add_crack([(0, 0), (0.3, 0)])
+    model.fix_edge(region, 1)
+    model.prescribe_edge(region, 3, "y", 1e-4)
+    model.set_growth_rate(acrylic, coefficient=1e-11, exponent=3, unit_intensity=1e6, critical_intensity=1e6)
+    return model
+
+
+def test_a_line_in_a_lattice_has_the_life_of_boundary_elements() -> None:
+    elements = lives.strip_life()
+    for spacings in (30, 40):
+        life = lives.strip_life(spacings)
+        found = life.cycles_at(lives.LATTICE_END)
+        print(f"{spacings} spacings: {found:.4g}, elements {elements.cycles:.4g}, {100 * (found / elements.cycles - 1):+.2f} %")
+        assert found == pytest.approx(elements.cycles, rel=0.01)
+
+
+def test_growth_in_a_lattice_is_taken_back_by_an_exception_and_goes_on() -> None:
+    calls: list[int] = []
+
+    def cancels(load_factor: float, events: int, broken: int) -> bool:
+        calls.append(events)
+        return len(calls) < 2
+
+    cancelled = lattice_strip(progress=cancels)
+    cancelled.step(1.0)
+    before = cancelled.crack_length(1)
+    with pytest.raises(bempd.CancelledError):
+        cancelled.grow_fatigue(most_length=0.5)
+    assert cancelled.crack_length(1) == before and cancelled.load_factor == 1.0 and len(calls) == 2
+    model = lattice_strip()
+    half = model.grow_fatigue(most_length=0.4)
+    rest = model.grow_fatigue(first_cycle=half.cycles, most_length=0.5)
+    whole = lattice_strip().grow_fatigue(most_length=0.5)
+    assert rest.cycles_at(0.5) == pytest.approx(whole.cycles_at(0.5), rel=5e-3)
+
+
+def test_what_a_lattice_does_not_take_is_refused() -> None:
+    with pytest.raises(bempd.ArgumentError, match="low load factors >= 0"):
+        lattice_strip().grow_fatigue(1.0, -1.0)
+    model = bempd.Model(options={"crack.rule": "bond"}, log=None)
+    acrylic = model.add_material(young_modulus=3e9, poisson_ratio=1 / 3, fracture_energy=300)
+    region = model.add_pd_region(acrylic, bempd.rectangle(0, 0, 1, 1), spacing=0.05)
+    model.add_crack([(0, 0.5), (0.3, 0.5)])
+    model.fix_edge(region, 1)
+    model.set_growth_rate(acrylic, coefficient=1e-11, exponent=3)
+    with pytest.raises(bempd.ArgumentError, match="do not grow as lines"):
+        model.grow_fatigue()
+
+
+@pytest.mark.parametrize("kind", ["wheeler", "willenborg"])
+@pytest.mark.parametrize("program", ["an overload in each 5000 cycles", "one overload"])
+def test_retardation_is_that_of_an_integration_cycle_by_cycle(kind: str, program: str) -> None:
+    growth, exact = lives.retarded(kind, program)
+    unretarded = lives.retarded(kind, "none")[0]
+    print(f"{kind}, {program}: {growth:.6g}, integration {exact:.6g}, {growth / exact - 1:+.1e}")
+    assert growth == pytest.approx(exact, rel=1e-3)
+    if program == "one overload":
+        assert growth < 0.8 * unretarded
+
+
+def test_one_call_has_the_life_and_the_interval_of_inspections() -> None:
+    life = plate(0.01).grow_fatigue(most_length=0.1, detectable=0.04, inspections=3)
+    assert life.interval == pytest.approx((life.cycles - life.cycles_at(0.04)) / 3)
+    assert np.isnan(plate(0.01).grow_fatigue(most_length=0.1).interval)
+    with pytest.raises(bempd.ArgumentError, match="never has the length 5"):
+        plate(0.01).grow_fatigue(most_length=0.1, detectable=5)

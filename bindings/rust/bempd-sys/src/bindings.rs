@@ -636,6 +636,60 @@ extern "C" {
     ) -> bempd_status;
 }
 extern "C" {
+    /// Give a material fracture energies by the growth of a crack, a resistance curve (R-curve), in
+    /// place of its one fracture energy.
+    ///
+    /// A tip grows when its energy release rate reaches the energy for the length by which this end
+    /// has grown in the model. The table is linear between its rows and constant before the first
+    /// and behind the last one. Values of bempd_set_toughness_at() scale it: they stand for the
+    /// fracture energy of the material. It acts on cracks with boundary elements and on cracks that
+    /// grow as lines in lattices; bonds keep their critical stretch, and a lattice in which cracks
+    /// grow bond by bond is refused. A second call replaces the first.
+    ///
+    /// * model \[in\]: the model, not prepared yet
+    /// * material \[in\]: id of a material with a fracture_energy
+    /// * count \[in\]: number of rows, \>= 1
+    /// * extensions \[in\]: growth of an end \[m\], \>= 0, ascending, shape \[count\]
+    /// * energies \[in\]: fracture energies G_c \[J/m^2\], \> 0, shape \[count\]
+    /// * return: status
+    /// * since: 0.3
+    pub fn bempd_set_resistance_curve(
+        model: *mut bempd_model,
+        material: i32,
+        count: i64,
+        extensions: *const f64,
+        energies: *const f64,
+    ) -> bempd_status;
+}
+extern "C" {
+    /// Give a material fracture energies by the direction in which a crack runs, as of grain,
+    /// layers or weak planes.
+    ///
+    /// A tip turns to the direction in which the ratio of its energy release rate to the energy is
+    /// largest, and grows when that ratio reaches 1. The option crack.criterion says by which rate:
+    /// after the turn, or from the hoop stress before it. A direction and its opposite are the
+    /// same. The table is linear between its rows, also from the last one to the first one half a
+    /// turn on; a weak plane is a row between two that are close to it. Values of
+    /// bempd_set_toughness_at() and of a resistance curve scale it. It acts where a resistance
+    /// curve does. A second call replaces the first.
+    ///
+    /// * model \[in\]: the model, not prepared yet
+    /// * material \[in\]: id of a material with a fracture_energy
+    /// * count \[in\]: number of rows, \>= 1
+    /// * angles \[in\]: directions from the x axis, counter-clockwise \[rad\], ascending, within half a
+    ///   turn, shape \[count\]
+    /// * energies \[in\]: fracture energies G_c \[J/m^2\], \> 0, shape \[count\]
+    /// * return: status
+    /// * since: 0.3
+    pub fn bempd_set_resistance_directions(
+        model: *mut bempd_model,
+        material: i32,
+        count: i64,
+        angles: *const f64,
+        energies: *const f64,
+    ) -> bempd_status;
+}
+extern "C" {
     /// Add an initial crack, a polyline.
     ///
     /// In peridynamic regions bonds that meet it are cut (touching its tip counts). Material points
@@ -3124,6 +3178,136 @@ extern "C" {
         extension: *mut bempd_crack_extension,
     ) -> bempd_status;
 }
+extern "C" {
+    /// Add a load case: loads and moved supports that act together.
+    ///
+    /// It has the values that they have now, at the load factor 1; later changes of values do not
+    /// reach it. Results of a combination, each case times a factor, come from the functions that
+    /// follow. A combination is solved for the body as it is, with its factored matrices. Loads in
+    /// no case do not act, and supports in no case hold their place. Faces of cracks close and open
+    /// as they must under each combination, so results add up only where none press on each other
+    /// (bempd_load_case_pressed_faces()). Nothing grows or breaks, and the run of the model stays
+    /// where it is.
+    ///
+    /// * model \[in\]: the model
+    /// * load_count \[in\]: number of loads
+    /// * loads \[in\]: ids of loads, shape \[load_count\]; NULL for none
+    /// * support_count \[in\]: number of supports
+    /// * supports \[in\]: ids of supports with prescribed displacements, shape \[support_count\]; NULL
+    ///   for none
+    /// * load_case \[out\]: its id, 1 for the first; may be NULL
+    /// * return: status
+    /// * since: 0.3
+    pub fn bempd_load_case_add(
+        model: *mut bempd_model,
+        load_count: i64,
+        loads: *const i32,
+        support_count: i64,
+        supports: *const i32,
+        load_case: *mut i32,
+    ) -> bempd_status;
+}
+extern "C" {
+    /// Number of load cases.
+    ///
+    /// * model \[in\]: the model
+    /// * count \[out\]: their number
+    /// * return: status
+    /// * since: 0.3
+    pub fn bempd_load_case_count(model: *const bempd_model, count: *mut i32) -> bempd_status;
+}
+extern "C" {
+    /// Number of tips under a combination; that of bempd_tip_count().
+    ///
+    /// * model \[in\]: the model
+    /// * case_count \[in\]: number of factors
+    /// * factors \[in\]: of the cases, by id, shape \[case_count\]; cases beyond have 0
+    /// * count \[out\]: number of tips
+    /// * return: status
+    /// * since: 0.3
+    pub fn bempd_load_case_tip_count(
+        model: *mut bempd_model,
+        case_count: i64,
+        factors: *const f64,
+        count: *mut i64,
+    ) -> bempd_status;
+}
+extern "C" {
+    /// A tip under a combination, as bempd_tip() has it. Its critical load factors say by how much
+    /// the whole combination may be multiplied before the tip grows.
+    ///
+    /// * model \[in\]: the model
+    /// * case_count \[in\]: number of factors
+    /// * factors \[in\]: of the cases, by id, shape \[case_count\]; cases beyond have 0
+    /// * index \[in\]: 0 .. count-1
+    /// * tip \[in,out\]: struct_size in, the rest out
+    /// * return: status
+    /// * since: 0.3
+    pub fn bempd_load_case_tip(
+        model: *mut bempd_model,
+        case_count: i64,
+        factors: *const f64,
+        index: i64,
+        tip: *mut bempd_crack_tip,
+    ) -> bempd_status;
+}
+extern "C" {
+    /// Force that a support exerts on the body under a combination.
+    ///
+    /// * model \[in\]: the model
+    /// * case_count \[in\]: number of factors
+    /// * factors \[in\]: of the cases, by id, shape \[case_count\]; cases beyond have 0
+    /// * support \[in\]: id of a support
+    /// * force \[out\]: shape \[2\], resultant \[N\]
+    /// * return: status
+    /// * since: 0.3
+    pub fn bempd_load_case_reaction(
+        model: *mut bempd_model,
+        case_count: i64,
+        factors: *const f64,
+        support: i32,
+        force: *mut f64,
+    ) -> bempd_status;
+}
+extern "C" {
+    /// Displacement and stress at places under a combination, as bempd_evaluate() has them.
+    ///
+    /// * model \[in\]: the model
+    /// * case_count \[in\]: number of factors
+    /// * factors \[in\]: of the cases, by id, shape \[case_count\]; cases beyond have 0
+    /// * count \[in\]: number of places
+    /// * points \[in\]: shape \[count\]\[2\] \[m\]
+    /// * displacement \[out\]: shape \[count\]\[2\] \[m\]; may be NULL
+    /// * stress \[out\]: shape \[count\]\[3\], xx, yy, xy \[Pa\]; may be NULL
+    /// * return: status
+    /// * since: 0.3
+    pub fn bempd_load_case_evaluate(
+        model: *mut bempd_model,
+        case_count: i64,
+        factors: *const f64,
+        count: i64,
+        points: *const f64,
+        displacement: *mut f64,
+        stress: *mut f64,
+    ) -> bempd_status;
+}
+extern "C" {
+    /// Number of places at which faces of cracks press on each other under a combination; 0 where
+    /// results add up.
+    ///
+    /// * model \[in\]: the model
+    /// * case_count \[in\]: number of factors
+    /// * factors \[in\]: of the cases, by id, shape \[case_count\]; cases beyond have 0
+    /// * count \[out\]: number of places
+    /// * return: status
+    /// * since: 0.3
+    pub fn bempd_load_case_pressed_faces(
+        model: *mut bempd_model,
+        case_count: i64,
+        factors: *const f64,
+        count: *mut i64,
+    ) -> bempd_status;
+}
 /// Paris and Walker: da/dN = C \[(1 - R)^(gamma - 1) dK\]^m.
 pub const BEMPD_RATE_PARIS: bempd_rate_kind = 1;
 /// Forman: da/dN = C dK^m / ((1 - R) K_c - dK).
@@ -3175,6 +3359,20 @@ pub type bempd_rate_function = ::std::option::Option<
         user: *mut ::std::os::raw::c_void,
     ) -> f64,
 >;
+/// Earlier loads have no effect.
+pub const BEMPD_RETARDATION_NONE: bempd_retardation = 0;
+/// Wheeler: da/dN times (zone of the cycle / distance to the end of the overload's
+/// zone)^wheeler_exponent.
+pub const BEMPD_RETARDATION_WHEELER: bempd_retardation = 1;
+/// Willenborg, generalized by Gallagher: K_max and K_min less phi \[K_overload sqrt(distance to the
+/// end of its zone / its size) - K_max\], phi = (1 - dK_th / K_max) / (shutoff_ratio - 1). It acts
+/// through R, so the law must know R.
+pub const BEMPD_RETARDATION_WILLENBORG: bempd_retardation = 2;
+/// How growth slows down in the plastic zone of an earlier, higher load. The zone of a load is (K /
+/// yield_strength)^2 / (pi zone_constraint).
+///
+/// * since: 0.3
+pub type bempd_retardation = ::std::os::raw::c_uint;
 /// A law of growth by cycles. Fill it with bempd_growth_rate_init().
 ///
 /// * since: 0.3
@@ -3214,6 +3412,18 @@ pub struct bempd_growth_rate {
     pub function: bempd_rate_function,
     /// handed to the function; may be NULL
     pub user: *mut ::std::os::raw::c_void,
+    /// a bempd_retardation; default BEMPD_RETARDATION_NONE
+    pub retardation: i32,
+    /// 0
+    pub reserved2: i32,
+    /// of a retardation, \> 0 \[Pa\]
+    pub yield_strength: f64,
+    /// of its plastic zones; default 0: 2 in plane stress, 6 in plane strain \[-\]
+    pub zone_constraint: f64,
+    /// of BEMPD_RETARDATION_WHEELER, \> 0 \[-\]
+    pub wheeler_exponent: f64,
+    /// of BEMPD_RETARDATION_WILLENBORG: overload over load that stops a tip, \> 1 \[-\]
+    pub shutoff_ratio: f64,
 }
 extern "C" {
     /// Set struct_size and the defaults.
@@ -3333,7 +3543,8 @@ extern "C" {
     ) -> bempd_status;
 }
 extern "C" {
-    /// Let the cracks of BEM regions grow by cycles of the loads, and count the cycles.
+    /// Let cracks grow by cycles of the loads, and count the cycles: with boundary elements, or as
+    /// lines in peridynamic regions.
     ///
     /// A block is a number of cycles between two load factors; blocks follow each other and are
     /// repeated. Each tip grows by the law of its material, in the direction in which
@@ -3344,6 +3555,10 @@ extern "C" {
     /// of its crack's length, and the cycles are counted block by block. Steps are so long that the
     /// estimated error of their cycles is below the tolerance, and at most a quarter of the way to
     /// the nearest edge, hole or crack.
+    ///
+    /// Crack lines grow by whole spacings, so they may pass the length asked for by half of one. In
+    /// lattices low load factors are 0 or more, loads have no constant part where faces can close,
+    /// and the material has a fracture_energy.
     ///
     /// Cracks stop at their critical factor; K_c is that of the law, or the toughness of the
     /// material. The progress callback is called after every step. After a failure, and where a

@@ -28,6 +28,26 @@ pub enum RateLaw {
     Sustained,
 }
 
+/// How growth slows down in the plastic zone of an earlier, higher load.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
+pub enum Retardation {
+    /// Wheeler: da/dN times (zone of the cycle / distance to the end of the overload's zone)^exponent.
+    Wheeler {
+        /// Yield strength [Pa].
+        yield_strength: f64,
+        /// Exponent.
+        exponent: f64,
+    },
+    /// Willenborg, generalized by Gallagher; it acts through the load ratio.
+    Willenborg {
+        /// Yield strength [Pa].
+        yield_strength: f64,
+        /// Overload over load that stops a tip.
+        shutoff_ratio: f64,
+    },
+}
+
 /// A law of growth with its numbers.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct GrowthRate {
@@ -37,6 +57,7 @@ pub struct GrowthRate {
     unit_intensity: f64,
     threshold: f64,
     critical_intensity: f64,
+    retardation: Option<Retardation>,
 }
 
 impl GrowthRate {
@@ -49,6 +70,7 @@ impl GrowthRate {
             unit_intensity,
             threshold: 0.0,
             critical_intensity: 0.0,
+            retardation: None,
         }
     }
 
@@ -67,12 +89,28 @@ impl GrowthRate {
         GrowthRate { critical_intensity, ..self }
     }
 
+    /// Lets earlier, higher loads slow down growth.
+    pub fn retardation(self, retardation: Retardation) -> GrowthRate {
+        GrowthRate { retardation: Some(retardation), ..self }
+    }
+
     fn fill(&self, rate: &mut sys::bempd_growth_rate) {
         rate.coefficient = self.coefficient;
         rate.exponent = self.exponent;
         rate.unit_intensity = self.unit_intensity;
         rate.threshold = self.threshold;
         rate.critical_intensity = self.critical_intensity;
+        match self.retardation {
+            Some(Retardation::Wheeler { yield_strength, exponent }) => {
+                rate.retardation = sys::BEMPD_RETARDATION_WHEELER as i32;
+                (rate.yield_strength, rate.wheeler_exponent) = (yield_strength, exponent);
+            }
+            Some(Retardation::Willenborg { yield_strength, shutoff_ratio }) => {
+                rate.retardation = sys::BEMPD_RETARDATION_WILLENBORG as i32;
+                (rate.yield_strength, rate.shutoff_ratio) = (yield_strength, shutoff_ratio);
+            }
+            None => {}
+        }
         rate.kind = match self.law {
             RateLaw::Paris { walker } => {
                 rate.walker = walker;

@@ -25,4 +25,6 @@ ids! {
     SupportId;
     /// Id of a load, from 1 in the order of adding.
     LoadId;
+    /// Id of a load case, from 1 in the order of adding.
+    LoadCaseId;
 }

@@ -45,6 +45,7 @@ mod error;
 mod fatigue;
 mod ids;
 mod kinds;
+mod load_cases;
 mod material;
 mod model;
 mod options;
@@ -56,8 +57,8 @@ pub use cancel::CancelToken;
 pub use conditions::{BoundaryValue, Values};
 pub use edges::{EdgeNode, EdgePlace, NodalValues};
 pub use error::{Error, Result};
-pub use fatigue::{Block, FatigueOptions, GrowthRate, RateLaw};
-pub use ids::{CrackId, LoadId, MaterialId, RegionId, SupportId};
+pub use fatigue::{Block, FatigueOptions, GrowthRate, RateLaw, Retardation};
+pub use ids::{CrackId, LoadCaseId, LoadId, MaterialId, RegionId, SupportId};
 pub use kinds::{
     BondState, Component, Face, FaceComponent, Field, LoadRule, LogLevel, NextEvent, Plane, ProgramColumn,
     SingularityKind, StopReason, TipEnd, TipMethod, Turn, Until,

@@ -182,6 +182,18 @@ impl Model {
         self.handle.set_toughness_at(region.0, places, values)
     }
 
+    /// Gives a material fracture energies \[J/m^2\] by the growth of a tip \[m\] (R-curve), in place of its one: linear
+    /// between the rows, constant beyond them.
+    pub fn set_resistance_curve(&mut self, material: MaterialId, extensions: &[f64], energies: &[f64]) -> Result<()> {
+        self.handle.set_resistance_curve(material.0, extensions, energies)
+    }
+
+    /// Gives a material fracture energies \[J/m^2\] by the direction of a crack \[rad\], ascending within half a turn. A
+    /// tip goes where its energy release rate over the energy is largest.
+    pub fn set_resistance_directions(&mut self, material: MaterialId, angles: &[f64], energies: &[f64]) -> Result<()> {
+        self.handle.set_resistance_directions(material.0, angles, energies)
+    }
+
     /// Adds an initial crack: bonds that meet the closed polyline are cut (touching its tip counts). It must lie in
     /// peridynamic regions (ending on their boundary is fine); material points on it it passes by on its right.
     pub fn add_crack(&mut self, line: &[[f64; 2]]) -> Result<CrackId> {

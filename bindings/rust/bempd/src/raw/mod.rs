@@ -7,6 +7,7 @@ mod conditions;
 mod edges;
 mod handle;
 mod library;
+mod load_cases;
 mod results;
 mod scene;
 mod state;

@@ -153,6 +153,20 @@ impl Handle {
         self.call(|model| unsafe { sys::bempd_set_toughness_at(model, region, count, places, values.as_ptr()) })
     }
 
+    pub(crate) fn set_resistance_curve(&mut self, material: i32, extensions: &[f64], energies: &[f64]) -> Result<()> {
+        let count = rows_of(extensions, energies)?;
+        self.call(|model| unsafe {
+            sys::bempd_set_resistance_curve(model, material, count, extensions.as_ptr(), energies.as_ptr())
+        })
+    }
+
+    pub(crate) fn set_resistance_directions(&mut self, material: i32, angles: &[f64], energies: &[f64]) -> Result<()> {
+        let count = rows_of(angles, energies)?;
+        self.call(|model| unsafe {
+            sys::bempd_set_resistance_directions(model, material, count, angles.as_ptr(), energies.as_ptr())
+        })
+    }
+
     pub(crate) fn add_crack(&mut self, line: &[[f64; 2]]) -> Result<i32> {
         let (count, line) = points(line);
         self.output(|model, crack| unsafe { sys::bempd_add_crack(model, count, line, crack) })
@@ -173,4 +187,16 @@ impl Handle {
     pub(crate) fn edge_count(&self, region: i32) -> Result<i32> {
         self.output(|model, count| unsafe { sys::bempd_edge_count(model, region, count) })
     }
+}
+
+/// Number of rows of a table of fracture energies.
+fn rows_of(places: &[f64], energies: &[f64]) -> Result<i64> {
+    if places.len() != energies.len() {
+        return Err(Error::Argument(format!(
+            "there are {} energies for {} rows; give one for each",
+            energies.len(),
+            places.len()
+        )));
+    }
+    Ok(places.len() as i64)
 }

@@ -1,0 +1,11 @@
+#pragma once
+
+#include "bempd.h"
+#include "regions/region.hpp"
+
+namespace bempd::capi {
+
+// Tip of a crack in the words of the C interface.
+bempd_crack_tip described(const regions::TipValues& tip);
+
+}  // namespace bempd::capi

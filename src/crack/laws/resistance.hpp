@@ -1,0 +1,27 @@
+#pragma once
+
+#include <memory>
+
+#include "crack/laws/resistance_curve.hpp"
+#include "crack/laws/resistance_directions.hpp"
+
+namespace bempd::crack {
+
+// How the fracture energy that a tip meets differs from that of its material; null: not in this way.
+struct Resistance {
+  std::shared_ptr<const ResistanceCurve> curve;
+  std::shared_ptr<const ResistanceDirections> directions;
+
+  bool is_constant() const { return !curve && !directions; }
+  bool operator==(const Resistance& other) const {
+    return are_same(curve.get(), other.curve.get()) && are_same(directions.get(), other.directions.get());
+  }
+
+ private:
+  template <class Table>
+  static bool are_same(const Table* one, const Table* other) {
+    return one == other || (one && other && *one == *other);
+  }
+};
+
+}  // namespace bempd::crack

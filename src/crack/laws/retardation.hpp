@@ -1,0 +1,92 @@
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "crack/laws/tip_cycle.hpp"
+
+namespace bempd::crack {
+
+// Plastic zone of the largest load that a tip has met, as far as it reaches ahead of the tip. Growth is counted from
+// the beginning of a step.
+struct Overload {
+  double end = -std::numeric_limits<double>::infinity();  // growth of the tip at which the zone ends [m]
+  double zone = 0;                                        // its size [m]
+  double highest = 0;                                     // factor of mode I that left it [Pa m^(1/2)]
+};
+
+// Slower growth in the plastic zone of an earlier, higher load. The zone of a load is (K / yield strength)^2 over pi
+// times a constraint: 2 in plane stress, 6 in plane strain.
+class Retardation {
+ public:
+  Retardation(double yield_strength, double constraint) : yield_strength_(yield_strength), constraint_(constraint) {}
+  Retardation(const Retardation&) = delete;
+  Retardation& operator=(const Retardation&) = delete;
+  virtual ~Retardation() = default;
+
+  double zone(double highest) const {
+    const double ratio = std::max(0.0, highest) / yield_strength_;
+    return ratio * ratio / (constraint_ * std::numbers::pi);
+  }
+  // The overload after a cycle of a tip that has grown by `grown`: a zone that reaches farther takes the place.
+  Overload after(const Overload& before, double grown, double highest) const {
+    const double own = zone(highest);
+    return grown + own >= before.end ? Overload{grown + own, own, highest} : before;
+  }
+  // Whether the zone of an overload reaches beyond that of a cycle.
+  bool acts(const Overload& overload, double grown, double highest) const {
+    return grown + zone(highest) < overload.end;
+  }
+
+  // Cycle and factor on its rate by which a tip grows in the zone of an overload; `grown` as in `acts`.
+  struct Reduced {
+    TipCycle cycle;
+    double share = 1;
+  };
+  virtual Reduced reduced(const TipCycle& cycle, const Overload& overload, double grown) const = 0;
+
+ private:
+  double yield_strength_, constraint_;
+};
+
+// Wheeler, J. Basic Eng. 94, 1972: the rate times (zone of the cycle / distance to the end of the overload's zone) to a
+// power.
+class Wheeler final : public Retardation {
+ public:
+  Wheeler(double yield_strength, double constraint, double exponent)
+      : Retardation(yield_strength, constraint), exponent_(exponent) {}
+
+  Reduced reduced(const TipCycle& cycle, const Overload& overload, double grown) const override {
+    return {cycle, std::pow(zone(cycle.highest) / (overload.end - grown), exponent_)};
+  }
+
+ private:
+  double exponent_;
+};
+
+// Willenborg, Engle and Wood, AFFDL-TM-71-1-FBR, 1971, generalized by Gallagher: both factors of a cycle are reduced by
+// phi [K_overload sqrt(distance to the end of its zone / its size) - K_max] with
+// phi = (1 - dK_th / K_max) / (shut-off ratio - 1). An overload by the shut-off ratio stops the tip. The reduction acts
+// through the load ratio R, so the law of growth must know it.
+class Willenborg final : public Retardation {
+ public:
+  Willenborg(double yield_strength, double constraint, double threshold, double shutoff_ratio)
+      : Retardation(yield_strength, constraint), threshold_(threshold), shutoff_ratio_(shutoff_ratio) {}
+
+  Reduced reduced(const TipCycle& cycle, const Overload& overload, double grown) const override {
+    if (cycle.highest <= threshold_) return {cycle, 0};
+    const double needed = overload.highest * std::sqrt((overload.end - grown) / overload.zone);
+    const double share = (1 - threshold_ / cycle.highest) / (shutoff_ratio_ - 1);
+    const double reduction = share * std::max(0.0, needed - cycle.highest);
+    TipCycle slower = cycle;
+    slower.highest -= reduction, slower.lowest -= reduction;
+    return {slower, 1};
+  }
+
+ private:
+  double threshold_, shutoff_ratio_;
+};
+
+}  // namespace bempd::crack

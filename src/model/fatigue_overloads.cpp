@@ -1,0 +1,42 @@
+#include "model/fatigue_overloads.hpp"
+
+#include <algorithm>
+
+#include "error.hpp"
+#include "model/crack_way.hpp"
+
+namespace bempd::model {
+
+void MetOverloads::take_up(const std::vector<RememberedOverload>& known, const Front& front,
+                           const std::vector<scene::Crack>& cracks, double first_cycle) {
+  constexpr double rounding = 1e-9;
+  for (const FrontTip& tip : front) {
+    if (!tip.law->retardation()) continue;
+    const double length = length_of(cracks[static_cast<std::size_t>(tip.values.crack) - 1]);
+    const auto found = std::find_if(known.begin(), known.end(), [&](const RememberedOverload& one) {
+      return one.tip == tip.id() && (one.place - tip.values.place).norm() <= rounding * length;
+    });
+    require(found != known.end(), "first_cycle is ", first_cycle, ", and the overloads that crack ", tip.id().crack,
+            " has met before are not known: the last call of bempd_grow_fatigue() on this model did not end at its "
+            "present tip; go on from there, or begin with first_cycle = 0");
+    met_[tip.id()] = found->overload;
+  }
+}
+
+void MetOverloads::keep(const crack::TipOnStep& tip, crack::Overload overload) {
+  overload.end -= tip.growth;
+  met_[tip.tip] = overload;
+}
+
+crack::Overload MetOverloads::of(const crack::TipId& tip) const {
+  const auto found = met_.find(tip);
+  return found == met_.end() ? crack::Overload{} : found->second;
+}
+
+std::vector<RememberedOverload> MetOverloads::remembered(const Front& front) const {
+  std::vector<RememberedOverload> all;
+  for (const FrontTip& tip : front) all.push_back({tip.id(), tip.values.place, of(tip.id())});
+  return all;
+}
+
+}  // namespace bempd::model

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <map>
+#include <vector>
+
+#include "model/fatigue.hpp"
+#include "model/fatigue_front.hpp"
+
+namespace bempd::model {
+
+// Overloads that tips have met in a call of growth by cycles, counted from the tips' present places.
+class MetOverloads {
+ public:
+  // Takes up what the tips had met when the call that this one goes on from ended. Throws Error (argument) if that is
+  // not known.
+  void take_up(const std::vector<RememberedOverload>& known, const Front& front,
+               const std::vector<scene::Crack>& cracks, double first_cycle);
+  void set(const crack::TipId& tip, const crack::Overload& overload) { met_[tip] = overload; }
+  // Sets the overload at the end of a step, in which the tip has grown.
+  void keep(const crack::TipOnStep& tip, crack::Overload overload);
+  crack::Overload of(const crack::TipId& tip) const;
+  std::vector<RememberedOverload> remembered(const Front& front) const;
+
+ private:
+  std::map<crack::TipId, crack::Overload> met_;
+};
+
+}  // namespace bempd::model

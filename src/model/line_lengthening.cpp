@@ -1,0 +1,133 @@
+#include "model/line_lengthening.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "crack/cannot_grow.hpp"
+
+namespace bempd::model {
+
+LineLengthening::LineLengthening(Model& model) : CrackLengthening(model, false) {
+  require(scene().evolution->grows_lines(),
+          "no crack of a BEM region has a tip, and cracks in peridynamic regions do not grow as lines; add a crack, or "
+          "set crack.rule to line or tips");
+  remember();
+}
+
+void LineLengthening::remember() {
+  accepted_ = scene().evolution->state();
+  way_on_ = scene().evolution->continuation();
+  in_trial_ = false;
+}
+
+void LineLengthening::return_to_accepted() {
+  if (!in_trial_) return;
+  scene().evolution->restore(accepted_, way_on_);
+  in_trial_ = false;
+  ++model_.generation_;
+}
+
+std::vector<regions::TipValues> LineLengthening::tips() {
+  std::vector<regions::TipValues> found = model_.tips_of_lines();
+  std::erase_if(found, [&](const regions::TipValues& tip) {
+    return model_.is_frozen({tip.crack, tip.end}) || !tip.factors.allFinite();
+  });
+  return found;
+}
+
+std::vector<scene::Crack> LineLengthening::cracks() const {
+  std::vector<scene::Crack> all;
+  for (int id = 1; id <= model_.crack_count(); ++id) all.push_back({places_of(model_.crack_path(id)), 0, 0});
+  return all;
+}
+
+int LineLengthening::region_of(const regions::TipValues& tip, const PreparedScene& scene) const {
+  const scene::Scene& described = model_.scene();
+  for (const auto& region : scene.discretization.regions)
+    if (!described.region(region->id()).has_elements() && locate(described.region(region->id()).outline(), tip.place,
+                                                                 scene.discretization.tolerance) != Location::outside)
+      return region->id();
+  return 0;
+}
+
+double LineLengthening::quantum(const regions::TipValues& tip) const {
+  const PreparedScene& scene = *model_.prepared_or_null();
+  const int region = region_of(tip, scene);
+  const auto law = region == 0 ? std::nullopt : scene.discretization.region(region).tip_law(model_.options());
+  return law ? law->spacing : 0;
+}
+
+// No tip grows while the load factor moves. If bonds break away from tips, the body fails at the load itself.
+void LineLengthening::go_to(double load_factor) {
+  std::set<crack::TipId> all;
+  for (const regions::TipValues& tip : model_.tips_of_lines()) all.insert({tip.crack, tip.end});
+  const std::int64_t events = scene().evolution->progress().events;
+  move_load(scene(), load_factor, all);
+  ++model_.generation_;
+  if (scene().evolution->progress().events != events || scene().evolution->progress().load_factor != load_factor)
+    fail(Failure::unsolvable, "bonds break away from the tips on the way to the load factor ", load_factor,
+         ", the highest of the blocks: the body does not bear it; choose lower blocks, or crack.rule = tips");
+  remember();
+}
+
+crack::Extension LineLengthening::extend(const Lengthened& one) {
+  fracture::CrackEvolution& evolution = *scene().evolution;
+  const crack::TipId id{one.tip.crack, one.tip.end};
+  const double spacing = quantum(one.tip);
+  const auto steps = std::max<std::int64_t>(1, std::llround(one.length / spacing));
+  crack::Extension whole;
+  for (std::int64_t k = 0; k < steps; ++k) {
+    if (!evolution.extend_line(id)) {
+      if (k > 0) break;
+      throw crack::CannotGrow(text("no bond lies ahead of the tip of crack ", id.crack, "; it stops"));
+    }
+    const crack::Extension& last = evolution.progress().extensions.back();
+    if (k == 0) {
+      whole = last;
+    } else {
+      const double length = whole.length + last.length;
+      const Point from(whole.from_x, whole.from_y);
+      const double released = whole.released_energy + last.released_energy;
+      whole = last;
+      whole.length = length, whole.released_energy = released;
+      whole.from_x = from.x(), whole.from_y = from.y();
+    }
+    if (last.has_ended()) break;
+  }
+  return whole;
+}
+
+LongerCracks LineLengthening::lengthened(const std::vector<Lengthened>& tips) {
+  return_to_accepted();
+  in_trial_ = true;
+  LongerCracks longer;
+  try {
+    for (const Lengthened& one : tips) longer.grown.growth.extensions.push_back(extend(one));
+    ++model_.generation_;
+    longer.grown.tips = this->tips();
+  } catch (...) {
+    return_to_accepted();
+    throw;
+  }
+  return longer;
+}
+
+void LineLengthening::go_on_in(LongerCracks) {
+  remember();
+  ++model_.generation_;
+  if (model_.records_tips()) model_.record_tips();
+}
+
+std::unique_ptr<CrackLengthening> lengthening_for(Model& model) {
+  model.prepare();
+  const auto& cracks = model.prepared().discretization.cracks;
+  const bool in_elements =
+      std::any_of(cracks.begin(), cracks.end(), [](const auto& one) { return one.has_elements(); });
+  const bool in_bonds = std::any_of(cracks.begin(), cracks.end(), [](const auto& one) { return one.cuts_bonds(); });
+  require(!in_elements || !in_bonds,
+          "some cracks have boundary elements and others cut bonds; growth by cycles takes one kind at a time");
+  if (in_bonds) return std::make_unique<LineLengthening>(model);
+  return std::make_unique<CrackLengthening>(model);
+}
+
+}  // namespace bempd::model

@@ -1,0 +1,174 @@
+#include "model/load_cases.hpp"
+
+#include <algorithm>
+
+#include "error.hpp"
+#include "model/element_growth.hpp"
+#include "model/model.hpp"
+
+namespace bempd::model {
+
+namespace {
+
+// Adds `factor` times the values at the load factor 1 to a sum of constant parts. Both have the same samples or places.
+void add(scene::SampledValues& sum, const scene::SampledValues& values, double factor) {
+  for (std::size_t k = 0; k < sum.constant.size(); ++k)
+    sum.constant[k] += factor * (values.constant[k] + values.proportional[k]);
+}
+
+void add(scene::PlacedValues& sum, const scene::PlacedValues& values, double factor) {
+  for (std::size_t k = 0; k < sum.constant.size(); ++k)
+    sum.constant[k] += factor * (values.constant[k] + values.proportional[k]);
+}
+
+// Sum of values of one condition, each times a factor; the first one says the kind if there is any.
+class Sum {
+ public:
+  explicit Sum(scene::Values zero) : sum_(std::move(zero)) {}
+
+  void add(const scene::Values& values, double factor) {
+    const auto* function = std::get_if<scene::BoundaryFunction>(&values);
+    if (sum_.index() != values.index() || function) {
+      terms_.emplace_back(as_function(values), factor);
+      return;
+    }
+    std::visit(
+        [&](auto& sum) {
+          using Kind = std::decay_t<decltype(sum)>;
+          if constexpr (!std::is_same_v<Kind, scene::BoundaryFunction>) model::add(sum, std::get<Kind>(values), factor);
+        },
+        sum_);
+  }
+
+  scene::Values result() const {
+    if (terms_.empty()) return sum_;
+    return scene::BoundaryFunction([terms = terms_, rest = as_function(sum_)](const Point& place, double fraction) {
+      scene::BoundaryValue value{rest(place, fraction).constant, Point::Zero()};
+      for (const auto& [function, factor] : terms) {
+        const scene::BoundaryValue own = function(place, fraction);
+        value.constant += factor * (own.constant + own.proportional);
+      }
+      return value;
+    });
+  }
+
+ private:
+  static scene::BoundaryFunction as_function(const scene::Values& values) {
+    if (const auto* function = std::get_if<scene::BoundaryFunction>(&values)) return *function;
+    scene::Condition condition;
+    condition.values = values;
+    return [condition](const Point& place, double fraction) { return condition.value(place, fraction); };
+  }
+
+  scene::Values sum_;
+  std::vector<std::pair<scene::BoundaryFunction, double>> terms_;
+};
+
+// Values of one kind of conditions under a combination; `part` selects loads or supports of a case.
+template <class Part>
+std::vector<scene::Values> combined_of(const std::vector<scene::Values>& zeros, std::size_t cases, const Part& part) {
+  std::vector<scene::Values> all;
+  for (std::size_t k = 0; k < zeros.size(); ++k) {
+    Sum sum(zeros[k]);
+    for (std::size_t c = 0; c < cases; ++c) {
+      const auto [values, factor] = part(c, k);
+      if (values && factor != 0) sum.add(*values, factor);
+    }
+    all.push_back(sum.result());
+  }
+  return all;
+}
+
+// A result of a combination, as if it acted in proportion to a load factor that is 1 now.
+regions::TipValues in_proportion(regions::TipValues tip, const scene::Options& options) {
+  tip.constant_factors = Point::Zero(), tip.proportional_factors = tip.factors;
+  complete(tip, options);
+  return tip;
+}
+
+}  // namespace
+
+int LoadCases::add(const std::vector<int>& loads, const std::vector<int>& supports) {
+  const scene::Scene& scene = model_.scene();
+  require(!loads.empty() || !supports.empty(), "the case has neither loads nor supports; give at least one");
+  Case added;
+  for (const int id : loads) {
+    scene.load(id);  // throws without it
+    require(added.loads.insert(id).second, "load ", id, " is in the case twice; give each once");
+  }
+  for (const int id : supports) {
+    scene.support(id);
+    require(added.supports.insert(id).second, "support ", id, " is in the case twice; give each once");
+  }
+  added.values = scene.values();
+  cases_.push_back(std::move(added));
+  return count();
+}
+
+scene::SceneValues LoadCases::combined(const std::vector<double>& factors) const {
+  const scene::SceneValues zeros = scene::at_rest(model_.scene().values());
+  using Part = std::pair<const scene::Values*, double>;
+  const auto value = [](const std::vector<scene::Values>& of, const std::set<int>& in, std::size_t number) {
+    return number < of.size() && in.contains(static_cast<int>(number) + 1) ? &of[number] : nullptr;
+  };
+  scene::SceneValues sum;
+  sum.loads = combined_of(zeros.loads, factors.size(), [&](std::size_t c, std::size_t k) {
+    return Part(value(cases_[c].values.loads, cases_[c].loads, k), factors[c]);
+  });
+  sum.supports = combined_of(zeros.supports, factors.size(), [&](std::size_t c, std::size_t k) {
+    return Part(value(cases_[c].values.supports, cases_[c].supports, k), factors[c]);
+  });
+  return sum;
+}
+
+void LoadCases::with(const std::vector<double>& factors, const std::function<void(PreparedScene&)>& read) {
+  require(!factors.empty() && factors.size() <= cases_.size(), "there are ", factors.size(), " factors and ",
+          cases_.size(), " load cases; give a factor for each case, in the order of their ids");
+  for (std::size_t c = 0; c < factors.size(); ++c)
+    require(std::isfinite(factors[c]), "the factor of load case ", c + 1, " is ", factors[c],
+            "; it must be a finite number");
+  model_.prepare();
+  PreparedScene& scene = model_.prepared();
+  fracture::CrackEvolution& evolution = *scene.evolution;
+  fracture::EvolutionState state = evolution.state();
+  fracture::Continuation continuation = evolution.continuation();
+  Model::LoadsBefore loads = model_.replace_loads(model_.conditions_under(combined(factors)), Acting::values);
+  const auto go_back = [&] {
+    evolution.take_held();
+    evolution.restore(std::move(state), std::move(continuation));
+    model_.go_back_to(std::move(loads));
+  };
+  try {
+    evolution.find_equilibrium();
+    read(scene);
+  } catch (...) {
+    go_back();
+    throw;
+  }
+  go_back();
+}
+
+const LoadCases::Solved& LoadCases::under(const std::vector<double>& factors) {
+  if (known_generation_ == model_.generation() && known_factors_ == factors) return known_;
+  Solved solved;
+  with(factors, [&](PreparedScene& scene) {
+    for (const regions::TipValues& tip : model_.compute_tips())
+      solved.tips.push_back(in_proportion(tip, model_.options()));
+    for (std::size_t s = 0; s < model_.scene().supports().size(); ++s)
+      solved.reactions.push_back(model_.scene().supports()[s].removed() ? Eigen::Vector2d::Zero()
+                                                                        : scene.evolution->reaction(s));
+    const std::vector<char>& closed = scene.system->constraints().closed();
+    solved.pressed = std::count(closed.begin(), closed.end(), 1);
+  });
+  known_ = std::move(solved), known_factors_ = factors, known_generation_ = model_.generation();
+  return known_;
+}
+
+std::vector<regions::PointValue> LoadCases::evaluate(const std::vector<double>& factors,
+                                                     const std::vector<Point>& places, bool with_stress) {
+  std::vector<regions::PointValue> found;
+  with(factors, [&](PreparedScene&) { found = model_.results().evaluate(places, with_stress); });
+  return found;
+}
+
+}  // namespace bempd::model

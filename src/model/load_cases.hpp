@@ -1,0 +1,57 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <cstdint>
+#include <functional>
+#include <set>
+#include <vector>
+
+#include "regions/region.hpp"
+#include "results/point_values.hpp"
+#include "scene/scene_values.hpp"
+
+namespace bempd::model {
+
+class Model;
+struct PreparedScene;
+
+// Load cases: loads and moved supports that act together, and the body under any combination of them. A combination is
+// solved with the factors of the prepared body, at its present cracks and bonds. Faces close and open as they must
+// under it, and nothing grows or breaks. The run itself stays where it is.
+class LoadCases {
+ public:
+  explicit LoadCases(Model& model) : model_(model) {}
+
+  // Adds a case of loads and supports (ids) with the values that they have now, at the load factor 1. Returns its id.
+  int add(const std::vector<int>& loads, const std::vector<int>& supports);
+  int count() const { return static_cast<int>(cases_.size()); }
+
+  // Body under a combination.
+  struct Solved {
+    std::vector<regions::TipValues> tips;
+    std::vector<Eigen::Vector2d> reactions;  // of each support [N]
+    std::int64_t pressed = 0;                // places at which faces of cracks press on each other
+  };
+  // `factors`: of the first cases, in the order of their ids; the others do not act.
+  const Solved& under(const std::vector<double>& factors);
+  std::vector<regions::PointValue> evaluate(const std::vector<double>& factors, const std::vector<Point>& places,
+                                            bool with_stress);
+
+ private:
+  struct Case {
+    std::set<int> loads, supports;
+    scene::SceneValues values;  // of all loads and supports when it was added
+  };
+
+  scene::SceneValues combined(const std::vector<double>& factors) const;
+  // Calls `read` while the body is in equilibrium under a combination.
+  void with(const std::vector<double>& factors, const std::function<void(PreparedScene&)>& read);
+
+  Model& model_;
+  std::vector<Case> cases_;
+  std::vector<double> known_factors_;
+  std::int64_t known_generation_ = 0;  // of the model, for which `known_` is; 0: none
+  Solved known_;
+};
+
+}  // namespace bempd::model
