@@ -38,13 +38,18 @@ class Phase {
  public:
   explicit Phase(const char* name, double work = 1, double estimate = 0)
       : name_(name), work_(work), estimate_(estimate) {
-    reach(0);
+    tell(0);
   }
 
   // Whether somebody hears of phases, so that an estimate is worth its price.
   static bool is_heard() { return ListeningScope::current() != nullptr; }
 
   void reach(double done) const {
+    if (done > 0) tell(done);
+  }
+
+ private:
+  void tell(double done) const {
     PhaseListener* const listener = ListeningScope::current();
     if (!listener) return;
     const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
@@ -52,7 +57,6 @@ class Phase {
     listener->hear(name_, share, seconds, share > 0 ? seconds / share : estimate_);
   }
 
- private:
   const char* name_;
   double work_, estimate_;
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
