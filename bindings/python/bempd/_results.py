@@ -10,11 +10,13 @@ import numpy.typing as npt
 
 from . import _arguments as arguments
 from ._arguments import FloatArray
+from ._columns import name_columns, read_columns
 from ._edge_picture import write_edges
 from ._handle import Handle
 from ._names import Edge, Face, FieldName
 from ._library import call, ffi, lib, new_struct, string
 from ._sketch import Sketch
+from ._words import in_python
 from .errors import ArgumentError
 from .tables import Rows
 from .reports import (
@@ -184,7 +186,15 @@ class Results:
         self._open().call("bempd_explain", int(rising), explanation, ffi.NULL, 0, needed)
         buffer = ffi.new("char[]", needed[0])
         self._open().call("bempd_explain", int(rising), explanation, buffer, needed[0], ffi.NULL)
-        return explained(explanation, string(buffer))
+        return explained(explanation, self._sketch.with_names(in_python(string(buffer))))
+
+    def _conditions(self) -> list[tuple[object, ...]]:
+        """What bempd.table() shows of a model: supports and loads, and the forces of supports once something was solved."""
+        counted = self.statistics()
+        is_solved = counted.solves > 0 and counted.boundary_nodes + counted.material_points > 0
+        forces = [tuple(map(float, self.reaction(number))) if is_solved else (None, None) for number in sorted(self._sketch.supports)]
+        forces += [(None, None)] * len(self._sketch.loads)
+        return [(*mark, *force) for mark, force in zip(self._sketch.marks(), forces)]
 
     def reaction_moment(self, support: int, about: Sequence[float] = (0.0, 0.0)) -> float:
         """Moment [N m] about a place of the forces of a support on the body, positive counter-clockwise."""
@@ -279,7 +289,7 @@ class Results:
         [('CORNER', 1.0, 1.0, 0.5445), ('POINT', 0.0, 0.0, 0.0)]
         """
         count = int(self._number("bempd_singularity_count", "int64_t"))
-        found: Rows[Singularity] = Rows()
+        found: Rows[Singularity] = Rows(called=self._sketch.called)
         for index in range(count):
             struct = new_struct("bempd_singularity", "bempd_singularity_init")
             self._open().call("bempd_get_singularity", index, struct)
@@ -429,15 +439,17 @@ class Results:
         """Write the present state for ParaView, which opens PREFIX.pvd, the series of all snapshots.
 
         The folder must exist. Files of another run with this prefix raise FileError, unless the option
-        "snapshots.existing" is "continue" or "replace". If edges have names, PREFIX_edges.vtp has the edges as lines with
-        them.
+        "snapshots.existing" is "continue" or "replace". If edges, regions, supports or loads have names, PREFIX_edges.vtp shows
+        them: edges and cracks as lines, held and loaded points as points.
         """
         self._open().call("bempd_write_snapshot", arguments.file_name("write_snapshot: prefix", prefix))
         write_edges(self._sketch, prefix)
 
     def write_history(self, path: Union[str, "os.PathLike[str]"]) -> None:
-        """Write history() and support_history() of all supports as comma-separated values."""
+        """Write history() and support_history() of all supports as comma-separated values. Columns of a support have its number
+        and, if it has one, its name: reaction_x_1 (clamp)."""
         self._open().call("bempd_write_history", arguments.file_name("write_history: path", path))
+        name_columns(self._sketch, path)
 
     def write_tips(self, path: Union[str, "os.PathLike[str]"]) -> None:
         """Write what tip_history() has as comma-separated values; read_history() reads them."""
@@ -447,4 +459,4 @@ class Results:
 def read_history(path: Union[str, "os.PathLike[str]"]) -> npt.NDArray[Any]:
     """What Model.write_history() wrote as a structured array, with columns reaction_x_1, reaction_y_1, ...; or what
     Model.write_tips() wrote."""
-    return np.atleast_1d(np.genfromtxt(path, delimiter=",", names=True, dtype=np.float64))
+    return read_columns(path)

@@ -6,7 +6,7 @@ import dataclasses
 import enum
 import html
 import math
-from typing import Any, Iterable, List, Optional, Sequence, TypeVar, Union
+from typing import Any, Callable, Iterable, List, Optional, Sequence, TypeVar, Union
 
 from .errors import ArgumentError
 
@@ -26,7 +26,12 @@ NEVER = 1e300
 
 
 class Rows(List[Row]):
-    """A list that notebooks show as a table; `str(bempd.table(rows))` is the table as text."""
+    """A list that notebooks show as a table; `str(bempd.table(rows))` is the table as text. `called` gives a region, a support or a
+    load its name: "region 1", or "region 1 ("pane")"."""
+
+    def __init__(self, entries: Iterable[Row] = (), *, called: Optional[Callable[[str, int], str]] = None) -> None:
+        super().__init__(entries)
+        self.called = called
 
     def _repr_html_(self) -> str:
         return table(self)._repr_html_() if self else "<p>none</p>"
@@ -53,9 +58,11 @@ class Table:
 
 
 def table(what: Union[Any, Sequence[Any]], columns: Optional[Sequence[str]] = None) -> Table:
-    """A table of a report, or of a list such as tips(), extensions(), singularities() or crack_path() return.
+    """A table of a report, of a list such as tips(), extensions(), singularities() or crack_path() return, or of a model.
 
-    A single report has a line for each value. A list has a line for each entry; `columns` chooses members by name.
+    A single report has a line for each value. A list has a line for each entry; `columns` chooses members by name. Regions,
+    supports and loads with a name have it beside their number. The table of a model has its supports and loads: where they are,
+    what they do and, of supports once a step was made, the force that they exert.
 
     >>> import bempd
     >>> model = bempd.Model()
@@ -73,13 +80,17 @@ def table(what: Union[Any, Sequence[Any]], columns: Optional[Sequence[str]] = No
     if dataclasses.is_dataclass(what) and not isinstance(what, type):
         names = chosen(type(what), columns)
         return Table(["value", type(what).__name__], [[name.replace("_", " "), shown(getattr(what, name))] for name in names])
+    conditions = getattr(what, "_conditions", None)  # of a Model
+    if conditions is not None:
+        return Table(["what", "where", "does", "force x [N]", "force y [N]"], [[shown(cell) for cell in row] for row in conditions()])
+    called = getattr(what, "called", None)
     rows = [flat(row) for row in what]
     if not rows:
         return Table(["none"], [])
     names = chosen(type(rows[0]), columns)
     headings = COLUMNS.get(type(rows[0]).__name__, {})
     return Table([headings.get(name, name.replace("_", " ")) for name in names],
-                 [[shown(getattr(row, name)) for name in names] for row in rows])
+                 [[known_as(name, getattr(row, name), called) for name in names] for row in rows])
 
 
 def flat(row: Any) -> Any:
@@ -101,6 +112,13 @@ def chosen(kind: Any, columns: Optional[Sequence[str]]) -> list[str]:
         if name not in known:
             raise ArgumentError(f"table: {kind.__name__} has no {name!r}; it has {', '.join(known)}")
     return list(columns)
+
+
+def known_as(name: str, value: Any, called: Optional[Callable[[str, int], str]]) -> str:
+    """A member of an entry as a short text, a region, support or load with its name."""
+    if called is not None and name in ("region", "support", "load"):
+        return called(name, value).removeprefix(f"{name} ")
+    return shown(value)
 
 
 def shown(value: Any) -> str:

@@ -1,6 +1,8 @@
 """Outlines from drawings and meshes, and edges by name and place."""
 
+import csv
 import math
+import re
 import sys
 import xml.etree.ElementTree as xml
 
@@ -336,9 +338,9 @@ def test_named_edges_are_written_beside_snapshots(tmp_path):
     plate.model.write_snapshot(tmp_path / "plate")
     root = xml.parse(tmp_path / "plate_edges.vtp").getroot()
     arrays = {array.get("Name"): array for array in root.iter("DataArray")}
-    assert arrays["region"].text.split() == ["1"] * 4 and arrays["edge"].text.split() == ["1", "2", "3", "4"]
+    assert arrays["region"].text.split() == ["0"] + ["1"] * 4 and arrays["edge"].text.split() == ["0", "1", "2", "3", "4"]
     names = "".join(chr(int(code)) for code in arrays["name"].text.split()).split("\0")[:-1]
-    assert names == ["", "pulled < side", "", ""]
+    assert names == ["", "", "pulled < side", "", ""]  # the held point comes first
 
 
 def test_regions_supports_and_loads_have_names(tmp_path):
@@ -364,3 +366,63 @@ def test_regions_supports_and_loads_have_names(tmp_path):
         model.name_load(7, "none")
     with pytest.raises(bempd.ArgumentError, match="it must be a word"):
         model.name_region(plate, "")
+
+
+def named_plate():
+    """A plate whose region, supports and load have names, one support at a point."""
+    model = bempd.Model()
+    glass = model.add_material(young_modulus=1, poisson_ratio=0.3)
+    plate = model.add_bem_region(glass, bempd.rectangle(0, 0, 4, 4), 1.0)
+    rail, peg, wind = model.fix_edge(plate, 4, "x"), model.fix_point((0, 0), "y"), model.add_traction(plate, 2, "x", 1.0)
+    model.name_region(plate, "pane")
+    model.name_support(rail, 'rail, "left"')
+    model.name_support(peg, "peg")
+    model.name_load(wind, "wind")
+    return model, rail, peg
+
+
+def test_names_stand_in_tables(tmp_path):
+    model, _, _ = named_plate()
+    assert re.search(r'^support 2 \("peg"\) +point \(0, 0\) +y held +- +-$', str(bempd.table(model)), re.MULTILINE)
+    model.step(1)
+    table = str(bempd.table(model))
+    assert re.search(r'^support 1 \("rail, "left""\) +edge 4 of region 1 \("pane"\) +x held +-4 ', table, re.MULTILINE)
+    assert re.search(r'^load 1 \("wind"\) +edge 2 of region 1 \("pane"\) +traction along x +- +-$', table, re.MULTILINE)
+    places = bempd.table(model.singularities(), ["kind", "region"])
+    assert places.rows and all(row[1] == '1 ("pane")' for row in places.rows)
+    assert bempd.table(list(model.singularities()), ["region"]).rows[0] == ["1"]  # a list of one's own knows no names
+
+
+def test_a_history_has_the_names_of_supports(tmp_path):
+    model, rail, peg = named_plate()
+    model.step(1)
+    model.write_history(tmp_path / "named.csv")
+    with open(tmp_path / "named.csv", encoding="utf-8", newline="") as file:
+        heading = next(csv.reader(file))
+    assert 'reaction_x_1 (rail, "left")' in heading and "displacement_y_2 (peg)" in heading and "work" in heading
+    history = bempd.read_history(tmp_path / "named.csv")
+    assert history["reaction_x_1"][-1] == pytest.approx(model.reaction(rail)[0], rel=1e-12)
+    assert len(history.dtype.names) == len(heading) and sorted(tmp_path.iterdir()) == [tmp_path / "named.csv"]
+    # Without names the file is the library's own.
+    plain = make_plate().model
+    plain.step(1)
+    plain.write_history(tmp_path / "plain.csv")
+    assert "(" not in (tmp_path / "plain.csv").read_text().splitlines()[0]
+    with pytest.raises(bempd.FileError):
+        model.write_history(tmp_path / "no_folder" / "named.csv")
+
+
+def test_points_and_cracks_are_in_the_file_of_edges(tmp_path):
+    model, _, _ = named_plate()
+    model.add_crack([(0, 2), (1, 2)])
+    model.add_crack_pressure(1, 1.0)
+    model.add_body_force(1, "y", 1.0)
+    model.step(1)
+    model.write_snapshot(tmp_path / "plate")
+    root = xml.parse(tmp_path / "plate_edges.vtp").getroot()
+    piece = root.find(".//Piece")
+    assert (piece.get("NumberOfVerts"), piece.get("NumberOfLines"), piece.get("NumberOfPoints")) == ("1", "5", "11")
+    arrays = {array.get("Name"): array for array in root.find(".//CellData")}
+    assert arrays["crack"].text.split() == ["0"] * 5 + ["1"] and arrays["region"].text.split() == ["0"] + ["1"] * 4 + ["0"]
+    held = bytes(int(code) for code in arrays["supports and loads"].text.split()).decode().split("\0")[:-1]
+    assert held[0] == 'support 2 ("peg")' and held[4] == 'support 1 ("rail, "left""), load 3' and held[5] == "load 2"
