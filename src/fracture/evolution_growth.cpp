@@ -28,7 +28,7 @@ void CrackEvolution::return_to(const Start& start) noexcept {
 bool CrackEvolution::extend_line(const crack::TipId& tip) {
   sources_.refresh(), sources_.settle();
   const Event* step = sources_.line_step(tip);
-  if (step) perform(*step, {}, false);
+  if (step) perform_and_book(*step);
   sources_.bring_up_to_date();
   return step != nullptr;
 }

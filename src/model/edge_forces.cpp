@@ -46,8 +46,8 @@ Eigen::VectorXd EdgeResults::forces_from_outside(const std::vector<int>& body) {
   for (const int id : body) {
     const std::vector<int> own = d.region(id).terms();
     terms.insert(terms.end(), own.begin(), own.end());
-    for (const std::vector<int>& nodes : d.region(id).nodes_of_operators())
-      force += system.operators().force_on(nodes, state.total_displacement, state.load_factor);
+    for (const regions::OperatorNodes& one : d.region(id).nodes_of_operators())
+      force += system.operators().force_on(one.nodes, state.total_displacement, state.load_factor);
   }
   if (body.size() > 1) {  // regions share terms
     std::sort(terms.begin(), terms.end());

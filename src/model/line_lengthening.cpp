@@ -8,7 +8,7 @@
 namespace bempd::model {
 
 LineLengthening::LineLengthening(Model& model) : CrackLengthening(model, false) {
-  require(scene().evolution->grows_lines(),
+  require(scene().evolution->lines(),
           "no crack of a BEM region has a tip, and cracks in peridynamic regions do not grow as lines; add a crack, or "
           "set crack.rule to line or tips");
   remember();

@@ -26,12 +26,10 @@ std::optional<fracture::CrackEvolution::Heat> Model::heat(const regions::DofCond
   system.condense();
   coupling::Rests rests = system.rests();
   rests.of_terms = regions::swell_again(prepared_->discretization, conditions.swelling, system.terms());
-  for (const auto& region : prepared_->discretization.regions) {
-    const std::vector<coupling::Affine> own = region->rests_of_operators();
-    const std::vector<std::vector<int>> nodes = region->nodes_of_operators();
-    for (std::size_t i = 0; i < own.size(); ++i)
-      rests.of_operators[static_cast<std::size_t>(system.operators().number_on(nodes[i]))] = own[i];
-  }
+  for (const auto& region : prepared_->discretization.regions)
+    for (const regions::OperatorNodes& one : region->nodes_of_operators())
+      if (one.rest.rows() > 0)
+        rests.of_operators[static_cast<std::size_t>(system.operators().number_on(one.nodes))] = one.rest;
   if (rests == system.rests()) return std::nullopt;
   return prepared_->evolution->heat(std::move(rests));
 }

@@ -45,6 +45,14 @@ bool is_island(const scene::Scene& scene, const regions::Discretization& d, cons
   });
 }
 
+// Throws Error (argument) for a lattice that breaks bond by bond and has a table of resistances.
+void require_constant_resistance(const scene::Scene& scene) {
+  for (const int id : scene.region_ids())
+    require(scene.region(id).has_elements() || scene.material_of(id).resistance.is_constant(), "region ", id,
+            " breaks bond by bond, which knows no resistance by growth or direction; let cracks grow as lines there "
+            "(crack.rule = line or tips), or give its material no such table");
+}
+
 double extent(const std::vector<Point>& positions, const std::vector<int>& nodes) {
   double farthest = 0;
   for (const int node : nodes) farthest = std::max(farthest, (positions[node] - positions[nodes.front()]).norm());
@@ -126,13 +134,7 @@ void Model::check_mechanism(const PreparedScene& p) const {
 // Prepares crack lines in lattices: laws of growth and initial tips. Nothing is done if cracks grow bond by bond.
 void Model::grow_lines(PreparedScene& p) const {
   const std::string rule = options_.text_in_effect("crack.rule");
-  if (rule == "bond") {
-    for (const int id : scene_.region_ids())
-      require(scene_.region(id).has_elements() || scene_.material_of(id).resistance.is_constant(), "region ", id,
-              " breaks bond by bond, which knows no resistance by growth or direction; let cracks grow as lines there "
-              "(crack.rule = line or tips), or give its material no such table");
-    return;
-  }
+  if (rule == "bond") return require_constant_resistance(scene_);
   pd::TipLaws laws;
   laws.more_begin = rule != "tips";
   laws.criterion = growth_criterion(options_);

@@ -26,6 +26,7 @@
 #include "regions/fields.hpp"
 #include "regions/preparation.hpp"
 #include "regions/region_statistics.hpp"
+#include "regions/tip_values.hpp"
 #include "scene/material.hpp"
 
 namespace bempd::regions {
@@ -54,43 +55,6 @@ struct LeadingElements {
   std::vector<int> nodes;  // of the scene
 };
 
-enum class TipMethod { elements = 1, contours = 2, stress_ahead = 3 };
-
-// Tip of a crack with its results; unknown results are NaN.
-struct TipValues {
-  static constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
-
-  int crack = 0;                             // id
-  int end = 0;                               // 1: the crack's last point, 0: its first
-  Point place{0, 0}, direction{1, 0};        // unit vector in which a straight crack would go on
-  Point factors{unknown, unknown};           // K_I, K_II [Pa m^(1/2)]
-  double energy_release_rate = unknown;      // of growth straight on [J/m^2]
-  double stress_along = unknown;             // T [Pa]
-  double error = unknown;                    // of the factors [Pa m^(1/2)]
-  Point constant_factors{unknown, unknown};  // K_I and K_II of the constant part of the loads
-  Point proportional_factors{unknown, unknown};
-  double toughness = 0;      // K_I at which it grows straight on; 0: it does not [Pa m^(1/2)]
-  double plane_modulus = 0;  // [Pa]
-  const crack::ResistanceDirections* directions = nullptr;  // null: the toughness is the same in all directions
-
-  // Results of the growth criterion in force (Model::complete()); load factors: +- largest double if it never grows.
-  double kink_angle = unknown;                 // from the direction, counter-clockwise, at the present loads [rad]
-  double critical_load_factor = unknown;       // load factor at which the tip grows while it rises
-  double critical_load_factor_down = unknown;  // load factor at which the tip grows while it falls
-  double critical_kink_angle = unknown;        // angle by which it turns at critical_load_factor [rad]
-  double straight_load_factor = unknown;       // smallest >= 0 at which G of growth straight on is the fracture energy
-  crack::LoadRule load_rule = crack::LoadRule::unknown;  // what the critical load factors come from
-  double load_error = unknown;                           // relative error of critical_load_factor
-  double valid_radius = unknown;  // around the tip, within which nothing else disturbs its field [m]
-
-  // The next members are set for tips in lattices only.
-  TipMethod method = TipMethod::elements;
-  int contours = 0;
-  bool grown = false, branched = false;
-  double contour_radius = 0, felt_ahead = 0;  // [m]
-  bool closed = false;                        // faces press on each other at the tip
-};
-
 enum class TipDetail { factors, everything };
 
 // Elements on a crack for a picture: start, middle and end of each, the openings and mean displacements there [m].
@@ -104,6 +68,12 @@ struct LatticeGrid {
   Point origin;
   double spacing, horizon;  // [m]
   double angle = 0;         // [rad]
+};
+
+// Nodes of a dense operator, and their rest displacements; without rows if the region does not swell.
+struct OperatorNodes {
+  std::vector<int> nodes;
+  coupling::Affine rest;
 };
 
 struct RegionOperator {
@@ -171,8 +141,6 @@ class Region {
   virtual void swell(const Swelling& /*strain*/, LatticeSwelling& /*lattices*/) {}
   // Sets the rest elongations of the region's terms. Called after swell() of all regions.
   virtual void set_rests(const LatticeSwelling& /*lattices*/, coupling::Terms& /*terms*/) const {}
-  // Displacements of the nodes of each dense operator in the stress-free, swollen state; empty without swelling.
-  virtual std::vector<coupling::Affine> rests_of_operators() const { return {}; }
   // Displacement when the region swells freely (columns: constant, proportional part); empty if that causes stress.
   virtual std::optional<Eigen::Matrix2d> free_displacement(const Point& /*place*/) const {
     return Eigen::Matrix2d::Zero();
@@ -181,11 +149,11 @@ class Region {
   // --- Contribution to equilibrium
 
   // Stiffness on the nodes as dense matrices, none without; an equal region in `before` shares its matrix. Then the
-  // nodes of each of them, in the same order.
+  // nodes of each of them and their displacements in the stress-free, swollen state, in the same order.
   virtual std::vector<coupling::DenseOperator> dense_operators(std::span<const RegionOperator> /*before*/) const {
     return {};
   }
-  virtual std::vector<std::vector<int>> nodes_of_operators() const { return {}; }
+  virtual std::vector<OperatorNodes> nodes_of_operators() const { return {}; }
   // Volume that flows out of an incompressible region per displacement of each degree of freedom; empty otherwise.
   virtual std::optional<Eigen::VectorXd> outflow(Eigen::Index /*dof_count*/) const { return std::nullopt; }
 

@@ -17,7 +17,7 @@ using SwellingOfRegions = std::map<int, std::vector<Swelling>>;
 void swell(Discretization& discretization, const SwellingOfRegions& swelling);
 
 // Swelling that changes after the operators exist: returns the new rest elongations of all terms (constant and
-// proportional part), which the caller sets in `terms`. Operators have theirs in Region::rests_of_operators().
+// proportional part), which the caller sets in `terms`. Operators have theirs in Region::nodes_of_operators().
 std::array<std::vector<double>, 2> swell_again(Discretization& discretization, const SwellingOfRegions& swelling,
                                                const coupling::Terms& terms);
 

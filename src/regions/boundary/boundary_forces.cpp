@@ -124,17 +124,12 @@ void BoundaryRegion::swell(const Swelling& strain, LatticeSwelling&) {
           " is a BEM region, and its temperature is not linear in x and y; boundary elements know nothing of others: "
           "make it a peridynamic region, or several regions");
   free_swelling_ = std::move(free_swelling);
-  std::vector<int> own(1 + static_cast<std::size_t>(*std::max_element(nodes_.begin(), nodes_.end())), -1);
-  for (std::size_t i = 0; i < nodes_.size(); ++i) own[nodes_[i]] = static_cast<int>(i);
   rest_ = coupling::Affine::Zero(2 * static_cast<Eigen::Index>(nodes_.size()), 2);
-  for (std::size_t i = 0; i < mesh_.nodes.size(); ++i) {
-    if (const int node = node_of_mesh_node_[i]; node >= 0)
-      rest_.middleRows<2>(2 * own[node]) = free_swelling_->displacement(mesh_.nodes[i]);
+  Eigen::Index row = 0;
+  for (std::size_t i = 0; i < places().size(); ++i) {
+    const bool is_slaved = i < mesh_.nodes.size() && node_of_mesh_node_[i] < 0;
+    if (!is_slaved) rest_.middleRows<2>(2 * row++) = free_swelling_->displacement(places()[i]);
   }
-  const std::size_t cut_nodes = places().size() - mesh_.nodes.size();
-  for (std::size_t i = 0; i < cut_nodes; ++i)
-    rest_.middleRows<2>(2 * static_cast<Eigen::Index>(nodes_.size() - cut_nodes + i)) =
-        free_swelling_->displacement(places()[mesh_.nodes.size() + i]);
 }
 
 std::optional<Eigen::Matrix2d> BoundaryRegion::free_displacement(const Point& place) const {
@@ -151,9 +146,7 @@ Eigen::VectorXd BoundaryRegion::elastic(const Eigen::VectorXd& displacement, dou
 Eigen::VectorXd BoundaryRegion::displacement_without(const LinearBodyForce& particular,
                                                      const Solution& solution) const {
   Eigen::VectorXd displacement = elastic(solution.displacement, 1, solution.load_factor);
-  if (solution.body_force(id()).is_zero()) return displacement;
-  for (std::size_t i = 0; i < places().size(); ++i)
-    displacement.segment<2>(2 * static_cast<Eigen::Index>(i)) -= particular.displacement(places()[i]);
+  if (!solution.body_force(id()).is_zero()) displacement -= displacement_of(particular);
   return displacement;
 }
 

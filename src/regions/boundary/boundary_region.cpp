@@ -164,24 +164,30 @@ void BoundaryRegion::number_nodes(const Preparation& preparation, NodeRegistry& 
   trace_.setFromTriplets(entries.begin(), entries.end());
 }
 
+// Earlier regions of the same kind and material without cracks. One of them lends its operators if its mesh differs by
+// a translation only. Regions with cracks have operators of their own.
+std::vector<const BoundaryRegion*> BoundaryRegion::regions_alike(const Preparation& preparation) const {
+  std::vector<const BoundaryRegion*> found;
+  for (const auto& other : preparation.regions) {
+    if (other.get() == this || cracks_) break;
+    const Region& before = *other;
+    if (typeid(before) != typeid(*this) || elasticity() != before.elasticity()) continue;
+    if (const auto& alike = static_cast<const BoundaryRegion&>(before); !alike.cracks_) found.push_back(&alike);
+  }
+  return found;
+}
+
 void BoundaryRegion::build(const Preparation& preparation, Contributions& contributions) {
   number_nodes(preparation, contributions.registry);
+  if (cracks_) cracks_->warn_of_gap(mesh_, contributions.warnings);
   const bem::AssemblyOptions assembly{preparation.options.number("bem.quadrature_tolerance"),
                                       preparation.options.whole_number("threads")};
-  if (subdomains_) return build_subdomains(preparation, assembly);
-  if (cracks_) cracks_->warn_of_gap(mesh_, contributions.warnings);
-  // Operators are shared: an earlier region of the same kind and material whose mesh differs by a translation only
-  // lends its operator. Regions with cracks have operators of their own.
-  for (const auto& other : preparation.regions) {
-    if (other.get() == this) break;
-    const Region& before = *other;
-    if (typeid(before) != typeid(*this)) continue;
-    const auto& alike = static_cast<const BoundaryRegion&>(before);
-    if (cracks_ || alike.cracks_ || alike.subdomains_) continue;
-    if (elasticity() != alike.elasticity() || !differ_by_translation(mesh_, alike.mesh_)) continue;
-    operator_ = alike.operator_;
-    break;
+  std::vector<const RegionSubdomains*> lent;
+  for (const BoundaryRegion* alike : regions_alike(preparation)) {
+    if (alike->subdomains_) lent.push_back(alike->subdomains_.get());
+    if (!operator_ && alike->operator_ && differ_by_translation(mesh_, alike->mesh_)) operator_ = alike->operator_;
   }
+  if (subdomains_) return subdomains_->build(elasticity(), assembly, lent);
   if (!operator_) operator_ = make_operator(preparation, assembly);
   // The stiffness may depend on the interfaces of a region, so regions that share an operator may have different
   // stiffnesses.

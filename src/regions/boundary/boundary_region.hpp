@@ -40,7 +40,7 @@ class BoundaryRegion : public Region {
   std::vector<Point> places_facing(int other_region) const override;
 
   std::vector<coupling::DenseOperator> dense_operators(std::span<const RegionOperator> before) const override;
-  std::vector<std::vector<int>> nodes_of_operators() const override;
+  std::vector<OperatorNodes> nodes_of_operators() const override;
   std::optional<Eigen::VectorXd> outflow(Eigen::Index dof_count) const override;
 
   std::vector<PlacedNode> nodes_on(const EdgeSpan& span, double tolerance) const override;
@@ -61,7 +61,6 @@ class BoundaryRegion : public Region {
   // Takes a swelling strain. Throws Error (argument) if it is not linear in the place, because the interior could not
   // swell without stress.
   void swell(const Swelling& strain, LatticeSwelling& lattices) override;
-  std::vector<coupling::Affine> rests_of_operators() const override;
   std::optional<Eigen::Matrix2d> free_displacement(const Point& place) const override;
 
   // Functions about cracks of the region (crack_results.cpp).
@@ -111,7 +110,7 @@ class BoundaryRegion : public Region {
   std::vector<int> sides_of_cracks(const Preparation& preparation) const;
   void number_nodes(const Preparation& preparation, NodeRegistry& registry);
   void cut_if_large(const Preparation& preparation);
-  void build_subdomains(const Preparation& preparation, const bem::AssemblyOptions& assembly);
+  std::vector<const BoundaryRegion*> regions_alike(const Preparation& preparation) const;
   // Places of the mesh's nodes, and of those on cuts between subdomains.
   const std::vector<Point>& places() const;
   std::shared_ptr<const Eigen::MatrixXd> stiffness_of_nodes() const;
@@ -155,8 +154,6 @@ class BoundaryRegion : public Region {
   Eigen::VectorXd tractions_under(const Eigen::VectorXd& displacement, const Solution& solution) const;
   FieldValues element_tractions(const Solution& solution) const;
   FieldValues element_stress(const Solution& solution) const;
-  FieldValues element_stress_by_subdomains(const LinearBodyForce& particular, const Solution& solution) const;
-  FieldValues boundary_stress(const Solution& solution) const;
 
   std::vector<PanelSource> panels_;
   BoundaryMesh mesh_;

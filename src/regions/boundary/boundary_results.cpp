@@ -1,6 +1,7 @@
 #include "bem/element_geometry.hpp"
 #include "error.hpp"
 #include "regions/boundary/boundary_region.hpp"
+#include "regions/boundary/region_subdomains.hpp"
 
 namespace bempd::regions {
 
@@ -14,6 +15,22 @@ void append(FieldValues& field, const Eigen::Vector3d& stress) {
 
 Point traction_of(const Eigen::Vector3d& stress, const Point& normal) {
   return {stress[0] * normal.x() + stress[2] * normal.y(), stress[2] * normal.x() + stress[1] * normal.y()};
+}
+
+// Values at a mesh's nodes: the mean of the elements that meet there, of values at the three nodes of each element.
+FieldValues mean_at_nodes(const BoundaryMesh& mesh, const FieldValues& of_elements) {
+  const auto components = static_cast<std::size_t>(of_elements.components);
+  FieldValues field{std::vector<double>(components * mesh.nodes.size(), 0.0), of_elements.components};
+  std::vector<int> count(mesh.nodes.size(), 0);
+  const double* value = of_elements.values.data();
+  for (const BoundaryElement& element : mesh.elements)
+    for (const int node : element.nodes) {
+      for (std::size_t c = 0; c < components; ++c)
+        field.values[components * static_cast<std::size_t>(node) + c] += *value++;
+      ++count[static_cast<std::size_t>(node)];
+    }
+  for (std::size_t i = 0; i < field.values.size(); ++i) field.values[i] /= count[i / components];
+  return field;
 }
 
 // Evaluates the interior by Somigliana's identity for the part of the solution without body force and swelling, and
@@ -78,7 +95,7 @@ FieldValues BoundaryRegion::field(Field field, const Solution& solution) const {
     case Field::traction:
       return element_tractions(solution);
     case Field::stress:
-      return boundary_stress(solution);
+      return mean_at_nodes(mesh_, element_stress(solution));
     case Field::element_stress:
       return element_stress(solution);
     case Field::damage:
@@ -109,31 +126,20 @@ FieldValues BoundaryRegion::element_tractions(const Solution& solution) const {
 // Stress at the three nodes of every element, from the element's traction and tangential strain.
 FieldValues BoundaryRegion::element_stress(const Solution& solution) const {
   const LinearBodyForce particular = this->particular(solution.body_force(id()));
-  if (subdomains_) return element_stress_by_subdomains(particular, solution);
-  const bem::InteriorEvaluator rest = interior_without(particular, solution);
   FieldValues field{{}, 3};
-  for (int e = 0; e < static_cast<int>(mesh_.elements.size()); ++e) {
-    for (int k = 0; k < 3; ++k)
-      append(field, rest.stress_on(e, k - 1) + particular.stress(mesh_.nodes[mesh_.elements[e].nodes[k]]));
+  if (subdomains_) {
+    field.values = subdomains_->element_stress(elasticity(), displacement_without(particular, solution));
+  } else {
+    const bem::InteriorEvaluator rest = interior_without(particular, solution);
+    for (int e = 0; e < static_cast<int>(mesh_.elements.size()); ++e)
+      for (int k = 0; k < 3; ++k) append(field, rest.stress_on(e, k - 1));
   }
-  return field;
-}
-
-// Stress at the mesh's nodes: the mean of the elements that meet there.
-FieldValues BoundaryRegion::boundary_stress(const Solution& solution) const {
-  const FieldValues sides = element_stress(solution);
-  Eigen::Matrix3Xd sums = Eigen::Matrix3Xd::Zero(3, static_cast<Eigen::Index>(mesh_.nodes.size()));
-  Eigen::VectorXd counts = Eigen::VectorXd::Zero(sums.cols());
-  const double* side = sides.values.data();
-  for (const BoundaryElement& element : mesh_.elements) {
-    for (int node : element.nodes) {
-      sums.col(node) += Eigen::Map<const Eigen::Vector3d>(side);
-      counts[node] += 1;
-      side += 3;
+  double* values = field.values.data();
+  for (const BoundaryElement& element : mesh_.elements)
+    for (const int node : element.nodes) {
+      Eigen::Map<Eigen::Vector3d>{values} += particular.stress(mesh_.nodes[node]);
+      values += 3;
     }
-  }
-  FieldValues field{{}, 3};
-  for (Eigen::Index node = 0; node < sums.cols(); ++node) append(field, sums.col(node) / counts[node]);
   return field;
 }
 
@@ -154,18 +160,7 @@ SnapshotBlock BoundaryRegion::snapshot_block() const {
 // Field for pictures, one value for each node of the mesh. For tractions, which differ between the two elements at a
 // corner, it is the mean of both.
 FieldValues BoundaryRegion::at_nodes(Field which, const FieldValues& values) const {
-  if (which != Field::traction) return values;
-  FieldValues field{std::vector<double>(2 * mesh_.nodes.size(), 0.0), 2};
-  std::vector<int> count(mesh_.nodes.size(), 0);
-  for (std::size_t e = 0; e < mesh_.elements.size(); ++e) {
-    for (int k = 0; k < 3; ++k) {
-      const int node = mesh_.elements[e].nodes[k];
-      for (int c = 0; c < 2; ++c) field.values[2 * node + c] += values.values[2 * (3 * e + k) + c];
-      ++count[node];
-    }
-  }
-  for (std::size_t i = 0; i < field.values.size(); ++i) field.values[i] /= count[i / 2];
-  return field;
+  return which == Field::traction ? mean_at_nodes(mesh_, values) : values;
 }
 
 std::unique_ptr<Evaluator> BoundaryRegion::evaluator(const Solution& solution, const FieldsOfRegion&,

@@ -130,24 +130,17 @@ void RegionSubdomains::build(const PlaneElasticity& elasticity, const bem::Assem
   for (std::size_t i = 0; i < count(); ++i) operators_[i] = source[i].first->operators_[source[i].second];
 }
 
-std::vector<std::vector<int>> RegionSubdomains::nodes_of_operators(const std::vector<int>& nodes,
-                                                                   const Eigen::SparseMatrix<double>& trace) const {
+std::vector<OperatorNodes> RegionSubdomains::nodes_of_operators(const std::vector<int>& nodes,
+                                                                const Eigen::SparseMatrix<double>& trace,
+                                                                const coupling::Affine& rest) const {
   const Eigen::SparseMatrix<double, Eigen::RowMajor> rows = trace;
-  std::vector<std::vector<int>> all;
-  for (const Subdomain& part : subdivision_.subdomains) all.push_back(numbers_of(columns_of(part, rows), nodes));
-  return all;
-}
-
-std::vector<coupling::Affine> RegionSubdomains::rests_of_operators(const coupling::Affine& rest,
-                                                                   const Eigen::SparseMatrix<double>& trace) const {
-  const Eigen::SparseMatrix<double, Eigen::RowMajor> rows = trace;
-  std::vector<coupling::Affine> all;
+  std::vector<OperatorNodes> all;
   for (const Subdomain& part : subdivision_.subdomains) {
     const std::vector<int> columns = columns_of(part, rows);
     coupling::Affine own(rest.rows() > 0 ? 2 * static_cast<Eigen::Index>(columns.size()) : 0, 2);
     for (Eigen::Index i = 0; 2 * i < own.rows(); ++i)
       own.middleRows<2>(2 * i) = rest.middleRows<2>(2 * columns[static_cast<std::size_t>(i)]);
-    all.push_back(std::move(own));
+    all.push_back({numbers_of(columns, nodes), std::move(own)});
   }
   return all;
 }
@@ -156,7 +149,7 @@ std::vector<coupling::DenseOperator> RegionSubdomains::dense_operators(const std
                                                                        const Eigen::SparseMatrix<double>& trace,
                                                                        const coupling::Affine& rest) const {
   const Eigen::SparseMatrix<double, Eigen::RowMajor> rows = trace;
-  std::vector<coupling::Affine> rests = rests_of_operators(rest, trace);
+  std::vector<OperatorNodes> own_nodes = nodes_of_operators(nodes, trace, rest);
   std::vector<coupling::DenseOperator> all;
   for (std::size_t i = 0; i < count(); ++i) {
     const Subdomain& part = subdivision_.subdomains[i];
@@ -168,8 +161,8 @@ std::vector<coupling::DenseOperator> RegionSubdomains::dense_operators(const std
       const Eigen::MatrixXd half = *stiffness * own;
       stiffness = std::make_shared<const Eigen::MatrixXd>(own.transpose() * half);
     }
-    all.push_back(
-        {numbers_of(columns, nodes), std::move(stiffness), &coupling::symmetric_solution(), std::move(rests[i])});
+    all.push_back({std::move(own_nodes[i].nodes), std::move(stiffness), &coupling::symmetric_solution(),
+                   std::move(own_nodes[i].rest)});
   }
   return all;
 }
@@ -231,6 +224,17 @@ std::vector<bem::InteriorEvaluator> RegionSubdomains::interiors(const PlaneElast
     all.emplace_back(part.mesh, elasticity, own, operators_[i]->tractions(own));
   }
   return all;
+}
+
+std::vector<double> RegionSubdomains::element_stress(const PlaneElasticity& elasticity,
+                                                     const Eigen::VectorXd& displacement) const {
+  const std::vector<bem::InteriorEvaluator> inside = interiors(elasticity, displacement);
+  std::vector<double> stress(9 * traction_nodes_.size());
+  for_each_outline_element([&](std::size_t part, int element, int of_body) {
+    double* own = &stress[9 * static_cast<std::size_t>(of_body)];
+    for (int k = 0; k < 3; ++k, own += 3) Eigen::Map<Eigen::Vector3d>{own} = inside[part].stress_on(element, k - 1);
+  });
+  return stress;
 }
 
 std::vector<std::vector<Edge>> RegionSubdomains::edges() const {

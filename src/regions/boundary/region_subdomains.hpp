@@ -11,7 +11,7 @@
 #include "elasticity/plane_elasticity.hpp"
 #include "geometry/edge.hpp"
 #include "geometry/subdomains.hpp"
-#include "regions/region_statistics.hpp"
+#include "regions/region.hpp"
 #include "scene/options.hpp"
 
 namespace bempd::regions {
@@ -43,12 +43,10 @@ class RegionSubdomains {
   void build(const PlaneElasticity& elasticity, const bem::AssemblyOptions& assembly,
              const std::vector<const RegionSubdomains*>& before);
 
-  // Numbers in the scene of the nodes of each operator, and the operators themselves. `trace` has the displacements of
-  // places() for those of `nodes`; `rest` is the rest displacement of `nodes`, or empty.
-  std::vector<std::vector<int>> nodes_of_operators(const std::vector<int>& nodes,
-                                                   const Eigen::SparseMatrix<double>& trace) const;
-  std::vector<coupling::Affine> rests_of_operators(const coupling::Affine& rest,
-                                                   const Eigen::SparseMatrix<double>& trace) const;
+  // Nodes of each operator, and the operators themselves. `nodes` are the region's nodes by their numbers in the scene,
+  // `trace` has the displacements of places() for theirs, `rest` is their rest displacement, or empty.
+  std::vector<OperatorNodes> nodes_of_operators(const std::vector<int>& nodes, const Eigen::SparseMatrix<double>& trace,
+                                                const coupling::Affine& rest) const;
   std::vector<coupling::DenseOperator> dense_operators(const std::vector<int>& nodes,
                                                        const Eigen::SparseMatrix<double>& trace,
                                                        const coupling::Affine& rest) const;
@@ -61,12 +59,14 @@ class RegionSubdomains {
   std::vector<bem::InteriorEvaluator> interiors(const PlaneElasticity& elasticity,
                                                 const Eigen::VectorXd& displacement) const;
   std::vector<std::vector<Edge>> edges() const;  // of each subdomain
-  // Calls visit(subdomain, element there, element of the body's mesh) for all elements on the outline.
-  void for_each_outline_element(const std::function<void(std::size_t, int, int)>& visit) const;
+  // Stress (xx, yy, xy) at the three nodes of each element of the body's mesh.
+  std::vector<double> element_stress(const PlaneElasticity& elasticity, const Eigen::VectorXd& displacement) const;
   void add_statistics(RegionStatistics& statistics) const;
 
  private:
   Eigen::VectorXd values_of(const Subdomain& part, const Eigen::VectorXd& all) const;
+  // Calls visit(subdomain, element there, element of the body's mesh) for all elements on the outline.
+  void for_each_outline_element(const std::function<void(std::size_t, int, int)>& visit) const;
 
   Subdivision subdivision_;
   std::vector<Point> places_;
