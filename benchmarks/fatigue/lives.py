@@ -140,7 +140,7 @@ def _integrated(kind: str, high: list[float], low: list[float], cycles: list[flo
                 if a + own >= end:
                     end, zone, overload = a + own, own, k
                 first = rate(a, top, bottom)
-                step = min(left, 20.0) if first > 0 else left
+                step = min(left, 1.0 if count < 100 else 20.0) if first > 0 else left
                 second = rate(a + 0.5 * step * first, top, bottom)
                 third = rate(a + 0.5 * step * second, top, bottom)
                 fourth = rate(a + step * third, top, bottom)
@@ -149,21 +149,29 @@ def _integrated(kind: str, high: list[float], low: list[float], cycles: list[flo
     return a
 
 
-# The life of a crack in a lattice beside that in boundary elements.
-SIDE, LATTICE_CRACK, LATTICE_END = 1.0, 0.3, 0.55
+# Lives of cracks in lattices beside those in boundary elements: cracks in a square of side 1, and the length of the first one to
+# which they grow. The last one turns in its first step.
+SQUARES: dict[str, tuple[list[list[tuple[float, float]]], float]] = {
+    "edge crack": ([[(0, 0), (0.3, 0)]], 0.55),
+    "centre crack": ([[(0.345, 0.005), (0.655, 0.005)]], 0.45),
+    "two edge cracks": ([[(0.75, 0.01), (1, 0.01)], [(0, 0.01), (0.2, 0.01)]], 0.3),
+    "slanted crack": ([[(0.375, -0.125), (0.625, 0.125)]], 0.475),
+}
 
 
-def strip_life(spacings: int = 0) -> bempd.FatigueLife:
-    """A crack from the left edge of a square that is pulled at its top: with elements, or as a line in a lattice."""
+def square_life(scene: str, spacings: int = 0) -> float:
+    """Cycles until the first crack has its last length, with elements, or as a line in a lattice of so many spacings."""
+    cracks, end = SQUARES[scene]
     model = bempd.Model(log=None)
     acrylic = model.add_material(young_modulus=3e9, poisson_ratio=1 / 3, fracture_energy=1e6)
-    square = bempd.rectangle(0, -SIDE / 2, SIDE, SIDE / 2)
+    square = bempd.rectangle(0, -0.5, 1, 0.5)
     if spacings:
-        region = model.add_pd_region(acrylic, square, spacing=SIDE / spacings)
+        region = model.add_pd_region(acrylic, square, spacing=1 / spacings)
     else:
-        region = model.add_bem_region(acrylic, square, element_length=SIDE / 8)
-    model.add_crack([(0, 0), (LATTICE_CRACK, 0)])
+        region = model.add_bem_region(acrylic, square, element_length=1 / 8)
+    for crack in cracks:
+        model.add_crack(crack)
     model.fix_edge(region, 1)
-    model.prescribe_edge(region, 3, "y", 1e-4)
+    model.add_traction(region, 3, "y", 1e6)
     model.set_growth_rate(acrylic, coefficient=COEFFICIENT, exponent=EXPONENT, unit_intensity=UNIT, critical_intensity=1e6)
-    return model.grow_fatigue(most_length=LATTICE_END)
+    return model.grow_fatigue(most_length=end).cycles_at(end)

@@ -59,12 +59,13 @@ def table() -> list[str]:
             growth, exact = lives.retarded(kind, program)
             lines.append(f"| growth by {name}'s model, {program} | | {100 * (growth / exact - 1):+.3f} % | integration "
                          f"| {time.perf_counter() - begin:.2f} |")
-    elements = lives.strip_life().cycles
-    for spacings in (40, 60):
-        begin = time.perf_counter()
-        life = lives.strip_life(spacings)
-        lines.append(row(f"edge crack as a line in a lattice, {spacings} spacings", life.steps,
-                         life.cycles_at(lives.LATTICE_END), elements, "boundary elements", time.perf_counter() - begin))
+    for scene in lives.SQUARES:
+        elements = lives.square_life(scene)
+        for spacings in (40, 60, 80):
+            begin = time.perf_counter()
+            found = lives.square_life(scene, spacings)
+            lines.append(f"| {scene} as a line in a lattice of {spacings} spacings | | {100 * (found / elements - 1):+.3f} % "
+                         f"| boundary elements | {time.perf_counter() - begin:.2f} |")
     return lines
 
 

@@ -123,7 +123,8 @@ double largest_turn(const Growing& growing, const std::vector<regions::TipValues
   double largest = 0;
   for (const fracture::CrackExtension& e : growing.extensions) {
     const regions::TipValues* tip = tip_of(e, after);
-    if (!e.has_ended() && tip && !tip->directions) largest = std::max(largest, std::abs(kink_at(*tip, e.load_factor, options).angle));
+    if (!e.has_ended() && tip && !tip->directions)
+      largest = std::max(largest, std::abs(kink_at(*tip, e.load_factor, options).angle));
   }
   return largest;
 }

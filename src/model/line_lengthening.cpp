@@ -75,6 +75,7 @@ crack::Extension LineLengthening::extend(const Lengthened& one) {
   const crack::TipId id{one.tip.crack, one.tip.end};
   const double spacing = quantum(one.tip);
   const auto steps = std::max<std::int64_t>(1, std::llround(one.length / spacing));
+  const double before = model_.crack_length(id.crack);
   crack::Extension whole;
   for (std::int64_t k = 0; k < steps; ++k) {
     if (!evolution.extend_line(id)) {
@@ -82,18 +83,15 @@ crack::Extension LineLengthening::extend(const Lengthened& one) {
       throw crack::CannotGrow(text("no bond lies ahead of the tip of crack ", id.crack, "; it stops"));
     }
     const crack::Extension& last = evolution.progress().extensions.back();
-    if (k == 0) {
-      whole = last;
-    } else {
-      const double length = whole.length + last.length;
-      const Point from(whole.from_x, whole.from_y);
-      const double released = whole.released_energy + last.released_energy;
-      whole = last;
-      whole.length = length, whole.released_energy = released;
-      whole.from_x = from.x(), whole.from_y = from.y();
-    }
+    const double released = whole.released_energy + last.released_energy;
+    whole = last;
+    whole.released_energy = released;
     if (last.has_ended()) break;
   }
+  // The crack's own length counts: an initial crack acts ahead of where its cut ends, from which its first step goes
+  // on.
+  whole.from_x = one.tip.place.x(), whole.from_y = one.tip.place.y();
+  whole.length = model_.crack_length(id.crack) - before;
   return whole;
 }
 

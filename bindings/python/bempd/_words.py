@@ -37,6 +37,13 @@ NAMES: dict[str, str] = {
     "bempd_history_entry_init": "Model.history",
     "bempd_get_history_entry": "Model.history",
     "bempd_get_history_support": "Model.support_history",
+    "bempd_load_case_add": "Model.add_load_case",
+    "bempd_load_case_count": "Model.combine",
+    "bempd_load_case_tip_count": "Model.combine",
+    "bempd_load_case_tip": "Model.combine",
+    "bempd_load_case_pressed_faces": "Model.combine",
+    "bempd_load_case_reaction": "Model.combine",
+    "bempd_load_case_evaluate": "Model.combine",
     "bempd_tip_count": "Model.tips",
     "bempd_tip": "Model.tips",
     "bempd_crack_tip_init": "Model.tips",
@@ -106,6 +113,9 @@ CONSTANTS: dict[str, str] = {
     "BEMPD_RATE_NASGRO": '"nasgro"',
     "BEMPD_RATE_SUSTAINED": '"sustained"',
     "BEMPD_RATE_HOST": "a function",
+    "BEMPD_RETARDATION_NONE": "None",
+    "BEMPD_RETARDATION_WHEELER": '"wheeler"',
+    "BEMPD_RETARDATION_WILLENBORG": '"willenborg"',
 }
 # Types and functions of C that have no method: what stands in their place here.
 OTHER_WORDS: dict[str, str] = {

@@ -15,6 +15,9 @@ from .errors import ArgumentError
 from .reports import TipEnd
 
 
+ROUNDING = 1e-9
+
+
 class FatigueStop(enum.IntEnum):
     """Why growth by cycles ended."""
 
@@ -58,8 +61,9 @@ class FatigueLife:
         lengths = np.array([found["length"][found["step"] == step][0] for step in steps])
         cycles = np.array([found["cycles"][found["step"] == step][0] for step in steps])
         rates = np.array([found["rate"][found["step"] == step].sum() for step in steps])
-        if not lengths[0] <= length <= lengths[-1]:
+        if not lengths[0] * (1 - ROUNDING) <= length <= lengths[-1] * (1 + ROUNDING):
             return float("nan")
+        length = min(max(length, lengths[0]), lengths[-1])
         k = min(int(np.searchsorted(lengths, length, side="right")) - 1, len(steps) - 2)
         whole = _passed(lengths[k], lengths[k + 1], rates[k], rates[k + 1], lengths[k + 1])
         part = _passed(lengths[k], lengths[k + 1], rates[k], rates[k + 1], length)

@@ -147,8 +147,8 @@ def test_altered_tips_of_a_window_are_refused(what: str, place: int, value: floa
     for _ in range(3):
         model.step_to_next_event(1e6)
     body = model.save().to_bytes()[:-8]
-    tip = len(body) - 4 * 8 - 4 - 8 - 4 - 4 - 1 - 9
-    count, x, *others = struct.unpack("<q4diqiiBBd", body[tip - 8:])  # the cut ends beside the described tip
+    tip = len(body) - 4 * 8 - 4 - 8 - 4 - 4 - 1 - 9 - 8
+    count, x, *others = struct.unpack("<q4diqiiBBdd", body[tip - 8:])  # the cut ends beside the described tip
     assert count == 1 and abs(x - WIDTH / 4) < 0.6 and others[:9] == [0.513, 1, 0, 0, 0, 1, 1, 0, 1]
     assert bempd.State.from_bytes(signed(body)).to_bytes()[:-8] == body
     packed = struct.pack("<d" if what in ("place", "direction") else "<i", value)
