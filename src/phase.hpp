@@ -6,11 +6,12 @@
 namespace bempd {
 
 // Receiver of progress reports. hear() gets the name of the running phase of a call, the share of it that is done (0 to
-// 1) and the seconds since it began. An exception that hear() throws ends the call.
+// 1), the seconds since it began, and those that it will take in all (0: not known). An exception that hear() throws
+// ends the call.
 class PhaseListener {
  public:
   virtual ~PhaseListener() = default;
-  virtual void hear(const char* phase, double share, double seconds) = 0;
+  virtual void hear(const char* phase, double share, double seconds, double expected) = 0;
 };
 
 // Scope in which phases of the same thread report to `listener` (null: to nobody). Worker threads that a call starts
@@ -32,21 +33,32 @@ class ListeningScope {
 };
 
 // Phase of a call that may take long. `work` is the whole amount of work, in any unit; reach() reports how much is
-// done.
+// done. `estimate` is the number of seconds that it will take, where that is known before it begins.
 class Phase {
  public:
-  explicit Phase(const char* name, double work = 1) : name_(name), work_(work) { reach(0); }
+  explicit Phase(const char* name, double work = 1, double estimate = 0)
+      : name_(name), work_(work), estimate_(estimate) {
+    tell(0);
+  }
+
+  // Whether somebody hears of phases, so that an estimate is worth its price.
+  static bool is_heard() { return ListeningScope::current() != nullptr; }
 
   void reach(double done) const {
-    PhaseListener* const listener = ListeningScope::current();
-    if (!listener) return;
-    const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
-    listener->hear(name_, work_ > 0 ? std::clamp(done / work_, 0.0, 1.0) : 1.0, seconds);
+    if (done > 0) tell(done);
   }
 
  private:
+  void tell(double done) const {
+    PhaseListener* const listener = ListeningScope::current();
+    if (!listener) return;
+    const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
+    const double share = work_ > 0 ? std::clamp(done / work_, 0.0, 1.0) : 1.0;
+    listener->hear(name_, share, seconds, share > 0 ? seconds / share : estimate_);
+  }
+
   const char* name_;
-  double work_;
+  double work_, estimate_;
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };
 

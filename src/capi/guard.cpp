@@ -6,6 +6,7 @@
 #include "linalg/blas_threads.hpp"
 #include "no_memory.hpp"
 #include "phase.hpp"
+#include "stop_request.hpp"
 
 namespace bempd::capi {
 
@@ -68,6 +69,7 @@ bempd_status catch_all(const char* function, Message& error, bool* broken, const
 void run(model::Model& engine, const Work<model::Model&>& body) {
   const bool was_prepared = engine.prepared_or_null() != nullptr;
   const CancellationScope cancellation = engine.hear_requests();
+  const StopScope stop(engine.stop_request());
   const ListeningScope listening(engine.phase_listener());
   const linalg::BlasThreads blas_threads(engine.blas_threads());
   try {

@@ -1,5 +1,6 @@
 #include "linalg/dense_parts.hpp"
 
+#include "linalg/expected_time.hpp"
 #include "phase.hpp"
 
 namespace bempd::linalg {
@@ -104,7 +105,8 @@ bool factorize_in_parts(Matrix lower) {
     const double part = static_cast<double>(j) / static_cast<double>(n);
     return part * part * (3 - 2 * part);
   };
-  const Phase phase("dense factorization");
+  const double size = static_cast<double>(n);
+  const Phase phase("dense factorization", 1, expected_time_of_products(size * size * size / 3));
   for (Eigen::Index j = 0; j < n; j += width) {
     const Eigen::Index columns = std::min(width, n - j), below = n - j - columns;
     check_cancelled();

@@ -5,6 +5,7 @@
 
 #include "cancellation.hpp"
 #include "linalg/dense_parts.hpp"
+#include "linalg/expected_time.hpp"
 #include "phase.hpp"
 
 extern "C" void dpotrf_(const char* triangle, const int* size, double* matrix, const int* stride, int* info);
@@ -69,7 +70,8 @@ class Factorization {
   }
 
   bool run() {
-    const Phase phase("sparse factorization", operations(count_));
+    const double work = operations(count_);
+    const Phase phase("sparse factorization", work, expected_time_of_products(work));
     double done = 0;
     for (int s = 0; s < count_; ++s) {
       check_cancelled();

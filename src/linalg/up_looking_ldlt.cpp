@@ -3,6 +3,7 @@
 #include <Eigen/OrderingMethods>
 
 #include "cancellation.hpp"
+#include "linalg/expected_time.hpp"
 #include "phase.hpp"
 
 namespace bempd::linalg {
@@ -62,7 +63,7 @@ bool UpLookingLDLT::factorize(const Matrix& upper) {
   double* const values = unit_lower_.valuePtr();
   double work = 0, done = 0;
   for (int k = 0; k < n; ++k) work += 0.5 * length_[k] * (length_[k] + 1.0);
-  const Phase phase("sparse factorization", work);
+  const Phase phase("sparse factorization", work, expected_time_of_entries(work));
   Eigen::VectorXd row = Eigen::VectorXd::Zero(n);
   pivots_.resize(n);
   std::fill(seen_.begin(), seen_.end(), -1);

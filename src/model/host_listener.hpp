@@ -1,7 +1,9 @@
 #pragma once
 
 #include <chrono>
+#include <cmath>
 #include <functional>
+#include <string>
 #include <utility>
 
 #include "error.hpp"
@@ -9,29 +11,40 @@
 
 namespace bempd::model {
 
-// Reports the progress of long phases of a call to the host, at most ten times a second.
+// Reports the progress of long phases of a call to the host, at most ten times a second. A phase with an estimate is
+// told before it begins, whatever was told just before, and a line of the log has it from a second on.
 class HostListener final : public PhaseListener {
  public:
   // Function of the host. It receives the phase, the share done, the seconds so far and the expected total (0 if
   // unknown), and returns false to cancel the call.
   using Function = std::function<bool(const char* phase, double share, double seconds, double expected)>;
 
-  HostListener() = default;
-  explicit HostListener(Function function) : function_(std::move(function)) {}
+  // Function of the log, with the level of the line.
+  using Log = std::function<void(int level, const std::string& message)>;
+
+  void tell(Function function) { function_ = std::move(function); }
+  void write(Log log) { log_ = std::move(log); }
 
   // Returns this listener, or null if the host has given no function.
-  PhaseListener* or_null() { return function_ ? this : nullptr; }
+  PhaseListener* or_null() { return function_ || log_ ? this : nullptr; }
 
-  void hear(const char* phase, double share, double seconds) override {
+  void hear(const char* phase, double share, double seconds, double expected) override {
+    const bool begins = share == 0 && expected > 0;
+    if (begins && log_ && expected >= worth_a_line) log_(2, std::string(phase) + ": some " + rounded(expected) + " s");
     const auto now = std::chrono::steady_clock::now();
-    if (now - told_ < std::chrono::milliseconds(100)) return;
+    if (!function_ || (!begins && now - told_ < std::chrono::milliseconds(100))) return;
     told_ = now;
-    if (!function_(phase, share, seconds, share > 0 ? seconds / share : 0))
+    if (!function_(phase, share, seconds, expected))
       fail(Failure::cancelled, "the phase callback asked to stop; the model is as it was before the call");
   }
 
  private:
+  static constexpr double worth_a_line = 1;  // seconds
+
+  static std::string rounded(double seconds) { return std::to_string(std::lround(seconds)); }
+
   Function function_;
+  Log log_;
   std::chrono::steady_clock::time_point told_;
 };
 

@@ -88,10 +88,14 @@ class Model {
   using Progress = std::function<bool(double load_factor, std::int64_t events, std::int64_t broken_bonds)>;
   using Log = std::function<void(int level, const std::string& message)>;
   void set_progress(Progress progress) { progress_ = std::move(progress); }
-  void set_log(Log log) { log_ = std::move(log); }
+  void set_log(Log log) {
+    phases_.write(log);
+    log_ = std::move(log);
+  }
   void request_cancel() { cancel_requested_ = true; }
   void request_stop() { stop_requested_ = true; }
-  void set_phase_progress(HostListener::Function function) { phases_ = HostListener(std::move(function)); }
+  void set_phase_progress(HostListener::Function function) { phases_.tell(std::move(function)); }
+  const std::atomic<bool>* stop_request() const { return &stop_requested_; }
   PhaseListener* phase_listener() { return phases_.or_null(); }
   // Number of threads that the BLAS may use in a call.
   int blas_threads() const { return std::max(1, options_.whole_number("threads")); }

@@ -5,8 +5,10 @@
 #include <stdexcept>
 #include <string>
 
+#include "linalg/expected_time.hpp"
 #include "paper/row_scaled_lu.hpp"
 #include "paper/sparse_lu.hpp"
+#include "phase.hpp"
 
 namespace bempd::paper {
 
@@ -29,7 +31,10 @@ class Umfpack : public Eigen::UmfPackLU<LongMatrix> {
     UmfPackLU::analyzePattern(matrix);
     check(m_fact_errorCode);
   }
+  // UMFPACK does not hear a request to cancel, so that its end is foretold from its own bound on the operations.
   void factorize(const LongMatrix& matrix) {
+    const Phase phase("sparse factorization", 1,
+                      linalg::expected_time_of_products(m_umfpackInfo[UMFPACK_FLOPS_ESTIMATE]));
     UmfPackLU::factorize(matrix);
     check(m_fact_errorCode);
   }

@@ -9,6 +9,8 @@ from typing import Optional, TextIO
 
 # Seconds after which a run that writes to a file or a log is told of for the first time, and then again and again.
 FIRST_LINE, NEXT_LINES = 1.0, 10.0
+# Seconds of a part of a call from which on it is shown in place of the events before it.
+WORTH_SAYING = 1.0
 
 
 def _time(seconds: float) -> str:
@@ -57,6 +59,8 @@ class ProgressBar:
         if self._ended is None:
             return
         with self._lock:
+            if self._first_event >= 0 and max(seconds, expected) < WORTH_SAYING:
+                return
             self._phase, self._phase_share, self._phase_expected = name, share, expected
             self._phase_began = time.monotonic() - seconds
             self._show(self._interval)

@@ -10,6 +10,7 @@
 #include "fracture/window/window_body.hpp"
 #include "fracture/window/window_settings.hpp"
 #include "phase.hpp"
+#include "stop_request.hpp"
 
 namespace bempd::fracture {
 
@@ -148,11 +149,14 @@ void EventForecast::compute(const BodyState& state) {
 }
 
 // Computes events until the window ends or their number is reached. Returns false if rounding errors have grown too
-// large since the last check of the balance of forces.
+// large since the last check of the balance of forces. A host that asks for the end of the step gets the events so far.
 bool EventForecast::forecast_events(const BodyState& start) {
+  const Phase phase("events ahead in a window", most_events_);
   double from = start.load_factor;
   while (!has_ended_ && static_cast<int>(events_.size()) < most_events_) {
     check_cancelled();
+    if (!events_.empty() && stop_is_requested()) break;
+    phase.reach(static_cast<double>(events_.size()));
     if (!forecast_next(from, start)) {
       has_ended_ = true;
       return true;  // in the window the event may be half done

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <atomic>
+
+namespace bempd {
+
+// Scope in which stop_is_requested() of the same thread reads `request`, the host's wish to end the step after its
+// present event (null: none).
+class StopScope {
+ public:
+  using Request = std::atomic<bool>;
+
+  explicit StopScope(const Request* request) : before_(current()) { current() = request; }
+  ~StopScope() { current() = before_; }
+  StopScope(const StopScope&) = delete;
+  StopScope& operator=(const StopScope&) = delete;
+
+  static const Request*& current() {
+    thread_local const Request* request = nullptr;
+    return request;
+  }
+
+ private:
+  const Request* before_;
+};
+
+// Whether the host has asked for the end of the step, so that work ahead of the present event is in vain.
+inline bool stop_is_requested() {
+  const StopScope::Request* request = StopScope::current();
+  return request && request->load(std::memory_order_relaxed);
+}
+
+}  // namespace bempd
