@@ -104,7 +104,7 @@ def draw_toughness(folder: pathlib.Path) -> None:
         axes.plot(ratios, first, "o-", color=BLUE, label="first break")
         axes.plot(ratios, largest, "s-", color=ORANGE, label="largest load of growth")
         axes.axhline(1, color="black", linewidth=0.8)
-        axes.text(6, 1.01, "Griffith", ha="right")
+        axes.text(3, 0.99, "Griffith", va="top")
         axes.set(xlabel="horizon over spacing", ylabel="load over Griffith's load", xticks=ratios, ylim=(0.8, 1.45))
         axes.legend()
         figure.savefig(folder / "theory_toughness.png")
@@ -248,7 +248,7 @@ def draw_coupling(folder: pathlib.Path) -> None:
             print(f"{title}: by traction {len(traction)} trials, {'torn in two' if torn else 'converged'}; by displacement "
                   f"{len(displacement)} trials, {displacement[-1][0]:.2f} um, {displacement[-1][1]:.1f} N")
         panels[0].set_ylabel("force [N]")
-        panels[0].legend(fontsize=8, loc="upper left")
+        panels[0].legend(fontsize=8, loc="upper left", frameon=True, framealpha=1, edgecolor="none")
         figure.savefig(folder / "coupling_drive.png")
         plt.close(figure)
 

@@ -57,7 +57,7 @@ def draw_plate_scene(folder: pathlib.Path) -> None:
     dimension(axes, (0, -9), (100, -9), "100 mm", at=(50, -10), ha="center", va="top")
     axes.set(xlim=(-4, 110), ylim=(-18, 114), aspect="equal")
     axes.axis("off")
-    figure.savefig(folder / "first_path_scene.png", dpi=120)
+    figure.savefig(folder / "first_path_scene.png", dpi=120, bbox_inches="tight", pad_inches=0.05)
     plt.close(figure)
 
 
@@ -107,7 +107,7 @@ def draw_strip_scene(folder: pathlib.Path) -> None:
     near.set(xlim=(23.5, 41), ylim=(-0.5, 11), aspect="equal")
     for one in (axes, near):
         one.axis("off")
-    figure.savefig(folder / "tutorial_scene.png", dpi=110)
+    figure.savefig(folder / "tutorial_scene.png", dpi=110, bbox_inches="tight", pad_inches=0.05)
     plt.close(figure)
 
 
@@ -131,7 +131,7 @@ def draw_coupling_scene(folder: pathlib.Path) -> None:
     axes.text(94, 22, "host: time, other bodies", ha="center", fontsize=9.5, weight="bold")
     axes.set(xlim=(-3, 112), ylim=(-1, 25), aspect="equal")
     axes.axis("off")
-    figure.savefig(folder / "coupling_scene.png", dpi=120)
+    figure.savefig(folder / "coupling_scene.png", dpi=120, bbox_inches="tight", pad_inches=0.05)
     plt.close(figure)
 
 

@@ -133,7 +133,7 @@ def draw(path: Path, trials: Sequence[Row], best: Sequence[Row]) -> None:
         axes[1].set(title="bempd: error against time, a line for each scene", xlabel="milliseconds, one core", ylabel="relative error",
                     xlim=(0.4, 5e4))
         axes[2].set(title="bempd: error against memory", xlabel="megabytes", xlim=(1.5, 3e3))
-        axes[2].legend(*axes[1].get_legend_handles_labels(), fontsize=10, frameon=False, loc="lower right")
+        axes[2].legend(*axes[1].get_legend_handles_labels(), fontsize=10, frameon=False, loc="upper right")
         for axis in axes[1:]:
             axis.grid(color="#dddddd", linewidth=0.5)
             axis.set_ylim(1e-7, 1)

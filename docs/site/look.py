@@ -73,7 +73,9 @@ const load = (page, width) => new Promise(done => {
         else if (url.hash && url.pathname === new URL(page, location).pathname && !doc.getElementById(decodeURIComponent(url.hash.slice(1))))
           found.push(`${page}: there is no ${url.hash}`);
       }
-      if (/\\$\\$|\\\\frac|\\\\sqrt/.test(doc.querySelector('article') ? doc.querySelector('article').innerText : '')) found.push(`${page}: a formula is not drawn`);
+      const prose = doc.querySelector('article') ? doc.querySelector('article').cloneNode(true) : doc.createElement('p');
+      for (const code of prose.querySelectorAll('pre, code, script')) code.remove();
+      if (/\\$\\$|\\\\frac|\\\\sqrt/.test(prose.textContent)) found.push(`${page}: a formula is not drawn`);
     }
     frame.remove();
   }
