@@ -56,7 +56,7 @@ export PATH="/usr/bin:/bin:$PATH"
 .ci/require_packages.sh cmake ninja-build gcc g++ libeigen3-dev libsuitesparse-dev libopenblas-dev \
   python3 python3-numpy python3-matplotlib python3-meshio "${packages[@]}"
 
-cmake --preset release -Wno-dev -D BEMPD_COMPILE_TOGETHER=ON >/dev/null
+cmake --preset release -Wno-dev >/dev/null
 cmake --build --preset release -j "$(nproc)" --target "${targets[@]}"
 
 # The systems here are too small for threads of the BLAS, which take time from each other; the library's own loops use all
