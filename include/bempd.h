@@ -979,8 +979,8 @@ BEMPD_API bempd_status bempd_set_progress(bempd_model* model, bempd_progress_fun
  * @param[in] phase what is done, such as "boundary integrals" or "sparse factorization"; valid during the call
  * @param[in] share of it that is done, 0 to 1 @param[in] seconds that it has taken so far [s]
  * @param[in] expected seconds that it will take in all by this share [s]; with the share 0 an estimate that long
- *   factorizations give before they begin, within a factor of two where no other program takes the processor; 0 if
- *   nothing is known yet
+ *   factorizations give before they begin, within a factor of two where no other program takes the processor, in
+ *   scheme paper up to ten times too long; 0 if nothing is known yet
  * @param[in] user the pointer given with the function
  * @return 0 to go on; else the call is cancelled and leaves the model as it was @since 0.3 */
 typedef int32_t (*bempd_phase_function)(const char* phase, double share, double seconds, double expected, void* user);

@@ -11,6 +11,7 @@ import numpy as np
 matplotlib.use("Agg")
 import matplotlib.pyplot as plt  # noqa: E402
 from main import DENSITY, EXPONENT, LONGEST, SHORTEST, SIDES, modulus  # noqa: E402
+from matplotlib.ticker import LogLocator, NullFormatter  # noqa: E402
 
 COLOURS = "#4477aa", "#228833", "#ee6677"
 
@@ -47,6 +48,9 @@ def draw(sides: np.ndarray, strengths: np.ndarray, folder: pathlib.Path) -> None
     effect.loglog(areas, means[0] * (areas / areas[0]) ** (-1 / m), color="gray", label=f"area^(-1/{m:.0f})")
     effect.set_xlabel("area [cm$^2$]")
     effect.set_ylabel("mean strength [MPa]")
+    effect.yaxis.set_major_locator(LogLocator(subs=range(1, 10)))
+    effect.yaxis.set_major_formatter("{x:g}")
+    effect.yaxis.set_minor_formatter(NullFormatter())
     effect.legend(frameon=False, fontsize=8)
     effect.set_title("size effect")
     figure.savefig(folder / "ensemble.png", dpi=130)

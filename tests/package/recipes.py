@@ -113,7 +113,23 @@ def platforms():
             expect("not tested" in file.read_text(encoding="utf-8"), file.relative_to(root), "does not say that it was not tested")
 
 
-for check in (conda, spack, vcpkg, platforms):
+def needs():
+    """Versions that README.md and docs/linking.md ask for are those that the recipes and the Python package ask for."""
+    readme = (root / "README.md").read_text(encoding="utf-8")
+    linking = (root / "docs/linking.md").read_text(encoding="utf-8")
+    conda = (packaging / "conda-forge/meta.yaml").read_text(encoding="utf-8")
+    python = re.search(r'requires-python = ">=(\S+)"', PYTHON)[1]
+    asked = {"CMake": CMAKE, "Eigen": EIGEN, "SuiteSparse": re.search(r"suitesparse >=(\S+)", conda)[1], "Python": python,
+             **dict(re.findall(r'"(\w+)>=([\d.]+)"', re.search(r"^dependencies = (.*)$", PYTHON, re.MULTILINE)[1]))}
+    for name, version in asked.items():
+        expect(f"{name} {version}" in readme, f"README.md does not ask for {name} {version}")
+        expect(version in linking, f"docs/linking.md does not name {version}, which {name} needs")
+    spack_text = (packaging / "spack/package.py").read_text(encoding="utf-8")
+    expect(f"suite-sparse@{asked['SuiteSparse']}:" in spack_text, "spack: needs SuiteSparse", asked["SuiteSparse"])
+    expect(f"python >={python}" in conda, "conda-forge: needs Python", python)
+
+
+for check in (conda, spack, vcpkg, platforms, needs):
     check()
 print("\n".join(faults) or f"recipes agree with CMake: version {VERSION}, {len(DECIDED)} options")
 sys.exit(bool(faults))

@@ -6,6 +6,7 @@
 #include "fracture/window/event_forecast.hpp"
 #include "fracture/window/face_certificate.hpp"
 #include "fracture/window/window_settings.hpp"
+#include "phase.hpp"
 
 namespace bempd::fracture {
 
@@ -26,6 +27,7 @@ void EventForecast::add_checks(double from, const Event& event) {
 
 // Keeps the computed events up to the first for which it is not proven that the whole body would do the same.
 void EventForecast::certify(double from) {
+  const Phase phase("proof of events ahead");
   if (!events_.empty() && !lines_) keep_first(window_->dropped().first_violation(states_, checks_));
   if (events_.empty()) return;
   // Bonds of all computed events count as broken in the system until they are taken back.

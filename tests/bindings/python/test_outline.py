@@ -403,7 +403,7 @@ def test_a_history_has_the_names_of_supports(tmp_path):
     history = bempd.read_history(tmp_path / "named.csv")
     assert history["reaction_x_1"][-1] == pytest.approx(model.reaction(rail)[0], rel=1e-12)
     assert len(history.dtype.names) == len(heading) and sorted(tmp_path.iterdir()) == [tmp_path / "named.csv"]
-    # Without names the file is the library's own.
+    # The file of a model without names is the library's own.
     plain = make_plate().model
     plain.step(1)
     plain.write_history(tmp_path / "plain.csv")

@@ -1548,7 +1548,7 @@ extern "C" {
 /// * seconds \[in\]: that it has taken so far \[s\]
 /// * expected \[in\]: seconds that it will take in all by this share \[s\]; with the share 0 an estimate
 ///   that long factorizations give before they begin, within a factor of two where no other program
-///   takes the processor; 0 if nothing is known yet
+///   takes the processor, in scheme paper up to ten times too long; 0 if nothing is known yet
 /// * user \[in\]: the pointer given with the function
 /// * return: 0 to go on; else the call is cancelled and leaves the model as it was
 /// * since: 0.3
