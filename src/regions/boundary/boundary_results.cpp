@@ -17,6 +17,16 @@ Point traction_of(const Eigen::Vector3d& stress, const Point& normal) {
   return {stress[0] * normal.x() + stress[2] * normal.y(), stress[2] * normal.x() + stress[1] * normal.y()};
 }
 
+// Adds the stress of a particular solution to values at the three nodes of each element.
+void add_stress(const LinearBodyForce& particular, const BoundaryMesh& mesh, FieldValues& field) {
+  double* value = field.values.data();
+  for (const BoundaryElement& element : mesh.elements)
+    for (const int node : element.nodes) {
+      Eigen::Map<Eigen::Vector3d>{value} += particular.stress(mesh.nodes[static_cast<std::size_t>(node)]);
+      value += 3;
+    }
+}
+
 // Values at a mesh's nodes: the mean of the elements that meet there, of values at the three nodes of each element.
 FieldValues mean_at_nodes(const BoundaryMesh& mesh, const FieldValues& of_elements) {
   const auto components = static_cast<std::size_t>(of_elements.components);
@@ -134,12 +144,7 @@ FieldValues BoundaryRegion::element_stress(const Solution& solution) const {
     for (int e = 0; e < static_cast<int>(mesh_.elements.size()); ++e)
       for (int k = 0; k < 3; ++k) append(field, rest.stress_on(e, k - 1));
   }
-  double* values = field.values.data();
-  for (const BoundaryElement& element : mesh_.elements)
-    for (const int node : element.nodes) {
-      Eigen::Map<Eigen::Vector3d>{values} += particular.stress(mesh_.nodes[node]);
-      values += 3;
-    }
+  add_stress(particular, mesh_, field);
   return field;
 }
 
