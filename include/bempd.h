@@ -1640,14 +1640,14 @@ typedef struct bempd_crack_tip {
   double straight_load_factor;      /**< smallest load factor >= 0 at which G of growth straight on is the fracture
                                        energy; the largest double if it never is. A tip under shear turns, and grows
                                        earlier: this is 5 to 30 % too high for cracks at 15 to 75 degrees [-] */
-  int32_t load_rule;           /**< a bempd_load_rule: what the critical load factors come from (since 0.4, as all that
-                                  follows) */
-  int32_t closed;              /**< 1 if the crack's faces press on each other at the tip of a crack in a lattice */
-  double load_error;           /**< estimate of the relative error of critical_load_factor; NaN if the tip never grows
-                                  or nothing is known of it [-] */
-  double valid_radius;         /**< distance to the nearest edge, other material, other crack, bend or other end of its
-                                  own crack: nearer the factors and T tell the stress, in a lattice from a horizon
-                                  on [m] */
+  int32_t load_rule;   /**< a bempd_load_rule: what the critical load factors come from (since 0.4, as all that
+                          follows) */
+  int32_t closed;      /**< 1 if the crack's faces press on each other at the tip of a crack in a lattice */
+  double load_error;   /**< estimate of the relative error of critical_load_factor; NaN if the tip never grows
+                          or nothing is known of it [-] */
+  double valid_radius; /**< distance to the nearest edge, other material, other crack, bend or other end of its
+                          own crack: nearer the factors and T tell the stress, in a lattice from a horizon
+                          on [m] */
 } bempd_crack_tip;
 
 /** @brief Set struct_size and zeros. @param[out] tip the struct to fill
@@ -2147,9 +2147,9 @@ typedef struct bempd_statistics {
   double seconds_search;         /**< stretches, choice of bonds, connectivity [s] */
   double reciprocal_condition;   /**< crude reciprocal condition number of the worst equations solved so far: about
                                     -log10 of it digits of the displacement are lost; 1 if nothing was solved [-] */
-  int64_t subdomains;            /**< subdomains into which large BEM regions without cracks are cut; 0 if all are whole.
-                                    @since 0.4 */
-  int64_t cut_nodes;             /**< nodes on the cuts between subdomains @since 0.4 */
+  int64_t subdomains; /**< subdomains into which large BEM regions without cracks are cut; 0 if all are whole.
+                         @since 0.4 */
+  int64_t cut_nodes;  /**< nodes on the cuts between subdomains @since 0.4 */
 } bempd_statistics;
 
 /** @brief Set struct_size and zeros. @param[out] statistics the struct to fill
