@@ -194,8 +194,12 @@ TipStress::Fit TipStress::fit_of(const GrowingTip& growing, const pd::TipLaw& la
   return fit;
 }
 
+// An edge behind the tip, as at the mouth of its crack, disturbs the energy of a step more than the fit.
 bool TipStress::is_crowded(const GrowingTip& tip, const pd::TipLaw& law, double reach) const {
-  return sight_of(tip, law).nearest_face() < reach || nearest_outline(tip.place, reach) < reach;
+  return sight_of(tip, law).nearest_face() < reach || std::ranges::any_of(near_.about(tip.place, reach), [&](int node) {
+           const Point step = positions_[static_cast<std::size_t>(node)] - tip.place;
+           return outline_.has(node) && step.norm() < reach && step.dot(tip.direction) > rounding_of_places * reach;
+         });
 }
 
 bool TipStress::meets_other_material(const GrowingTip& tip, const pd::TipLaw& law, double reach) const {

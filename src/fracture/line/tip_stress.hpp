@@ -45,7 +45,7 @@ class TipStress {
   // Unit vector perpendicular to the largest principal stress at a bond: of the mean stress of its two points.
   Point across_tension(int bond, const pd::TipLaw& law, const coupling::Affine& displacement, double load_factor) const;
 
-  // Whether the field ahead is not that of the tip alone: an edge or the face of another crack lies within `reach`, or
+  // Whether the field ahead is not that of the tip alone: an edge ahead or another crack's face lies within `reach`, or
   // (second function) points of another material.
   bool is_crowded(const GrowingTip& tip, const pd::TipLaw& law, double reach) const;
   bool meets_other_material(const GrowingTip& tip, const pd::TipLaw& law, double reach) const;
