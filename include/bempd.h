@@ -1531,9 +1531,9 @@ typedef enum bempd_tip_method {
 typedef enum bempd_load_rule {
   /** Nothing is known of them. */
   BEMPD_LOAD_UNKNOWN = 0,
-  /** The stress intensity factors of the tip. */
+  /** Stress intensity factors of the tip. */
   BEMPD_LOAD_FACTORS = 1,
-  /** Those fitted to the stress ahead of the tip of a line in a lattice, corrected by the energy of its past steps. */
+  /** Factors fitted to the stress ahead of a line in a lattice, corrected by the energy of its past steps. */
   BEMPD_LOAD_FIT = 2,
   /** The energy of trial steps of a line in a lattice, where that fit does not hold. */
   BEMPD_LOAD_ENERGY = 3
@@ -1599,14 +1599,14 @@ typedef struct bempd_crack_tip {
   double straight_load_factor;      /**< smallest load factor >= 0 at which G of growth straight on is the fracture
                                        energy; the largest double if it never is. A tip under shear turns, and grows
                                        earlier: this is 5 to 30 % too high for cracks at 15 to 75 degrees [-] */
-  int32_t load_rule;           /**< a bempd_load_rule: what the critical load factors come from (since 0.4, as all that
-                                  follows) */
-  int32_t closed;              /**< 1 if the crack's faces press on each other at the tip of a crack in a lattice */
-  double load_error;           /**< estimate of the relative error of critical_load_factor; NaN if the tip never grows
-                                  or nothing is known of it [-] */
-  double valid_radius;         /**< distance to the nearest edge, other material, other crack, bend or other end of its
-                                  own crack: nearer the factors and T tell the stress, in a lattice from a horizon
-                                  on [m] */
+  int32_t load_rule;   /**< a bempd_load_rule: what the critical load factors come from (since 0.4, as all that
+                          follows) */
+  int32_t closed;      /**< 1 if the crack's faces press on each other at the tip of a crack in a lattice */
+  double load_error;   /**< estimate of the relative error of critical_load_factor; NaN if the tip never grows
+                          or nothing is known of it [-] */
+  double valid_radius; /**< distance to the nearest edge, other material, other crack, bend or other end of its
+                          own crack: nearer the factors and T tell the stress, in a lattice from a horizon
+                          on [m] */
 } bempd_crack_tip;
 
 /** @brief Set struct_size and zeros. @param[out] tip the struct to fill

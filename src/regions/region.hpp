@@ -60,8 +60,7 @@ enum class TipMethod { elements = 1, contours = 2, stress_ahead = 3 };
 struct TipValues {
   static constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 
-  int crack = 0;                             // id
-  int end = 0;                               // 1: the crack's last point, 0: its first
+  int crack = 0, end = 0;                    // id; 1: the crack's last point, 0: its first
   Point place{0, 0}, direction{1, 0};        // unit vector in which a straight crack would go on
   Point factors{unknown, unknown};           // K_I, K_II [Pa m^(1/2)]
   double energy_release_rate = unknown;      // of growth straight on [J/m^2]
@@ -79,15 +78,13 @@ struct TipValues {
   double critical_kink_angle = unknown;        // angle by which it turns at critical_load_factor [rad]
   double straight_load_factor = unknown;       // smallest >= 0 at which G of growth straight on is the fracture energy
   crack::LoadRule load_rule = crack::LoadRule::unknown;  // what the critical load factors come from
-  double load_error = unknown;                           // relative error of critical_load_factor
-  double valid_radius = unknown;  // around the tip, within which nothing else disturbs its field [m]
+  double load_error = unknown, valid_radius = unknown;   // of critical_load_factor, relative; free of disturbances [m]
 
   // The next members are set for tips in lattices only.
   TipMethod method = TipMethod::elements;
   int contours = 0;
-  bool grown = false, branched = false;
-  double contour_radius = 0, felt_ahead = 0;  // [m]
-  bool closed = false;                        // faces press on each other at the tip
+  bool grown = false, branched = false, closed = false;  // closed: faces press on each other at the tip
+  double contour_radius = 0, felt_ahead = 0;             // [m]
 };
 
 enum class TipDetail { factors, everything };

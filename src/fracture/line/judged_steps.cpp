@@ -125,9 +125,9 @@ KinkShape LineSteps::shape_of(const GrowingTip& tip, const coupling::Affine& dis
           laws_.criterion == KinkCriterion::hoop_stress};
 }
 
-// Takes the load by the energy, with its relative error; for a sheared tip the mean of both loads, weighted by the squares
-// of their errors. The fit's load of such a tip is up to 7 % too low, and 16 % under shear alone; that of the energy is
-// up to 7 and 12 % too high (docs/cracks.md).
+// Takes the load by the energy, with its relative error; for a sheared tip the mean of both loads, weighted by the
+// squares of their errors. The fit's load of such a tip is up to 7 % too low, and 16 % under shear alone; that of the
+// energy is up to 7 and 12 % too high (docs/cracks.md).
 void LineSteps::blend(const LineLoad& by_energy, double error, LineStep& step) const {
   double share = 0;
   if (step.whole_shear > 0) share = error * error / (error * error + step.error * step.error);

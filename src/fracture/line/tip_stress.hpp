@@ -17,8 +17,9 @@ namespace bempd::fracture {
 
 // Stresses around tips from the forces of terms. The stress of a point is the mean over its area: half of force times
 // bond vector of every bond belongs to the point at either end, and a quarter of a square's moment to each corner of
-// its cell. At points of the outline it is exact under uniform stress (OutlinePoints). All results are linear in the displacements. Only points ahead of the tip are used, none of which lies
-// beside its crack or is hidden by another crack.
+// its cell. At points of the outline it is exact under uniform stress (OutlinePoints). All results are linear in the
+// displacements. Only points ahead of the tip are used, none of which lies beside its crack or is hidden by another
+// crack.
 class TipStress {
  public:
   TipStress(const coupling::EquilibriumSystem& system, const std::vector<Point>& positions, const pd::TipLaws& laws);
