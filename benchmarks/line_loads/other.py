@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+import functools
 import math
 from typing import Callable
 
 import bempd
+import numpy as np
 
 import scenes
 
@@ -48,8 +50,33 @@ def onset(load: str) -> list[float]:
     return found
 
 
+def inclined(load: str, m: int) -> list[float]:
+    """Least and largest first load of edge cracks of 14 spacings at 20 to 60 degrees, with rows at 0 to 45, over those of elements."""
+    found, side = [], 60.0
+    for degrees in (20, 30, 45, 60):
+        way = np.array([math.cos(math.radians(degrees)), math.sin(math.radians(degrees))])
+        start = np.array([0, 0.27]) - [0, 7 * way[1]]
+        loads = []
+        for rows in (None, 0, 10, 20, 30, 45):
+            model = bempd.Model(options={"crack.load": load, "crack.rule": "tips", "stepping.control": "path"})
+            box = bempd.rectangle(0, -side / 2, side, side / 2)
+            solid = scenes.material(model, 8 / 9)
+            body = model.add_bem_region(solid, box, side / 12) if rows is None else model.add_pd_region(solid, box, 1.0, m, lattice_angle=math.radians(rows))
+            model.add_crack([tuple(start), tuple(start + 14 * way)])
+            for edge, value in ((1, -1.0), (3, 1.0)):
+                model.prescribe_edge(body, edge, "y", value)
+                model.fix_edge(body, edge, "x")
+            model.step(1e-3)
+            loads.append(model.tips()[0].critical_load_factor)
+        found += [one / loads[0] for one in loads[1:]]
+    return [min(found), max(found)]
+
+
 MEASURES: dict[str, Callable[[str], list[float]]] = {
     "L6 K of tips, crack of 20 at 45, through points and beside them | 4": through_points,
     "L7 crack across pressure: K_I / p sqrt(pi a), 1 / critical load | 4": closed,
     "L8 first loads, tip at four places between points | 4": onset,
+    "first loads of inclined edge cracks, least and largest | 3": functools.partial(inclined, m=3),
+    "first loads of inclined edge cracks, least and largest | 4": functools.partial(inclined, m=4),
+    "first loads of inclined edge cracks, least and largest | 5": functools.partial(inclined, m=5),
 }
