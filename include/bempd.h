@@ -1572,9 +1572,9 @@ typedef enum bempd_tip_method {
 typedef enum bempd_load_rule {
   /** Nothing is known of them. */
   BEMPD_LOAD_UNKNOWN = 0,
-  /** The stress intensity factors of the tip. */
+  /** Stress intensity factors of the tip. */
   BEMPD_LOAD_FACTORS = 1,
-  /** Those fitted to the stress ahead of the tip of a line in a lattice, corrected by the energy of its past steps. */
+  /** Factors fitted to the stress ahead of a line in a lattice, corrected by the energy of its past steps. */
   BEMPD_LOAD_FIT = 2,
   /** The energy of trial steps of a line in a lattice, where that fit does not hold. */
   BEMPD_LOAD_ENERGY = 3

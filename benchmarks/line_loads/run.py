@@ -1,14 +1,14 @@
 """Loads of cracks that grow as lines in lattices over those of boundary elements on the same paths: the table of docs/cracks.md.
 
-usage: benchmarks/run.sh line_loads [--write] [--only WORD] [--keep]
-    --write: into docs/cracks.md;  --keep: as the results that later ones are compared with, before.json
+usage: benchmarks/run.sh line_loads [--write] [--only WORD] [--horizons M ...]
+    --write: into docs/cracks.md
 
-Beside each result is the one of before.json, which the library had while the stress ahead alone told all loads."""
+Each scene is run with crack.load = fit, the stress ahead alone, and with energy, the default. The last line has the time that the
+runs by energy take over that by fits: all runs, and those whose loads are all by fits."""
 
 from __future__ import annotations
 
 import argparse
-import json
 import pathlib
 
 import bempd
@@ -20,56 +20,72 @@ PAGE = HERE.parents[1] / "docs" / "cracks.md"
 BEGIN, END = "<!-- line-loads -->", "<!-- end line-loads -->"
 HORIZONS = (4,)
 
-Results = dict[str, list[float]]
+LOADS = ("fit", "energy")
+
+Results = dict[str, dict[str, list[float]]]
+Spent = dict[str, dict[str, tuple[float, list[bempd.LoadRule]]]]
 
 
-def measured(only: str) -> Results:
+def ratios_of(scene: scenes.Scene, m: int, load: str, spent: Spent) -> list[float]:
+    try:
+        run = scenes.compare(scene, m, load)
+    except bempd.Error as error:
+        print(scene.name, load, "failed:", error)
+        return []
+    spent.setdefault(scene.name, {})[load] = (run.seconds, run.rules)
+    return [ours / known for ours, known in run.loads]
+
+
+def measured(only: str, horizons: list[int]) -> tuple[Results, Spent]:
     found: Results = {}
+    spent: Spent = {}
     for scene in scenes.scenes():
-        for m in HORIZONS:
+        for m in horizons:
             name = f"{scene.name} | {m}"
             if only not in name:
                 continue
-            try:
-                found[name] = [load / known for load, known in scenes.compare(scene, m)]
-            except bempd.Error as error:
-                print(name, "failed:", error)
-                continue
-            print(name, " ".join(f"{ratio:.3f}" for ratio in found[name]), flush=True)
+            found[name] = {load: ratios_of(scene, m, load, spent) for load in LOADS}
+            for load in LOADS:
+                print(name, load, " ".join(f"{ratio:.3f}" for ratio in found[name][load]), flush=True)
     for name, measure in other.MEASURES.items():
         if only in name:
-            found[name] = measure()
-            print(name, " ".join(f"{value:.3f}" for value in found[name]), flush=True)
-    return found
+            found[name] = {load: measure(load) for load in LOADS}
+            print(name, found[name], flush=True)
+    return found, spent
 
 
-def words(ratios: list[float] | None) -> str:
-    return " ".join(f"{ratio:.2f}" for ratio in ratios) if ratios else ""
+def words(ratios: list[float]) -> str:
+    return " ".join(f"{ratio:.2f}" for ratio in ratios)
 
 
-def table(now: Results, before: Results) -> list[str]:
-    rows = ["| scene | m | before | now |", "|---|---|---|---|"]
-    for name, ratios in now.items():
+def table(found: Results) -> list[str]:
+    rows = ["| scene | m | fit | energy |", "|---|---|---|---|"]
+    for name, by_load in found.items():
         scene, _, m = name.partition(" | ")
-        rows.append(f"| {scene} | {m} | {words(before.get(name))} | {words(ratios)} |")
+        rows.append(f"| {scene} | {m} | {words(by_load['fit'])} | {words(by_load['energy'])} |")
     return rows
+
+
+def cost(spent: Spent) -> str:
+    whole = {load: sum(by_load[load][0] for by_load in spent.values() if len(by_load) == 2) for load in LOADS}
+    valid = [by_load for by_load in spent.values() if len(by_load) == 2 and set(by_load["energy"][1]) == {bempd.LoadRule.FIT}]
+    text = f"time by energy over that by fits: {whole['energy'] / whole['fit']:.2f}"
+    if valid:
+        text += f"; where all loads are by fits: {sum(one['energy'][0] for one in valid) / sum(one['fit'][0] for one in valid):.2f}"
+    return text
 
 
 def main() -> None:
     options = argparse.ArgumentParser()
     options.add_argument("--write", action="store_true")
-    options.add_argument("--keep", action="store_true")
     options.add_argument("--only", default="")
+    options.add_argument("--horizons", type=int, nargs="+", default=list(HORIZONS))
     options = options.parse_args()
-    file = HERE / "before.json"
-    before: Results = json.loads(file.read_text("ascii")) if file.exists() else {}
-    now = measured(options.only)
-    if options.keep:
-        rounded = {name: [round(value, 4) for value in values] for name, values in (before | now).items()}
-        file.write_text("{\n" + ",\n".join(f" {json.dumps(name)}: {json.dumps(values)}" for name, values in rounded.items()) + "\n}\n", "ascii")
-        return
-    rows = table(now, before)
+    found, spent = measured(options.only, options.horizons)
+    rows = table(found)
     print("\n".join(rows))
+    if spent:
+        print(cost(spent))
     if options.write:
         text = PAGE.read_text("utf-8")
         PAGE.write_text(text[:text.index(BEGIN) + len(BEGIN)] + "\n" + "\n".join(rows) + "\n" + text[text.index(END):], "utf-8")

@@ -6,6 +6,7 @@ from __future__ import annotations
 
 import dataclasses
 import math
+import time
 from typing import Callable
 
 import bempd
@@ -90,6 +91,7 @@ def inner(length: float, degrees: float, middle: tuple[float, float]) -> Polylin
 def scenes() -> list[Scene]:
     kink = [[(0.0, 0.3), (45.5, 0.3)]]
     found = [Scene(f"L1 kink, upper edge at {angle}", kink, 6, sheared, values={"angle": angle}) for angle in (45, 65, 80, 90)]
+    found.append(Scene("straight crack of 40", [inner(40.0, 0, (0.3, 0.4))], 6, pulled))
     found.append(Scene("L2 four-point shear, notch 12.5", [[(80.3, 0.0), (80.3, 12.5)]], 6, beam))
     found.append(Scene("L2 sheared square, inner crack", [inner(24.0, 0, (45.3, 0.4))], 4, sheared, values={"angle": 90}))
     for half in (3, 6, 10, 12):
@@ -102,11 +104,11 @@ def scenes() -> list[Scene]:
     return found
 
 
-def make(scene: Scene, elements: bool, m: int, cracks: list[Polyline]) -> bempd.Model:
+def make(scene: Scene, elements: bool, m: int, cracks: list[Polyline], load: str = "energy") -> bempd.Model:
     model = bempd.Model()
     if not elements:
         model.options["crack.rule"] = "tips"
-        model.options["crack.load"] = "energy"
+        model.options["crack.load"] = load
         model.options["stepping.control"] = "path"
     scene.build(scene, model, elements, m)
     for crack in cracks:
@@ -122,18 +124,39 @@ def reference(scene: Scene, cracks: list[Polyline], crack: int, end: int) -> flo
     return float(tip.critical_load_factor)
 
 
-def compare(scene: Scene, m: int) -> list[tuple[float, float]]:
-    """Loads of the steps of a lattice, and those of boundary elements with the same cracks before each of them."""
-    model = make(scene, False, m, scene.cracks)
-    cracks = [list(crack) for crack in scene.cracks]
-    loads = []
+@dataclasses.dataclass
+class Run:
+    """A run of a lattice."""
+
+    loads: list[tuple[float, float]]  # of its steps, and those of boundary elements with the same cracks before each of them
+    rules: list[bempd.LoadRule]  # that gave the loads
+    seconds: float  # of the processor, the least of three runs
+
+
+def seconds(scene: Scene, m: int, load: str) -> float:
+    """Time of the processor for the same run, without anything that is asked in between."""
+    begin = time.process_time()
+    model = make(scene, False, m, scene.cracks, load)
     for _ in range(scene.steps):
+        if model.step_to_next_event(1e9).stop_reason != bempd.StopReason.EVENT:
+            break
+    return time.process_time() - begin
+
+
+def compare(scene: Scene, m: int, load: str = "energy") -> Run:
+    model = make(scene, False, m, scene.cracks, load)
+    cracks = [list(crack) for crack in scene.cracks]
+    run = Run([], [], min(seconds(scene, m, load) for _ in range(3)))
+    for _ in range(scene.steps):
+        rules = {(tip.crack, int(tip.end)): tip.load_rule for tip in model.tips()}
         report = model.step_to_next_event(1e9)
         if report.stop_reason != bempd.StopReason.EVENT:
             break
-        for extension in model.extensions()[len(loads):]:
+        for extension in model.extensions()[len(run.loads):]:
+            end = int(extension.end)
             crack = cracks[extension.crack - 1]
-            loads.append((extension.load_factor, reference(scene, cracks, extension.crack, int(extension.end))))
+            run.loads.append((extension.load_factor, reference(scene, cracks, extension.crack, end)))
+            run.rules.append(rules.get((extension.crack, end), bempd.LoadRule.UNKNOWN))
             place = (extension.x, extension.y)
-            crack.append(place) if int(extension.end) == 2 else crack.insert(0, place)
-    return loads
+            crack.append(place) if end == 2 else crack.insert(0, place)
+    return run

@@ -241,9 +241,9 @@ module bempd_c
   integer, parameter :: bempd_load_rule = c_int
   !> Nothing is known of them.
   integer(c_int), parameter :: BEMPD_LOAD_UNKNOWN = 0
-  !> The stress intensity factors of the tip.
+  !> Stress intensity factors of the tip.
   integer(c_int), parameter :: BEMPD_LOAD_FACTORS = 1
-  !> Those fitted to the stress ahead of the tip of a line in a lattice, corrected by the energy of its past steps.
+  !> Factors fitted to the stress ahead of a line in a lattice, corrected by the energy of its past steps.
   integer(c_int), parameter :: BEMPD_LOAD_FIT = 2
   !> The energy of trial steps of a line in a lattice, where that fit does not hold.
   integer(c_int), parameter :: BEMPD_LOAD_ENERGY = 3

@@ -85,7 +85,10 @@ def fracture_mechanics(lengths: np.ndarray) -> np.ndarray:
 
 
 def felt_tip(model: bempd.Model) -> float:
-    """Where the loads feel the tip of the crack to be [m]: ahead of its place by less than a spacing, if that is known."""
+    """Where the loads feel the tip of the crack to be [m]: ahead of its place by less than a spacing, if that is known. A crack
+    that has reached the upper edge has no tip: then its end."""
+    if not model.tips():
+        return max(vertex.y for vertex in model.crack_path(1))
     tip = model.tips()[0]
     return tip.y if math.isnan(tip.felt_ahead) else tip.y + tip.felt_ahead
 

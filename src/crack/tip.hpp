@@ -24,8 +24,8 @@ enum class TipState {
   carried_on = 6     // its crack goes on in another carrier, where it has its tip; no extension ends so
 };
 
-// What the load factors of a tip's growth come from: its stress intensity factors; Williams' series fitted to the stress
-// ahead of it in a lattice; or the energy of a trial step there.
+// What the load factors of a tip's growth come from: its stress intensity factors; Williams' series fitted to the
+// stress ahead of it in a lattice; or the energy of a trial step there.
 enum class LoadRule { unknown = 0, factors = 1, fit = 2, energy = 3 };
 
 constexpr bool has_ended(TipState state) { return state != TipState::grows; }

@@ -50,8 +50,9 @@ std::optional<Outcome> perform_event(const Event& event, const coupling::Equilib
   // A piece that comes free takes the energy of its loads with it.
   outcome.released_energy =
       change->takes_loads_along ? outcome.work + outcome.stored_energy_before - outcome.stored_energy : released;
-  outcome.bond_energy =
-      event.taken_energy > 0 ? std::min(released, event.taken_energy) : released / (event.ratio * event.ratio);
+  // What is released at the critical load, so that it does not matter whether the load is held or falls.
+  outcome.bond_energy = released / (event.ratio * event.ratio);
+  if (event.taken_energy > 0) outcome.bond_energy = std::min(outcome.bond_energy, event.taken_energy);
   outcome.critical_stored_energy = body.stored_energy(event.critical_load_factor);
   outcome.unit_energy = body.unit_energy();
   outcome.energy_scale = least_energy_scale(system, f);

@@ -16,13 +16,14 @@ constexpr double straight_within = 0.1;
 
 // Distance to the part of an edge behind which the body does not go on with the same material. `joined` are the spans
 // of fractions behind which it does, in ascending order.
-double distance_to_free_part(const Edge& edge, const std::vector<std::pair<double, double>>& joined, const Point& place) {
+double distance_to_free_part(const Edge& edge, const std::vector<std::pair<double, double>>& joined,
+                             const Point& place) {
   if (joined.empty()) return distance(edge, place);
   double nearest = std::numeric_limits<double>::infinity(), from = 0;
   const auto add = [&](double to) {
     if (to <= from) return;
-    nearest = std::min(nearest, edge.straight() ? distance(Segment{edge.at(from), edge.at(to)}, place)
-                                                : distance(edge, place));
+    nearest = std::min(nearest,
+                       edge.straight() ? distance(Segment{edge.at(from), edge.at(to)}, place) : distance(edge, place));
   };
   for (const auto& [start, end] : joined) add(start), from = std::max(from, end);
   add(1);

@@ -13,7 +13,8 @@ const scene::OptionGroup growth_group(scene::OptionPlace::growth, [] {
                          "hoop | energy", "hoop"),
       scene::text_option(
           "crack.load",
-          "What gives the load of the next step of a crack that grows as a line in a lattice. energy: the stress around "
+          "What gives the load of the next step of a crack that grows as a line in a lattice. energy: the stress "
+          "around "
           "its tip, and the energy of trial steps where that stress is not the tip's own, as at kinks, beside edges "
           "and before other materials (docs/cracks.md). fit: that stress everywhere, to compare.",
           "energy | fit", "energy"),

@@ -59,6 +59,8 @@ static void both_tips_carry_the_same(void) {
     CHECK(tip.error > 0 && tip.error < 2e-3 * factor);
     CHECK(tip.felt_ahead > 0.3 && tip.felt_ahead < 0.55);
     CHECK(tip.contour_radius > 8 && tip.contour_radius <= 20);
+    CHECK(tip.load_rule == BEMPD_LOAD_FACTORS && !tip.closed && tip.load_error > 0 && tip.load_error < 2e-3);
+    CHECK_CLOSE(tip.valid_radius, 10.5, 1e-12);
   }
   /* The factor is linear in the load factor. */
   CHECK_OK(model, bempd_step(model, 2e-3, NULL));

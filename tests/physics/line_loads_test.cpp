@@ -1,4 +1,4 @@
-// Loads by energy of cracks that grow as lines where the stress ahead of a tip is not the tip's own: behind a kink, of
+// Loads of cracks that grow as lines where the stress ahead of a tip is not the tip's own: behind a kink, under shear, of
 // short cracks, before another material. Against boundary elements with the same crack before each step.
 #include <gtest/gtest.h>
 
@@ -61,7 +61,6 @@ double known_load(const Scene& scene, const Outline& crack) {
 std::vector<double> ratios_of(const Scene& scene) {
   Model model;
   model.set_text("crack.rule", "tips");
-  model.set_text("crack.load", "energy");
   model.set_text("stepping.control", "path");
   build(scene, false, model);
   model.crack(scene.crack);
@@ -92,6 +91,13 @@ double worst_of(const char* name, const Scene& scene) {
 TEST(LineLoads, behind_a_kink) {
   const double worst = worst_of("kink", {{{0, 30.3}, {24.5, 30.3}}, 4, 2, 1});
   EXPECT_LE(worst, claims::line_kink_loads / 100);
+}
+
+TEST(LineLoads, of_sheared_tips) {
+  for (const double sideways : {2.0, 4.0, 10.0}) {
+    const double worst = worst_of("sheared", {{{0, 30.3}, {24.5, 30.3}}, 1, sideways, 1});
+    EXPECT_LE(worst, claims::line_sheared_load / 100) << sideways;
+  }
 }
 
 TEST(LineLoads, of_a_short_crack) {

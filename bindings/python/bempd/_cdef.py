@@ -2377,10 +2377,10 @@ since: 0.3""",
 
 since: 0.4""",
     "BEMPD_LOAD_UNKNOWN": """Nothing is known of them.""",
-    "BEMPD_LOAD_FACTORS": """The stress intensity factors of the tip.""",
+    "BEMPD_LOAD_FACTORS": """Stress intensity factors of the tip.""",
     "BEMPD_LOAD_FIT": """\
-Those fitted to the stress ahead of the tip of a line in a lattice, corrected by the energy of its
-past steps.""",
+Factors fitted to the stress ahead of a line in a lattice, corrected by the energy of its past
+steps.""",
     "BEMPD_LOAD_ENERGY": """The energy of trial steps of a line in a lattice, where that fit does not hold.""",
     "bempd_crack_tip": """\
 The tip of a crack at the present load factor. Fill it with bempd_crack_tip_init().

@@ -65,7 +65,7 @@ class LoadRule(enum.IntEnum):
 
     UNKNOWN = 0  #: nothing is known of them
     FACTORS = 1  #: its stress intensity factors
-    FIT = 2  #: those fitted to the stress ahead of a line in a lattice, corrected by the energy of its past steps
+    FIT = 2  #: factors fitted to the stress ahead of a line in a lattice, corrected by the energy of its past steps
     ENERGY = 3  #: the energy of trial steps of a line, where that fit does not hold
 
 

@@ -97,13 +97,12 @@ void LineSteps::judge_fit(const std::vector<GrowingTip>& tips, const WilliamsFit
   const bool is_crowded = (!acts_longer || is_sheared) && stress_.is_crowded(tip, law, clear);
   const bool is_told = is_sheared ? acts_longer && is_crowded && step.residual < residual_with_shape
                                   : !is_crowded && step.residual < largest_residual(law);
-  const bool is_alone = laws_.criterion == KinkCriterion::hoop_stress && !beside_tip && !faces_press_at(tip) &&
-                        !stress_.meets_other_material(tip, law, clear);
-  step.fit_holds = is_told && is_alone;
+  const bool is_alone = !beside_tip && !faces_press_at(tip) && !stress_.meets_other_material(tip, law, clear);
+  step.fit_holds = laws_.criterion == KinkCriterion::hoop_stress && is_told && is_alone;
   if (!is_sheared || !is_alone || is_crowded) return;
   const AffineIntensity whole = fit.factors(law.horizon);
-  step.whole_shear = kink_of({whole.one.dot(at), whole.two.dot(at)}).equivalent_factor /
-                     kink_of({factors.one.dot(at), factors.two.dot(at)}).equivalent_factor;
+  step.whole_shear = kink_of({whole.one.dot(at), whole.two.dot(at)}, laws_.criterion).equivalent_factor /
+                     kink_of({factors.one.dot(at), factors.two.dot(at)}, laws_.criterion).equivalent_factor;
 }
 
 bool LineSteps::need_body(const std::vector<LineStep>& steps, const LoadWay& way) {
@@ -126,9 +125,9 @@ KinkShape LineSteps::shape_of(const GrowingTip& tip, const coupling::Affine& dis
           laws_.criterion == KinkCriterion::hoop_stress};
 }
 
-// Takes the load by the energy, with its relative error; for a sheared tip the mean of both loads, weighted by the squares
-// of their errors. The fit's load of such a tip is up to 7 % too low, and 16 % under shear alone; that of the energy is
-// up to 7 and 12 % too high (docs/cracks.md).
+// Takes the load by the energy, with its relative error; for a sheared tip the mean of both loads, weighted by the
+// squares of their errors. The fit's load of such a tip is up to 7 % too low, and 16 % under shear alone; that of the
+// energy is up to 7 and 12 % too high (docs/cracks.md).
 void LineSteps::blend(const LineLoad& by_energy, double error, LineStep& step) const {
   double share = 0;
   if (step.whole_shear > 0) share = error * error / (error * error + step.error * step.error);

@@ -35,8 +35,8 @@ struct LineStep {
   // load, and the residual of the fit as a share of the stress.
   bool fit_holds = true, is_shut = false;  // shut: its faces press on each other at the tip
   double error = 0, residual = 0;
-  // For a tip that is sheared and alone: equivalent factor of the fit with its K_II as found over that with a smaller
-  // K_II (TipStress::as_read()). 0 for others.
+  // Equivalent factor of the fit with its K_II as found over that with a smaller K_II (TipStress::as_read()), for a tip
+  // that is sheared and alone; 0 for others.
   double whole_shear = 0;
   // Whether the load comes from the energy of a trial step. If so: the ratio (see ratio_at) after the step over that
   // before it, and the energy that the step's bonds take [J].

@@ -76,7 +76,7 @@ void OutlinePoints::find_shares(const coupling::Terms& terms, const pd::TipLaws&
   }
 }
 
-// Under a uniform strain E a term with the moment m (xx, yy, xy) at each of its n points has the tension
+// Tension of a term under a uniform strain E, where m (xx, yy, xy) is its moment at each of its n points:
 // k n m.(E_xx, E_yy, 2 E_xy). So a point's sum of moments is S (E_xx, E_yy, 2 E_xy) with S = sum of k n m m^T, and the
 // stress is S of a full point over its volume times the same strain.
 void OutlinePoints::find_stresses(const coupling::Terms& terms, const std::vector<Point>& positions,

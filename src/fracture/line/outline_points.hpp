@@ -18,9 +18,9 @@ class OutlinePoints {
   bool has(int node) const { return share_[static_cast<std::size_t>(node)] > 0; }
   double share_of(int node) const { return has(node) ? share_[static_cast<std::size_t>(node)] : 1; }
 
-  // Matrix that turns the sum of a point's moments (moment_at() times tension, xx, yy, xy) into its stress: under uniform
-  // stress into just that stress. Bonds at a corner have directions of a quarter plane only, so a share of the area would
-  // not do. Null far from edges, and at borders of two kinds of lattices.
+  // Matrix that turns the sum of a point's moments (moment_at() times tension, xx, yy, xy) into its stress: under
+  // uniform stress into just that stress. Bonds at a corner have directions of a quarter plane only, so a share of the
+  // area would not do. Null far from edges, and at borders of two kinds of lattices.
   const Eigen::Matrix3d* stress_of_moments(int node) const {
     const auto found = stress_of_moments_.find(node);
     return found == stress_of_moments_.end() ? nullptr : &found->second;

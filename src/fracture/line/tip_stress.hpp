@@ -17,8 +17,9 @@ namespace bempd::fracture {
 
 // Stresses around tips from the forces of terms. The stress of a point is the mean over its area: half of force times
 // bond vector of every bond belongs to the point at either end, and a quarter of a square's moment to each corner of
-// its cell. At points of the outline it is exact under uniform stress (OutlinePoints). All results are linear in the displacements. Only points ahead of the tip are used, none of which lies
-// beside its crack or is hidden by another crack.
+// its cell. At points of the outline it is exact under uniform stress (OutlinePoints). All results are linear in the
+// displacements. Only points ahead of the tip are used, none of which lies beside its crack or is hidden by another
+// crack.
 class TipStress {
  public:
   TipStress(const coupling::EquilibriumSystem& system, const std::vector<Point>& positions, const pd::TipLaws& laws);
@@ -45,7 +46,7 @@ class TipStress {
   // Unit vector perpendicular to the largest principal stress at a bond: of the mean stress of its two points.
   Point across_tension(int bond, const pd::TipLaw& law, const coupling::Affine& displacement, double load_factor) const;
 
-  // Whether the field ahead is not that of the tip alone: an edge or the face of another crack lies within `reach`, or
+  // Whether the field ahead is not that of the tip alone: an edge ahead or another crack's face lies within `reach`, or
   // (second function) points of another material.
   bool is_crowded(const GrowingTip& tip, const pd::TipLaw& law, double reach) const;
   bool meets_other_material(const GrowingTip& tip, const pd::TipLaw& law, double reach) const;

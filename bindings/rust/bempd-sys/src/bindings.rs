@@ -2654,10 +2654,10 @@ pub const BEMPD_TIP_STRESS: bempd_tip_method = 3;
 pub type bempd_tip_method = ::std::os::raw::c_uint;
 /// Nothing is known of them.
 pub const BEMPD_LOAD_UNKNOWN: bempd_load_rule = 0;
-/// The stress intensity factors of the tip.
+/// Stress intensity factors of the tip.
 pub const BEMPD_LOAD_FACTORS: bempd_load_rule = 1;
-/// Those fitted to the stress ahead of the tip of a line in a lattice, corrected by the energy of
-/// its past steps.
+/// Factors fitted to the stress ahead of a line in a lattice, corrected by the energy of its past
+/// steps.
 pub const BEMPD_LOAD_FIT: bempd_load_rule = 2;
 /// The energy of trial steps of a line in a lattice, where that fit does not hold.
 pub const BEMPD_LOAD_ENERGY: bempd_load_rule = 3;

@@ -203,9 +203,9 @@ impl TipMethod {
 pub enum LoadRule {
     /// Nothing is known of them.
     Unknown,
-    /// Its stress intensity factors.
+    /// Stress intensity factors of the tip.
     Factors,
-    /// Those fitted to the stress ahead of a line in a lattice, corrected by the energy of its past steps.
+    /// Factors fitted to the stress ahead of a line in a lattice, corrected by the energy of its past steps.
     Fit,
     /// The energy of trial steps of a line, where that fit does not hold.
     Energy,
