@@ -108,7 +108,7 @@ def across(scene: Scene) -> tuple[list[Load], list[Load], list[Load], list[Load]
     line = next(load.behind for load in into if load.behind > 0)
     first = BORDER - HORIZONS_OF_LINE * horizon
     return (into, loads(scene, "l", BORDER + line, -10, FARTHEST),
-            loads(scene, "le", first, -3.5 * horizon, FARTHEST), loads(scene, "l", first, -3.5 * horizon, 0))
+            loads(scene, "le", first, -4.5 * horizon, FARTHEST), loads(scene, "l", first, -4.5 * horizon, 0))
 
 
 def words(found: list[Load]) -> str:

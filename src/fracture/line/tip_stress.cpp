@@ -35,12 +35,6 @@ constexpr int fitted_terms = WilliamsFit::most_terms;
 constexpr int terms_near_face = 4, terms_at_face = 2;
 constexpr double at_face = 1;
 
-// Number of fitted terms where points beside a border with boundary elements are left out on one side of the tip:
-// mostly there, by the mean of their distances from its line over that of the magnitudes. Behind oblique borders loads
-// were up to 3.2 % off with five terms, with four they are within 2.6 % (docs/mixed_cracks.md).
-constexpr int terms_beside_border = 4;
-constexpr double on_one_side = 0.5;
-
 // Number of stress points below which the points nearest to the tip are used too, if a face is near.
 constexpr std::size_t enough_points = 6;
 
@@ -204,10 +198,6 @@ TipStress::Fit TipStress::fit_of(const GrowingTip& growing, const pd::TipLaw& la
   Fit fit{terms_beside(face, law.horizon), stations(tip, law, reach, fitted_cosine, sight)};
   std::vector<Station> apart = fit.stations;
   std::erase_if(apart, [&](const Station& s) { return joints_.are_beside(s.node); });
-  double across = 0, away = 0;
-  for (const Station& s : fit.stations)
-    if (joints_.are_beside(s.node)) across += s.across, away += std::abs(s.across);
-  if (std::abs(across) > on_one_side * away) fit.terms = std::min(fit.terms, terms_beside_border);
   if (apart.size() >= enough_points) {
     fit.stations = std::move(apart);
   } else if (apart.size() < fit.stations.size()) {
