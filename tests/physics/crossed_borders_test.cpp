@@ -181,8 +181,7 @@ TEST(CrossedBorders, a_border_with_elements_disturbs_no_load) {
   EXPECT_LT(last, 0.007);
 }
 
-// A border at 45 degrees to the crack, whose rows lie along the crack or across the border. A line crosses it from one
-// and a half horizons before it.
+// A border at 45 degrees to the crack, whose rows lie along the crack or across the border.
 TEST(CrossedBorders, loads_of_lines_beside_an_oblique_border) {
   const Outline left{{0, 0}, {14, 0}, {14, 6.5}, {34, 26.5}, {34, height}, {0, height}},
       right{{14, 0}, {width, 0}, {width, height}, {34, height}, {34, 26.5}, {14, 6.5}};
@@ -202,7 +201,7 @@ TEST(CrossedBorders, loads_of_lines_beside_an_oblique_border) {
       const double before = difference(found, 14, 24), behind = difference(found, 24, 40);
       std::printf("rows at %.2f, out of the lattice %d: loads off by %.4f before, %.4f behind\n", angle, out, before,
                   behind);
-      EXPECT_LT(std::max(before, behind), angle == 0 ? 0.015 : 0.03);
+      EXPECT_LT(std::max(before, behind), angle == 0 ? 0.015 : 0.02);
     }
   }
 }

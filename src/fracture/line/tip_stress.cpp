@@ -29,15 +29,12 @@ constexpr double near_reach = 1.5, near_cosine = 0.5;  // in horizons
 constexpr double near_opening = 0.79, near_shear = 0.482;
 
 constexpr int fitted_terms = WilliamsFit::most_terms;
-
 // Number of fitted terms ahead of the face of another crack, where there are fewer points: four within three horizons
 // of it, two within one (docs/directions.md).
 constexpr int terms_near_face = 4, terms_at_face = 2;
 constexpr double at_face = 1;
-
 // Number of stress points below which the points nearest to the tip are used too, if a face is near.
 constexpr std::size_t enough_points = 6;
-
 // Largest length of a bond between neighbours, in spacings.
 constexpr double longest_short_bond = 1.3;
 
