@@ -13,8 +13,8 @@ Point = tuple[float, float]
 # above and below that it goes straight on to the sides of the plate, so that no region has a sharp corner.
 WIDTH, HEIGHT, BORDER, WAY, SLANTED = 80.0, 64.0, 40.0, 32.5, 14.0
 
-# Ends of the cracks along the plate at first: elements begin ten spacings before the border, lines five horizons.
-FIRST_OF_ELEMENTS, HORIZONS_OF_LINE = 30.0, 5
+# Ends of the cracks along the plate at first: elements begin ten spacings before the border, lines six horizons.
+FIRST_OF_ELEMENTS, HORIZONS_OF_LINE = 30.0, 6
 FARTHEST = 20.0  # behind the border, along the plate
 
 
@@ -108,7 +108,7 @@ def across(scene: Scene) -> tuple[list[Load], list[Load], list[Load], list[Load]
     line = next(load.behind for load in into if load.behind > 0)
     first = BORDER - HORIZONS_OF_LINE * horizon
     return (into, loads(scene, "l", BORDER + line, -10, FARTHEST),
-            loads(scene, "le", first, -3.5 * horizon, FARTHEST), loads(scene, "l", first, -3.5 * horizon, 0))
+            loads(scene, "le", first, -6 * horizon, FARTHEST), loads(scene, "l", first, -6 * horizon, 0))
 
 
 def words(found: list[Load]) -> str:

@@ -23,12 +23,10 @@ constexpr double into_elements = 1.5;
 // Least room ahead of the first tip with elements, in spacings; with less, the line stops at the interface.
 constexpr double room_in_elements = 0.5;
 
-// Distances from the interface, in horizons, below which the stress points ahead of a line no longer give the load on
-// its tip: on its way, and the shortest one. The line then continues in elements at once (docs/mixed_cracks.md).
-constexpr double near_elements = 2, beside_elements = 1.5;
-
-// Smallest cosine of the angle between a line's way and the interface's normal that shortens the shortest distance.
-constexpr double least_cosine = 1.0 / 3;
+// Distance from the interface, in horizons, below which the stress points ahead of a line no longer give the load on
+// its tip; the line then continues in elements at once (docs/mixed_cracks.md). On its way that is farther, but at most
+// over the smallest cosine of the angle to the interface's normal.
+constexpr double near_elements = 2, least_cosine = 0.5;
 
 bool is_in(const scene::Scene& scene, int id, const Point& place, double tolerance) {
   return locate(scene.region(id).outline(), place, tolerance) != Location::outside;
@@ -48,19 +46,15 @@ bool is_at_border(const scene::Scene& scene, const fracture::CrackExtension& e, 
 }
 
 // Place of the first tip with elements of a line that leaves its lattice. The line's straight continuation has to
-// reach a straight interface with boundary elements of the same material that is near: at most so many spacings away.
-// Empty if it does not.
-struct Near {
-  double on_the_way, shortest;
-};
-std::optional<Point> tip_behind_border(const scene::Scene& scene, const fracture::CrackExtension& e, const Near& near,
+// reach a straight interface with boundary elements of the same material, from a place within `spacings` of it. Empty
+// if it does not.
+std::optional<Point> tip_behind_border(const scene::Scene& scene, const fracture::CrackExtension& e, double spacings,
                                        double tolerance) {
   const Point from(e.from_x, e.from_y), to(e.x, e.y), along = (to - from).normalized();
   for (const int lattice : scene.region_ids()) {
     if (scene.region(lattice).has_elements() || !is_in(scene, lattice, from, tolerance)) continue;
     const double spacing = scene.region(lattice).resolution();
-    const double farthest = std::max(near.on_the_way, near.shortest / least_cosine);
-    const Edge way(from, to + farthest * spacing * along);
+    const Edge way(from, to + spacings / least_cosine * spacing * along);
     double exit = 2, cosine = 1;
     bool straight = true;
     for (const Edge& edge : edges_of(scene.region(lattice).outline()))
@@ -69,8 +63,7 @@ std::optional<Point> tip_behind_border(const scene::Scene& scene, const fracture
           exit = meeting.fraction_a, straight = edge.straight(),
           cosine = std::abs(cross(along, (edge.end - edge.start).normalized()));
     if (exit > 1 || !straight) continue;
-    const double left = (way.at(exit) - to).dot(along) / spacing;
-    if (left > near.on_the_way && left * std::max(cosine, least_cosine) > near.shortest) continue;
+    if ((way.at(exit) - to).dot(along) * std::max(cosine, least_cosine) > spacings * spacing + tolerance) continue;
     const Point behind = way.at(exit) + 0.1 * spacing * along, tip = way.at(exit) + into_elements * spacing * along;
     const Point far = tip + room_in_elements * spacing * along;
     for (const int id : scene.region_ids())
@@ -150,7 +143,7 @@ bool leaves_lattice(const fracture::CrackExtension& e, const scene::Scene& scene
   double horizons = 0;  // in spacings
   for (const auto& region : d.regions)
     if (const auto grid = region->lattice_grid()) horizons = std::max(horizons, grid->horizon / grid->spacing);
-  return tip_behind_border(scene, e, {near_elements * horizons, beside_elements * horizons}, d.tolerance).has_value();
+  return tip_behind_border(scene, e, near_elements * horizons, d.tolerance).has_value();
 }
 
 // Crack lines that have come to a border since the last call.
@@ -192,7 +185,7 @@ bool ElementCarrier::cross_border(const crack::TipId& tip) {
   const fracture::CrackExtension last = last_of(tip, model_.extensions());
   constexpr double far = 64;  // spacings: leaves_lattice() has said that it is near
   const double tolerance = model_.prepared_->discretization.tolerance;
-  const std::optional<Point> place = tip_behind_border(model_.scene_, last, {far, far}, tolerance);
+  const std::optional<Point> place = tip_behind_border(model_.scene_, last, far, tolerance);
   if (!place) return false;
   std::vector<scene::Crack> longer = before;
   extend(with_line(longer, tip, model_.extensions(), model_.scene_, tolerance), tip.end, *place);

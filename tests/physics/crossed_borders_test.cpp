@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <numbers>
 #include <optional>
 
 #include "host.hpp"
@@ -178,6 +179,31 @@ TEST(CrossedBorders, a_border_with_elements_disturbs_no_load) {
   EXPECT_LT(first, 0.02);
   EXPECT_LT(next, 0.015);
   EXPECT_LT(last, 0.007);
+}
+
+// A border at 45 degrees to the crack, whose rows lie along the crack or across the border.
+TEST(CrossedBorders, loads_of_lines_beside_an_oblique_border) {
+  const Outline left{{0, 0}, {14, 0}, {14, 6.5}, {34, 26.5}, {34, height}, {0, height}},
+      right{{14, 0}, {width, 0}, {width, height}, {34, height}, {34, 26.5}, {14, 6.5}};
+  for (const double angle : {0.0, std::numbers::pi / 4}) {
+    for (const bool out : {true, false}) {
+      Plate plate({});
+      plate.model.lattice_angle = angle;
+      for (const bool is_left : {true, false}) {
+        const Outline& outline = is_left ? left : right;
+        const int32_t region = is_left == out ? plate.model.pd(1, outline, 1, 3) : plate.model.bem(1, outline, 3);
+        plate.model.fix(region, 1, BEMPD_Y);
+        plate.model.prescribe(region, is_left ? 5 : 3, BEMPD_Y, 0, 1);
+      }
+      for (int k = 0; k < 60 && (plate.vertices().empty() || plate.vertices().back().x < 40); ++k)
+        plate.model.next_event(1e9);
+      const std::vector<Vertex> found = plate.vertices();
+      const double before = difference(found, 14, 24), behind = difference(found, 24, 40);
+      std::printf("rows at %.2f, out of the lattice %d: loads off by %.4f before, %.4f behind\n", angle, out, before,
+                  behind);
+      EXPECT_LT(std::max(before, behind), angle == 0 ? 0.015 : 0.02);
+    }
+  }
 }
 
 // A plate of a lattice with a hole and of boundary elements behind it, or of boundary elements alone, pulled by its

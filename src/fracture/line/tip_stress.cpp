@@ -30,20 +30,12 @@ constexpr double near_reach = 1.5, near_cosine = 0.5;  // in horizons
 constexpr double near_opening = 0.79, near_shear = 0.482;
 
 constexpr int fitted_terms = WilliamsFit::most_terms;
-
 // Number of fitted terms ahead of the face of another crack, where there are fewer points: four within three horizons
 // of it, two within one (docs/directions.md).
 constexpr int terms_near_face = 4, terms_at_face = 2;
 constexpr double at_face = 1;
-
-// Number of fitted terms where points beside a border with boundary elements are left out: the rest may lie on one
-// side. Loads of tips beside oblique borders were up to 5 % off with five terms, with four they are within 3 %
-// (docs/mixed_cracks.md).
-constexpr int terms_beside_border = 4;
-
 // Number of stress points below which the points nearest to the tip are used too, if a face is near.
 constexpr std::size_t enough_points = 6;
-
 // Largest length of a bond between neighbours, in spacings.
 constexpr double longest_short_bond = 1.3;
 
@@ -186,7 +178,6 @@ TipStress::Fit TipStress::fit_of(const GrowingTip& growing, const pd::TipLaw& la
   Fit fit{terms_beside(face, law.horizon), stations(tip, law, reach, fitted_cosine, sight)};
   std::vector<Station> apart = fit.stations;
   std::erase_if(apart, [&](const Station& s) { return joints_.are_beside(s.node); });
-  if (apart.size() < fit.stations.size()) fit.terms = std::min(fit.terms, terms_beside_border);
   if (apart.size() >= enough_points) {
     fit.stations = std::move(apart);
   } else if (apart.size() < fit.stations.size()) {
