@@ -28,7 +28,7 @@ class GalerkinOperator final : public BoundaryOperator {
   Eigen::MatrixXd stiffness_;
   linalg::DenseCholesky single_layer_;  // empty if compact
   Eigen::MatrixXd reduced_transpose_;   // (L^-1 B)^T, V = L L^T, or (V^-1 B)^T if compact
-  double traction_scale_ = 1;          // shear modulus over length scale
+  double traction_scale_ = 1;           // shear modulus over length scale
   std::int64_t kernel_evaluations_ = 0;
 };
 

@@ -1,5 +1,5 @@
-"""Length of what the project says of itself: words of README.md and of every page under docs, research notes too. Code, formulas, signs
-of tables and the page of options, which the library writes, do not count. Prints the words of each page; fails above the bounds.
+"""Length of what the project says of itself: words of README.md and of every page under docs, research notes too. Code, formulas,
+numbers and the page of options, which the library writes, do not count. Prints the words of each page; fails above the bounds.
 
     length.py ROOT [--quiet]
 """
@@ -20,7 +20,7 @@ WRITTEN_BY_THE_LIBRARY = "docs/options.md"
 def words(text: str) -> int:
     """Words that a reader reads: `code`, a formula in a line and a link are what they show."""
     text = re.sub(r"!?\[([^\]]*)\]\([^)]*\)", r"\1", sentences.CODE.sub("", text))
-    return sentences.words(text)
+    return sum(any(sign.isalpha() for sign in word) for word in text.split())
 
 
 def main() -> int:
