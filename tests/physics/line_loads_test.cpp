@@ -1,5 +1,5 @@
-// Loads of cracks that grow as lines where the stress ahead of a tip is not the tip's own: behind a kink, under shear, of
-// short cracks, before another material. Against boundary elements with the same crack before each step.
+// Loads of cracks that grow as lines where the stress ahead of a tip is not the tip's own: behind a kink, under shear,
+// of short cracks, before another material. Against boundary elements with the same crack before each step.
 #include <gtest/gtest.h>
 
 #include <claims.hpp>
