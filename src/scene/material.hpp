@@ -13,7 +13,7 @@ struct Material {
   double thermal_expansion = 0;  // [1/K]
   // Law of this material's bonds: the stages that a bond goes through from its critical stretch on.
   coupling::TermLaw bond_law = coupling::TermLaw::brittle();
-  crack::Resistance resistance;  // of tips that grow by a law, beyond the fracture energy
+  crack::Resistance resistance = {};  // of tips that grow by a law, beyond the fracture energy
 
   bool operator==(const Material&) const = default;
 
