@@ -77,9 +77,11 @@ void LineSteps::judge_fit(const std::vector<GrowingTip>& tips, const WilliamsFit
   step.fit_holds = true;
   step.residual = fit.residual(step.load_factor);
   step.error = error_of_fit + error_by_residual * std::max(step.residual - least_residual, 0.0);
-  if (!laws_.loads_by_energy) return;
   const GrowingTip& tip = tips[step.tip];
   const pd::TipLaw& law = law_of(tip);
+  // A weak direction turns a tip far more sharply than its field does, and the counted lengths of such a turn say
+  // little.
+  if (!laws_.loads_by_energy || law.directions) return;
   const Eigen::Vector2d at(1, step.load_factor);
   const AffineIntensity factors = stress_.as_read(fit.factors(law.horizon));
   const bool is_sheared = std::abs(factors.two.dot(at)) > largest_shear * std::abs(factors.one.dot(at));

@@ -11,7 +11,7 @@ namespace bempd::fracture {
 namespace {
 
 // Pivot of 1 - k^1/2 F k^1/2 below which rounding decides whether the body still has a resistance.
-constexpr double smallest_trial_pivot = 1e-10;
+constexpr double smallest_trial_pivot = 1e-7;
 
 // Largest number of flexibilities kept for reuse: about as many paths and directions are tried between two changes of
 // the matrix.
