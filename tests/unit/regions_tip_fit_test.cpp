@@ -131,8 +131,8 @@ TEST(TipFit, knows_all_its_terms_in_turned_lattices) {
 }
 
 // The tip one to three horizons before an edge, and along one. The fields do not leave the edge free, so that points on
-// it, where bonds are those of a free edge, have another stress: it is exact under uniform strain only, which the fields
-// are not within a horizon of the tip.
+// it, where bonds are those of a free edge, have another stress: it is exact under uniform strain only, which the
+// fields are not within a horizon of the tip.
 TEST(TipFit, knows_all_its_terms_beside_an_edge) {
   constexpr int m = 4;
   for (const double horizons : {1.0, 1.5, 2.0, 3.0})
