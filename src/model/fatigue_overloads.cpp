@@ -9,12 +9,12 @@ namespace bempd::model {
 
 void MetOverloads::take_up(const std::vector<RememberedOverload>& known, const Front& front,
                            const std::vector<scene::Crack>& cracks, double first_cycle) {
-  constexpr double rounding = 1e-9;
+  constexpr double rounding_of_places = 1e-9;
   for (const FrontTip& tip : front) {
     if (!tip.law->retardation()) continue;
     const double length = length_of(cracks[static_cast<std::size_t>(tip.values.crack) - 1]);
     const auto found = std::find_if(known.begin(), known.end(), [&](const RememberedOverload& one) {
-      return one.tip == tip.id() && (one.place - tip.values.place).norm() <= rounding * length;
+      return one.tip == tip.id() && (one.place - tip.values.place).norm() <= rounding_of_places * length;
     });
     require(found != known.end(), "first_cycle is ", first_cycle, ", and the overloads that crack ", tip.id().crack,
             " has met before are not known: the last call of bempd_grow_fatigue() on this model did not end at its "
