@@ -7,6 +7,23 @@
 
 namespace bempd::fracture {
 
+namespace {
+
+// Product of a symmetric matrix, given by its lower triangle, with a vector. The dsymv of OpenBLAS 0.3.21 for
+// processors that it takes for a Prescott reads past the matrix.
+Eigen::VectorXd product_with_symmetric(const Eigen::Ref<const Eigen::MatrixXd>& lower, const Eigen::VectorXd& x) {
+  Eigen::VectorXd y = lower.diagonal().cwiseProduct(x);
+  for (Eigen::Index j = 0; j + 1 < x.size(); ++j) {
+    const Eigen::Index below = x.size() - j - 1;
+    const auto column = lower.col(j).tail(below);
+    y.tail(below) += x[j] * column;
+    y[j] += column.dot(x.tail(below));
+  }
+  return y;
+}
+
+}  // namespace
+
 Flexibility::Flexibility(const coupling::Condensation& condensation, Eigen::Index functions)
     : size_(condensation.factor().rows()), functions_(functions) {
   matrix_.resize(size_ + functions_, size_);
@@ -41,7 +58,7 @@ Eigen::MatrixXd Flexibility::responses(std::span<const Pull> pulls) const {
 
 Eigen::VectorXd Flexibility::answer(const Eigen::VectorXd& force) const {
   if (size_ == 0) return force;
-  Eigen::VectorXd u = matrix_.topRows(size_).selfadjointView<Eigen::Lower>() * force;
+  Eigen::VectorXd u = product_with_symmetric(matrix_.topRows(size_), force);
   if (pending_count_ == 0) return u;
   const auto columns = pending_.leftCols(pending_count_).topRows(size_);
   Eigen::VectorXd along = columns.transpose() * force;
