@@ -56,7 +56,7 @@ search_by_fuzzing() {
 }
 
 # OpenBLAS 0.3.21 takes some new processors for a Prescott, whose dsymv reads past the matrix: the address sanitizer ends
-# the program there. Elsewhere the same routines run as Haswell's.
+# the program there. Haswell's routines do not, and run on every processor with AVX2.
 choose_blas_for_sanitizers() {
   ! grep -q avx2 /proc/cpuinfo || export OPENBLAS_CORETYPE=Haswell
 }

@@ -4,7 +4,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "geometry/segment.hpp"
+#include "geometry/arc.hpp"
+#include "geometry/turning.hpp"
 
 namespace bempd {
 
@@ -22,19 +23,11 @@ constexpr double largest_corner = 1.3 * std::numbers::pi;
 constexpr double farthest_from_half = 0.2, step_of_share = 0.02;
 constexpr int enough_divisions = 5;
 
-Point turned(const Point& direction, double angle) {
-  const double c = std::cos(angle), s = std::sin(angle);
-  return {c * direction.x() - s * direction.y(), s * direction.x() + c * direction.y()};
-}
-
 // Angle from one direction to another, counter-clockwise, 0 to 2 pi.
 double angle_between(const Point& from, const Point& to) {
   const double angle = std::atan2(cross(from, to), from.dot(to));
   return angle < 0 ? angle + 2 * std::numbers::pi : angle;
 }
-
-// Largest distance of a circular side from its chord.
-double sagitta(double chord, double sweep) { return 0.5 * chord * std::abs(std::tan(0.25 * sweep)); }
 
 }  // namespace
 
@@ -183,10 +176,10 @@ bool MaterialCutSearch::is_clear(int from, int to, const std::vector<MaterialCut
   return !tree_.any(is_near, [&](int side) {
     const auto& nodes = sides_[side].nodes;
     if (nodes[0] == from || nodes[0] == to || nodes[2] == from || nodes[2] == to) return false;
-    const Segment chord{start(side), end(side)};
-    const double length = chord.length();
+    const Arc arc{start(side), end(side), sides_[side].sweep};
+    const Segment chord = arc.chord();
     return proper_crossing(cut, chord).has_value() ||
-           closest_approach(cut, chord).distance < least_clearance * length + sagitta(length, sides_[side].sweep);
+           closest_approach(cut, chord).distance < least_clearance * chord.length() + std::abs(arc.sagitta());
   });
 }
 

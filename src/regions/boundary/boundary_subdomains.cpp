@@ -13,8 +13,8 @@ void BoundaryRegion::cut_if_large(const Preparation& preparation) {
   if (subdomains_) return subdomains_->require_memory(preparation.options);
   const auto elements = static_cast<double>(mesh_.elements.size());
   if (const double bytes = memory_of_operator(elements); bytes > least_memory_of_region(elements))
-    require_memory_for(bytes, text(elements, " boundary elements in one piece"), "choose longer elements",
-                       preparation.options);
+    require_memory_for(bytes, text("the ", elements, " boundary elements of region ", id(), " in one piece"),
+                       "choose longer elements, or divide the region into several", preparation.options);
 }
 
 std::vector<OperatorNodes> BoundaryRegion::nodes_of_operators() const {

@@ -23,11 +23,18 @@ std::vector<double> SinglePoint::breaks_on(const scene::Scene& scene, int region
 }
 
 int SinglePoint::node_in(const Discretization& d) const {
+  // Nodes on cuts between subdomains have no entry in fields: they are no places of the host's.
+  std::vector<char> is_hidden(d.positions.size(), 0);
+  for (const auto& region : d.regions) {
+    const std::vector<int> entries = region->entries_of_nodes();
+    for (std::size_t i = 0; i < entries.size(); ++i)
+      if (entries[i] < 0) is_hidden[static_cast<std::size_t>(region->nodes()[i])] = 1;
+  }
   int nearest = -1;
   double shortest = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < d.positions.size(); ++i) {
     const double distance = (d.positions[i] - where_).norm();
-    if (distance < shortest) {
+    if (distance < shortest && !is_hidden[i]) {
       shortest = distance;
       nearest = static_cast<int>(i);
     }
