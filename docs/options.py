@@ -42,6 +42,8 @@ def number(value: float) -> str:
 def row(option: bempd.options.OptionInfo) -> str:
     if option.choices:
         legal, default = ", ".join(f"`{word}`" for word in option.choices), f"`{option.default}`"
+    elif isinstance(option.default, str):
+        legal, default = "any text", "empty"
     else:
         whole = "whole, " if option.whole_number else ""
         legal, default = f"{whole}{number(option.minimum)} .. {number(option.maximum)}", number(option.default)

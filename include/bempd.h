@@ -126,6 +126,7 @@
  *   bempd_set_log                   is called with warnings and what the library does
  *   bempd_request_cancel            asks a call in another thread to give up
  *   bempd_request_stop              asks a step in another thread to end
+ *   bempd_set_sparse_solver         lends a solver of the sparse system, as bempd_mpi_attach() does
  *
  * Stepping
  *   bempd_step_report_init          prepares the struct of a step's report
@@ -313,7 +314,7 @@ typedef struct bempd_option_info {
   const char* name;         /**< name for bempd_set_option() and its kin; constant string */
   const char* summary;      /**< one sentence; constant string */
   const char* unit;         /**< unit, "-" for a pure number; constant string */
-  const char* choices;      /**< legal words separated by " | " for a text option, else empty; constant string */
+  const char* choices;      /**< legal words separated by " | " for a text option, empty for any; constant string */
   const char* default_text; /**< default of a text option, else empty; constant string */
   int32_t kind;             /**< a bempd_option_kind */
   int32_t whole_number;     /**< 1 when only whole numbers are legal */
@@ -1007,6 +1008,60 @@ BEMPD_API bempd_status bempd_request_cancel(bempd_model* model);
  * while no call runs is forgotten.
  * @param[in] model the model @return status @since 0.3 */
 BEMPD_API bempd_status bempd_request_stop(bempd_model* model);
+
+/** @brief What a solver from outside is asked to do. @since 0.4 */
+typedef enum bempd_sparse_request {
+  /** Analyse a new pattern: an order of elimination and what the factor will need. */
+  BEMPD_SPARSE_ANALYSE = 1,
+  /** Factorize a matrix of that pattern. */
+  BEMPD_SPARSE_FACTORIZE = 2,
+  /** Solve for the eliminated unknowns, with the kept ones at 0. */
+  BEMPD_SPARSE_SOLVE = 3,
+  /** First half of a solution: reduce right-hand sides to the kept unknowns. */
+  BEMPD_SPARSE_REDUCE = 4,
+  /** Second half, right after the first: all unknowns from the kept ones. */
+  BEMPD_SPARSE_EXPAND = 5,
+  /** Forget a factor, which may be one that was never made. */
+  BEMPD_SPARSE_FORGET = 6,
+  /** No further request will come. */
+  BEMPD_SPARSE_DETACH = 7
+} bempd_sparse_request;
+
+/** @brief One request to a solver from outside. The matrix is symmetric, and its diagonal entries lie between 1/2
+ * and 2. All unknowns are eliminated but the last kept_count ones of the order. Arrays are valid during the request.
+ * @since 0.4 */
+typedef struct bempd_sparse_task {
+  int64_t struct_size;         /**< sizeof(bempd_sparse_task) */
+  int32_t request;             /**< a bempd_sparse_request */
+  int32_t kept_count;          /**< number of kept unknowns [-] */
+  int64_t factor;              /**< number of the factor that is meant */
+  int64_t unknowns;            /**< number of unknowns [-] */
+  const int32_t* column_start; /**< ANALYSE, FACTORIZE: shape [unknowns + 1], begins of the lower triangle's columns */
+  const int32_t* rows;         /**< ANALYSE, FACTORIZE: shape [column_start[unknowns]], rows of the entries from 0 */
+  const double* values;        /**< FACTORIZE: shape [column_start[unknowns]], the entries */
+  const int32_t* order;        /**< ANALYSE: shape [unknowns], unknown eliminated k-th, from 0; NULL for any order */
+  const char* scratch;         /**< ANALYSE: folder for the factor, empty for memory */
+  double* schur;               /**< FACTORIZE: shape [kept_count][kept_count], receives the Schur complement */
+  int64_t sides;               /**< SOLVE, REDUCE, EXPAND: number of right-hand sides [-] */
+  double* vectors;             /**< SOLVE, REDUCE, EXPAND: shape [sides][unknowns], sides in, solutions out */
+  double* kept;                /**< REDUCE: shape [sides][kept_count], receives sides; EXPAND: the values there */
+  double smallest_pivot;       /**< FACTORIZE: receives the smallest pivot [-] */
+  int64_t entries;             /**< FACTORIZE: receives the number of entries of the factor [-] */
+  const char* message;         /**< receives a sentence about an error; constant until the next request */
+} bempd_sparse_task;
+
+/** @brief Solver from outside. Its errors become those of the call that needed it: UNSOLVABLE for a matrix that is not
+ * positive definite, MEMORY, IO; all others are internal.
+ * @param[in,out] task the request, with its results
+ * @param[in] user the pointer given with the function @return a bempd_status @since 0.4 */
+typedef int32_t (*bempd_sparse_function)(bempd_sparse_task* task, void* user);
+
+/** @brief Lend a solver of the sparse system to a model, before its first step or result. The model uses it until it is
+ * freed or the solver is taken away again; then it gets BEMPD_SPARSE_DETACH. Windows work on it. After a break outside
+ * windows the factor preconditions an iteration, because there are no changes of low rank.
+ * @param[in] model the model @param[in] function NULL takes the solver away; its factors are forgotten
+ * @param[in] user handed to the function; may be NULL @return status @since 0.4 */
+BEMPD_API bempd_status bempd_set_sparse_solver(bempd_model* model, bempd_sparse_function function, void* user);
 
 /* ---------------------------------------------------------------------------------------- Stepping */
 

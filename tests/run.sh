@@ -23,7 +23,7 @@ export PATH="/usr/bin:/bin:$PATH"
   libgtest-dev libbenchmark-dev python3 python3-numpy python3-matplotlib python3-meshio python3-ezdxf python3-svgelements python3-yaml python3-jinja2 abigail-tools clang-format \
   clang libclang-rt-14-dev \
   python3-pycparser bindgen rustfmt cargo rustc gfortran valgrind dpkg-dev file \
-  python3-mpi4py openmpi-bin libopenmpi-dev python3-distributed python3-cffi python3-pytest python3-pil python3-vtk9 mypy python3-pip python3-setuptools python3-wheel python3-venv
+  python3-mpi4py openmpi-bin libopenmpi-dev libmumps-dev python3-distributed python3-cffi python3-pytest python3-pil python3-vtk9 mypy python3-pip python3-setuptools python3-wheel python3-venv
 
 jobs=$(nproc)
 fuzz_seconds=${BEMPD_FUZZ_SECONDS:-1800}

@@ -88,6 +88,25 @@ module bempd_c
   !> and the other face back.
   integer(c_int), parameter :: BEMPD_SHEAR = 2
 
+  !> What a solver from outside is asked to do.
+  !>
+  !> since: 0.4
+  integer, parameter :: bempd_sparse_request = c_int
+  !> Analyse a new pattern: an order of elimination and what the factor will need.
+  integer(c_int), parameter :: BEMPD_SPARSE_ANALYSE = 1
+  !> Factorize a matrix of that pattern.
+  integer(c_int), parameter :: BEMPD_SPARSE_FACTORIZE = 2
+  !> Solve for the eliminated unknowns, with the kept ones at 0.
+  integer(c_int), parameter :: BEMPD_SPARSE_SOLVE = 3
+  !> First half of a solution: reduce right-hand sides to the kept unknowns.
+  integer(c_int), parameter :: BEMPD_SPARSE_REDUCE = 4
+  !> Second half, right after the first: all unknowns from the kept ones.
+  integer(c_int), parameter :: BEMPD_SPARSE_EXPAND = 5
+  !> Forget a factor, which may be one that was never made.
+  integer(c_int), parameter :: BEMPD_SPARSE_FORGET = 6
+  !> No further request will come.
+  integer(c_int), parameter :: BEMPD_SPARSE_DETACH = 7
+
   !> Why a step ended.
   !>
   !> since: 0.1
@@ -340,7 +359,7 @@ module bempd_c
     type(c_ptr) :: summary
     !> unit, "-" for a pure number; constant string
     type(c_ptr) :: unit
-    !> legal words separated by " | " for a text option, else empty; constant string
+    !> legal words separated by " | " for a text option, empty for any; constant string
     type(c_ptr) :: choices
     !> default of a text option, else empty; constant string
     type(c_ptr) :: default_text
@@ -415,6 +434,47 @@ module bempd_c
     !> handed to the function; may be NULL
     type(c_ptr) :: user
   end type bempd_edge_values
+
+  !> One request to a solver from outside. The matrix is symmetric, and its diagonal entries lie between 1/2 and 2. All
+  !> unknowns are eliminated but the last kept_count ones of the order. Arrays are valid during the request.
+  !>
+  !> since: 0.4
+  type, bind(c) :: bempd_sparse_task
+    !> sizeof(bempd_sparse_task)
+    integer(c_int64_t) :: struct_size
+    !> a bempd_sparse_request
+    integer(c_int32_t) :: request
+    !> number of kept unknowns [-]
+    integer(c_int32_t) :: kept_count
+    !> number of the factor that is meant
+    integer(c_int64_t) :: factor
+    !> number of unknowns [-]
+    integer(c_int64_t) :: unknowns
+    !> ANALYSE, FACTORIZE: shape [unknowns + 1], begins of the lower triangle's columns
+    type(c_ptr) :: column_start
+    !> ANALYSE, FACTORIZE: shape [column_start[unknowns]], rows of the entries from 0
+    type(c_ptr) :: rows
+    !> FACTORIZE: shape [column_start[unknowns]], the entries
+    type(c_ptr) :: values
+    !> ANALYSE: shape [unknowns], unknown eliminated k-th, from 0; NULL for any order
+    type(c_ptr) :: order
+    !> ANALYSE: folder for the factor, empty for memory
+    type(c_ptr) :: scratch
+    !> FACTORIZE: shape [kept_count][kept_count], receives the Schur complement
+    type(c_ptr) :: schur
+    !> SOLVE, REDUCE, EXPAND: number of right-hand sides [-]
+    integer(c_int64_t) :: sides
+    !> SOLVE, REDUCE, EXPAND: shape [sides][unknowns], sides in, solutions out
+    type(c_ptr) :: vectors
+    !> REDUCE: shape [sides][kept_count], receives sides; EXPAND: the values there
+    type(c_ptr) :: kept
+    !> FACTORIZE: receives the smallest pivot [-]
+    real(c_double) :: smallest_pivot
+    !> FACTORIZE: receives the number of entries of the factor [-]
+    integer(c_int64_t) :: entries
+    !> receives a sentence about an error; constant until the next request
+    type(c_ptr) :: message
+  end type bempd_sparse_task
 
   !> What a step did. Fill it with bempd_step_report_init().
   !>
@@ -1086,6 +1146,20 @@ module bempd_c
       type(c_ptr), value :: user
       integer(c_int32_t) :: bempd_phase_function
     end function bempd_phase_function
+
+    !> Solver from outside. Its errors become those of the call that needed it: UNSOLVABLE for a matrix that is not
+    !> positive definite, MEMORY, IO; all others are internal.
+    !>
+    !> task [in,out]: the request, with its results
+    !> user [in]: the pointer given with the function
+    !> return: a bempd_status
+    !> since: 0.4
+    function bempd_sparse_function(task, user) bind(c)
+      import :: bempd_sparse_task, c_int32_t, c_ptr
+      type(bempd_sparse_task), intent(inout) :: task
+      type(c_ptr), value :: user
+      integer(c_int32_t) :: bempd_sparse_function
+    end function bempd_sparse_function
 
     !> How far a tip grows in a cycle. It is called many times for each step, also at lengths between those at which the
     !> body is solved, and may call bempd_request_cancel() on the model and nothing else.
@@ -2573,6 +2647,23 @@ module bempd_c
       type(c_ptr), value :: model
       integer(c_int) :: bempd_request_stop
     end function bempd_request_stop
+
+    !> Lend a solver of the sparse system to a model, before its first step or result. The model uses it until it is
+    !> freed or the solver is taken away again; then it gets BEMPD_SPARSE_DETACH. Windows work on it. After a break
+    !> outside windows the factor preconditions an iteration, because there are no changes of low rank.
+    !>
+    !> model [in]: the model
+    !> function [in]: NULL takes the solver away; its factors are forgotten
+    !> user [in]: handed to the function; may be NULL
+    !> return: status
+    !> since: 0.4
+    function bempd_set_sparse_solver(model, function, user) bind(c, name="bempd_set_sparse_solver")
+      import :: c_funptr, c_int, c_ptr
+      type(c_ptr), value :: model
+      type(c_funptr), value :: function
+      type(c_ptr), value :: user
+      integer(c_int) :: bempd_set_sparse_solver
+    end function bempd_set_sparse_solver
 
     !> Set struct_size and zeros.
     !>

@@ -4,6 +4,7 @@
 #include <new>
 
 #include "linalg/blas_threads.hpp"
+#include "linalg/external_solver.hpp"
 #include "no_memory.hpp"
 #include "phase.hpp"
 #include "stop_request.hpp"
@@ -72,6 +73,8 @@ void run(model::Model& engine, const Work<model::Model&>& body) {
   const StopScope stop(engine.stop_request());
   const ListeningScope listening(engine.phase_listener());
   const linalg::BlasThreads blas_threads(engine.blas_threads());
+  const linalg::SolverChoice solver = engine.solver_choice();
+  const linalg::SolverScope solving(solver);
   try {
     body(engine);
   } catch (const Error& error) {

@@ -40,9 +40,8 @@ std::vector<CondensedFunction> Condensation::condense(const Eigen::MatrixXd& fun
   }
   system_.cholesky.solve_forward(rows);
   check_cancelled();
-  const Eigen::Index others = rows.rows() - kept;
   const Eigen::MatrixXd weights = factor_.triangularView<Eigen::Lower>() * rows.bottomRows(kept);
-  const Eigen::MatrixXd eliminated = rows.topRows(others).transpose() * eliminated_.topRows(others);
+  const Eigen::MatrixXd eliminated = system_.cholesky.eliminated_products(rows, eliminated_, static_cast<int>(kept));
   for (Eigen::Index k = 0; k < functions.cols(); ++k) {
     result[static_cast<std::size_t>(k)].weights = weights.col(k);
     result[static_cast<std::size_t>(k)].constant += eliminated.row(k);

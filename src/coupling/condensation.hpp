@@ -52,7 +52,7 @@ class Condensation {
   FactorizedSystem system_;
   std::vector<int> dofs_;
   Eigen::MatrixXd factor_;
-  Affine eliminated_;          // L^-1 load
+  Affine eliminated_;          // load after SparseCholesky::solve_forward()
   std::vector<int> place_of_;  // of a degree of freedom in the order of elimination; -1: it is no unknown
 };
 

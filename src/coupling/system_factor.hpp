@@ -49,6 +49,12 @@ class SystemFactor {
   // undergone just these changes. The caller must know that the matrix is the same.
   bool recall(const std::vector<FactorChange>& changes);
   void lose() { forgotten_ = FactorState::none; }  // for good
+  // Frees the factor and its solver; the next factorization asks for a solver again.
+  void release() {
+    forget();
+    lose();
+    solver_.reset();
+  }
 
   // Factorizes the matrix. Throws Error (unsolvable) if it is singular.
   void factorize(const Matrix& matrix);

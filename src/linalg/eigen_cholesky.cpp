@@ -139,7 +139,7 @@ class EigenCholesky final : public SparseCholesky {
 
 }  // namespace
 
-std::unique_ptr<SparseCholesky> make_sparse_cholesky() { return std::make_unique<EigenCholesky>(); }
+std::unique_ptr<SparseCholesky> own_cholesky(bool) { return std::make_unique<EigenCholesky>(); }
 
 const char* backend_name() { return "eigen"; }
 

@@ -22,14 +22,20 @@ class SparseCholesky : public SparseFactorization {
   virtual const std::vector<int>& elimination_order() const = 0;
 
   // Halves of solve_in_place() with a factor A = L L^T that no update() has changed. solve_forward() replaces
-  // right-hand sides by L^-1 of them, in the order of elimination. solve_backward() takes such values, transposed (one
-  // row per set), and replaces them by the unknowns in the same order; the last `known` unknowns are given and stay.
-  // solve_backward_at() computes only the unknowns at `places` and what they depend on; other entries may stay
-  // unchanged.
+  // right-hand sides by L^-1 of them, in the order of elimination; a solver from outside (external_cholesky.hpp) has
+  // such values of the kept unknowns only and leaves the others as they are. solve_backward() takes these values,
+  // transposed (one row per set), and replaces them by the unknowns in the same order; the last `known` unknowns are
+  // given and stay. solve_backward_at() computes only the unknowns at `places` and what they depend on; other entries
+  // may stay unchanged.
   virtual void solve_forward(Eigen::Ref<Eigen::MatrixXd> rhs) const = 0;
   virtual void solve_backward(Eigen::Ref<Eigen::MatrixXd> transposed, int known) const = 0;
   virtual void solve_backward_at(const std::vector<int>& places, Eigen::Ref<Eigen::MatrixXd> transposed,
                                  int known) const = 0;
+
+  // Products a^T A^-1 b of right-hand sides, where the last `known` unknowns are held at 0, from what solve_forward()
+  // has made of them.
+  using TwoColumns = Eigen::Matrix<double, Eigen::Dynamic, 2>;
+  virtual Eigen::MatrixXd eliminated_products(const Eigen::MatrixXd& a, const TwoColumns& b, int known) const;
 
   // Block of A^-1 for some unknowns, with any factor, changed or not.
   virtual Eigen::MatrixXd inverse_block(const std::vector<int>& unknowns) const = 0;
@@ -38,6 +44,11 @@ class SparseCholesky : public SparseFactorization {
   virtual Eigen::MatrixXd trailing_factor(int size) const = 0;
 };
 
+// Factorization that the present call uses: the library's own, or one from outside (SolverScope).
 std::unique_ptr<SparseCholesky> make_sparse_cholesky();
+
+// Factorization of the backend that the library was built with. Wide indices have 64 bits where the backend has a
+// choice.
+std::unique_ptr<SparseCholesky> own_cholesky(bool wide_indices);
 
 }  // namespace bempd::linalg

@@ -293,7 +293,7 @@ class SuiteSparseCholesky final : public SparseCholesky {
 
 }  // namespace
 
-std::unique_ptr<SparseCholesky> make_sparse_cholesky() { return std::make_unique<SuiteSparseCholesky>(); }
+std::unique_ptr<SparseCholesky> own_cholesky(bool) { return std::make_unique<SuiteSparseCholesky>(); }
 
 const char* backend_name() { return "suitesparse"; }
 

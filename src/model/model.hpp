@@ -14,6 +14,7 @@
 
 #include "cancellation.hpp"
 #include "fracture/crack_evolution.hpp"
+#include "linalg/external_solver.hpp"
 #include "model/answers.hpp"
 #include "model/crack_paths.hpp"
 #include "model/edge_results.hpp"
@@ -99,6 +100,10 @@ class Model {
   PhaseListener* phase_listener() { return phases_.or_null(); }
   // Number of threads that the BLAS may use in a call.
   int blas_threads() const { return std::max(1, options_.whole_number("threads")); }
+  // Solver of the sparse systems in calls (solver_choice.cpp). A solver from outside is set before the model is
+  // prepared, else Error (order); null takes it away again, with all that it has factorized.
+  linalg::SolverChoice solver_choice() const;
+  void set_external_solver(std::shared_ptr<linalg::ExternalSolver> solver);
   // Begins a call: forgets earlier requests to cancel or stop, and lets the returned scope listen to new ones.
   [[nodiscard]] CancellationScope hear_requests() {
     cancel_requested_ = stop_requested_ = false;
@@ -239,6 +244,7 @@ class Model {
   void tell_of_whole_body();
 
   scene::Options options_;
+  std::shared_ptr<linalg::ExternalSolver> external_solver_;
   scene::Scene scene_;
   std::unique_ptr<PreparedScene> prepared_;
   Loads loads_;

@@ -94,6 +94,8 @@ const OptionDescription* find(const std::vector<OptionDescription>& options, std
   return found == options.end() ? nullptr : &*found;
 }
 
+bool is_any_text(const OptionDescription& option) { return option.is_text && option.choices[0] == '\0'; }
+
 const OptionDescription& describe(std::string_view name) {
   if (const OptionDescription* option = find(option_descriptions(), name)) return *option;
   if (const OptionDescription* hook = find(test_hook_descriptions(), name)) return *hook;
@@ -112,6 +114,8 @@ OptionDescription number_option(const char* name, const char* summary, double va
 OptionDescription text_option(const char* name, const char* summary, const char* choices, const char* default_text) {
   return {name, summary, "-", true, false, 0, 0, 0, choices, default_text, false};
 }
+
+OptionDescription any_text_option(const char* name, const char* summary) { return text_option(name, summary, "", ""); }
 
 OptionDescription shaping(OptionDescription option) {
   option.shapes_operators = true;
@@ -173,8 +177,8 @@ void Options::set_text(std::string_view name, std::string_view value) {
   const OptionDescription& option = describe(name);
   require(option.is_text, "option ", name, " takes a number, not a word");
   const std::string choices = std::string(" | ") + option.choices + " | ";
-  require(!value.empty() && value.find('|') == std::string_view::npos &&
-              choices.find(text(" | ", value, " | ")) != std::string::npos,
+  require(is_any_text(option) || (!value.empty() && value.find('|') == std::string_view::npos &&
+                                  choices.find(text(" | ", value, " | ")) != std::string::npos),
           "option ", name, " is '", value, "'; it must be one of: ", option.choices);
   texts_.insert_or_assign(std::string(name), std::string(value));
 }

@@ -16,7 +16,7 @@ struct OptionDescription {
   bool is_text;
   bool whole_number;
   double default_value, minimum, maximum;
-  const char* choices;  // of a text option, separated by " | "
+  const char* choices;  // of a text option, separated by " | "; empty if it takes any text
   const char* default_text;
   bool shapes_operators = false;  // states fit only scenes with the same value
   // Function that returns the word in effect if the option leaves the choice to other options; null if it never does.
@@ -26,6 +26,7 @@ struct OptionDescription {
 OptionDescription number_option(const char* name, const char* summary, double value, double minimum, double maximum,
                                 bool whole);
 OptionDescription text_option(const char* name, const char* summary, const char* choices, const char* default_text);
+OptionDescription any_text_option(const char* name, const char* summary);  // empty by default
 // Marks an option as one that shapes operators: a saved state fits only scenes with the same value.
 OptionDescription shaping(OptionDescription option);
 

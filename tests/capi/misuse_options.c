@@ -123,6 +123,20 @@ static void text_option_keeps_to_its_words(bempd_model* model, const bempd_optio
   CHECK_OK(model, bempd_set_option_text(model, info->name, info->default_text));
 }
 
+static void free_text_option_takes_any_text(bempd_model* model, const bempd_option_info* info) {
+  static const char* const texts[] = {"", "nonsense", "a | b", "/tmp/with spaces/\xc3\xa4"};
+  char text[64] = "?";
+  size_t k;
+  CHECK(info->default_text[0] == '\0');
+  for (k = 0; k < sizeof texts / sizeof *texts; ++k) {
+    CHECK_OK(model, bempd_set_option_text(model, info->name, texts[k]));
+    CHECK_OK(model, bempd_get_option_text(model, info->name, text, (int64_t)sizeof text, NULL));
+    CHECK(strcmp(text, texts[k]) == 0);
+  }
+  CHECK_FAILS(model, BEMPD_ERROR_ARGUMENT, "text|word|_text", bempd_set_option(model, info->name, 1.0));
+  CHECK_OK(model, bempd_set_option_text(model, info->name, ""));
+}
+
 static void every_option_is_described_and_watched(void) {
   bempd_model* model = new_model();
   int64_t count = 0;
@@ -135,6 +149,8 @@ static void every_option_is_described_and_watched(void) {
     CHECK(info.kind == BEMPD_OPTION_NUMBER || info.kind == BEMPD_OPTION_TEXT);
     if (info.kind == BEMPD_OPTION_NUMBER)
       number_option_keeps_to_its_limits(model, &info);
+    else if (info.choices[0] == '\0')
+      free_text_option_takes_any_text(model, &info);
     else
       text_option_keeps_to_its_words(model, &info);
   }

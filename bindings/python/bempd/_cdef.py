@@ -211,6 +211,37 @@ bempd_status bempd_set_phase_progress(bempd_model *model, bempd_phase_function f
 bempd_status bempd_set_log(bempd_model *model, bempd_log_function function, void *user);
 bempd_status bempd_request_cancel(bempd_model *model);
 bempd_status bempd_request_stop(bempd_model *model);
+typedef enum bempd_sparse_request {
+  BEMPD_SPARSE_ANALYSE = 1,
+  BEMPD_SPARSE_FACTORIZE = 2,
+  BEMPD_SPARSE_SOLVE = 3,
+  BEMPD_SPARSE_REDUCE = 4,
+  BEMPD_SPARSE_EXPAND = 5,
+  BEMPD_SPARSE_FORGET = 6,
+  BEMPD_SPARSE_DETACH = 7
+} bempd_sparse_request;
+typedef struct bempd_sparse_task {
+  int64_t struct_size;
+  int32_t request;
+  int32_t kept_count;
+  int64_t factor;
+  int64_t unknowns;
+  const int32_t *column_start;
+  const int32_t *rows;
+  const double *values;
+  const int32_t *order;
+  const char *scratch;
+  double *schur;
+  int64_t sides;
+  double *vectors;
+  double *kept;
+  double smallest_pivot;
+  int64_t entries;
+  const char *message;
+} bempd_sparse_task;
+typedef int32_t (*bempd_sparse_function)(bempd_sparse_task *task, void *user);
+bempd_status bempd_set_sparse_solver(bempd_model *model, bempd_sparse_function function,
+    void *user);
 typedef enum bempd_stop_reason {
   BEMPD_STOP_LOAD_FACTOR = 1,
   BEMPD_STOP_EVENT = 2,
@@ -761,7 +792,7 @@ since: 0.1""",
     "bempd_option_info.summary": """one sentence; constant string""",
     "bempd_option_info.unit": """unit, "-" for a pure number; constant string""",
     "bempd_option_info.choices": """\
-legal words separated by " | " for a text option, else empty; constant string""",
+legal words separated by " | " for a text option, empty for any; constant string""",
     "bempd_option_info.default_text": """default of a text option, else empty; constant string""",
     "bempd_option_info.kind": """a bempd_option_kind""",
     "bempd_option_info.whole_number": """1 when only whole numbers are legal""",
@@ -1684,6 +1715,60 @@ hear it. A request made while no call runs is forgotten.
 model [in]: the model
 return: status
 since: 0.3""",
+    "bempd_sparse_request": """What a solver from outside is asked to do.
+
+since: 0.4""",
+    "BEMPD_SPARSE_ANALYSE": """Analyse a new pattern: an order of elimination and what the factor will need.""",
+    "BEMPD_SPARSE_FACTORIZE": """Factorize a matrix of that pattern.""",
+    "BEMPD_SPARSE_SOLVE": """Solve for the eliminated unknowns, with the kept ones at 0.""",
+    "BEMPD_SPARSE_REDUCE": """First half of a solution: reduce right-hand sides to the kept unknowns.""",
+    "BEMPD_SPARSE_EXPAND": """Second half, right after the first: all unknowns from the kept ones.""",
+    "BEMPD_SPARSE_FORGET": """Forget a factor, which may be one that was never made.""",
+    "BEMPD_SPARSE_DETACH": """No further request will come.""",
+    "bempd_sparse_task": """\
+One request to a solver from outside. The matrix is symmetric, and its diagonal entries lie between
+1/2 and 2. All unknowns are eliminated but the last kept_count ones of the order. Arrays are valid
+during the request.
+
+since: 0.4""",
+    "bempd_sparse_task.struct_size": """sizeof(bempd_sparse_task)""",
+    "bempd_sparse_task.request": """a bempd_sparse_request""",
+    "bempd_sparse_task.kept_count": """number of kept unknowns [-]""",
+    "bempd_sparse_task.factor": """number of the factor that is meant""",
+    "bempd_sparse_task.unknowns": """number of unknowns [-]""",
+    "bempd_sparse_task.column_start": """\
+ANALYSE, FACTORIZE: shape [unknowns + 1], begins of the lower triangle's columns""",
+    "bempd_sparse_task.rows": """ANALYSE, FACTORIZE: shape [column_start[unknowns]], rows of the entries from 0""",
+    "bempd_sparse_task.values": """FACTORIZE: shape [column_start[unknowns]], the entries""",
+    "bempd_sparse_task.order": """\
+ANALYSE: shape [unknowns], unknown eliminated k-th, from 0; NULL for any order""",
+    "bempd_sparse_task.scratch": """ANALYSE: folder for the factor, empty for memory""",
+    "bempd_sparse_task.schur": """FACTORIZE: shape [kept_count][kept_count], receives the Schur complement""",
+    "bempd_sparse_task.sides": """SOLVE, REDUCE, EXPAND: number of right-hand sides [-]""",
+    "bempd_sparse_task.vectors": """SOLVE, REDUCE, EXPAND: shape [sides][unknowns], sides in, solutions out""",
+    "bempd_sparse_task.kept": """REDUCE: shape [sides][kept_count], receives sides; EXPAND: the values there""",
+    "bempd_sparse_task.smallest_pivot": """FACTORIZE: receives the smallest pivot [-]""",
+    "bempd_sparse_task.entries": """FACTORIZE: receives the number of entries of the factor [-]""",
+    "bempd_sparse_task.message": """receives a sentence about an error; constant until the next request""",
+    "bempd_sparse_function": """\
+Solver from outside. Its errors become those of the call that needed it: UNSOLVABLE for a matrix
+that is not positive definite, MEMORY, IO; all others are internal.
+
+task [in,out]: the request, with its results
+user [in]: the pointer given with the function
+return: a bempd_status
+since: 0.4""",
+    "bempd_set_sparse_solver": """\
+Lend a solver of the sparse system to a model, before its first step or result. The model uses it
+until it is freed or the solver is taken away again; then it gets BEMPD_SPARSE_DETACH. Windows work
+on it. After a break outside windows the factor preconditions an iteration, because there are no
+changes of low rank.
+
+model [in]: the model
+function [in]: NULL takes the solver away; its factors are forgotten
+user [in]: handed to the function; may be NULL
+return: status
+since: 0.4""",
     "bempd_stop_reason": """Why a step ended.
 
 since: 0.1""",

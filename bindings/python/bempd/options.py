@@ -22,7 +22,7 @@ class OptionInfo:
     summary: str
     unit: str
     default: OptionValue
-    choices: tuple[str, ...]  #: legal words, empty for a number
+    choices: tuple[str, ...]  #: legal words, empty for a number and for any text
     whole_number: bool  #: whether only whole numbers are legal
     minimum: float  #: smallest legal number; 0 for a word
     maximum: float  #: largest legal number; 0 for a word
@@ -79,7 +79,7 @@ class Options(MutableMapping[str, OptionValue]):
     def __getitem__(self, name: str) -> OptionValue:
         key = arguments.text("option name", name)
         info = self._known.get(name)
-        if info is not None and info.choices:
+        if info is not None and isinstance(info.default, str):
             return self._text(key)
         value = ffi.new("double *")
         self._call("bempd_get_option", name, key, value)

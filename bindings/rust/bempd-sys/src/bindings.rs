@@ -109,7 +109,7 @@ pub struct bempd_option_info {
     pub summary: *const ::std::os::raw::c_char,
     /// unit, "-" for a pure number; constant string
     pub unit: *const ::std::os::raw::c_char,
-    /// legal words separated by " \| " for a text option, else empty; constant string
+    /// legal words separated by " \| " for a text option, empty for any; constant string
     pub choices: *const ::std::os::raw::c_char,
     /// default of a text option, else empty; constant string
     pub default_text: *const ::std::os::raw::c_char,
@@ -1612,6 +1612,94 @@ extern "C" {
     /// * return: status
     /// * since: 0.3
     pub fn bempd_request_stop(model: *mut bempd_model) -> bempd_status;
+}
+/// Analyse a new pattern: an order of elimination and what the factor will need.
+pub const BEMPD_SPARSE_ANALYSE: bempd_sparse_request = 1;
+/// Factorize a matrix of that pattern.
+pub const BEMPD_SPARSE_FACTORIZE: bempd_sparse_request = 2;
+/// Solve for the eliminated unknowns, with the kept ones at 0.
+pub const BEMPD_SPARSE_SOLVE: bempd_sparse_request = 3;
+/// First half of a solution: reduce right-hand sides to the kept unknowns.
+pub const BEMPD_SPARSE_REDUCE: bempd_sparse_request = 4;
+/// Second half, right after the first: all unknowns from the kept ones.
+pub const BEMPD_SPARSE_EXPAND: bempd_sparse_request = 5;
+/// Forget a factor, which may be one that was never made.
+pub const BEMPD_SPARSE_FORGET: bempd_sparse_request = 6;
+/// No further request will come.
+pub const BEMPD_SPARSE_DETACH: bempd_sparse_request = 7;
+/// What a solver from outside is asked to do.
+///
+/// * since: 0.4
+pub type bempd_sparse_request = ::std::os::raw::c_uint;
+/// One request to a solver from outside. The matrix is symmetric, and its diagonal entries lie
+/// between 1/2 and 2. All unknowns are eliminated but the last kept_count ones of the order. Arrays
+/// are valid during the request.
+///
+/// * since: 0.4
+#[repr(C)]
+#[derive(Debug, Copy, Clone)]
+pub struct bempd_sparse_task {
+    /// sizeof(bempd_sparse_task)
+    pub struct_size: i64,
+    /// a bempd_sparse_request
+    pub request: i32,
+    /// number of kept unknowns \[-\]
+    pub kept_count: i32,
+    /// number of the factor that is meant
+    pub factor: i64,
+    /// number of unknowns \[-\]
+    pub unknowns: i64,
+    /// ANALYSE, FACTORIZE: shape \[unknowns + 1\], begins of the lower triangle's columns
+    pub column_start: *const i32,
+    /// ANALYSE, FACTORIZE: shape \[column_start\[unknowns\]\], rows of the entries from 0
+    pub rows: *const i32,
+    /// FACTORIZE: shape \[column_start\[unknowns\]\], the entries
+    pub values: *const f64,
+    /// ANALYSE: shape \[unknowns\], unknown eliminated k-th, from 0; NULL for any order
+    pub order: *const i32,
+    /// ANALYSE: folder for the factor, empty for memory
+    pub scratch: *const ::std::os::raw::c_char,
+    /// FACTORIZE: shape \[kept_count\]\[kept_count\], receives the Schur complement
+    pub schur: *mut f64,
+    /// SOLVE, REDUCE, EXPAND: number of right-hand sides \[-\]
+    pub sides: i64,
+    /// SOLVE, REDUCE, EXPAND: shape \[sides\]\[unknowns\], sides in, solutions out
+    pub vectors: *mut f64,
+    /// REDUCE: shape \[sides\]\[kept_count\], receives sides; EXPAND: the values there
+    pub kept: *mut f64,
+    /// FACTORIZE: receives the smallest pivot \[-\]
+    pub smallest_pivot: f64,
+    /// FACTORIZE: receives the number of entries of the factor \[-\]
+    pub entries: i64,
+    /// receives a sentence about an error; constant until the next request
+    pub message: *const ::std::os::raw::c_char,
+}
+/// Solver from outside. Its errors become those of the call that needed it: UNSOLVABLE for a matrix
+/// that is not positive definite, MEMORY, IO; all others are internal.
+///
+/// * task \[in,out\]: the request, with its results
+/// * user \[in\]: the pointer given with the function
+/// * return: a bempd_status
+/// * since: 0.4
+pub type bempd_sparse_function = ::std::option::Option<
+    unsafe extern "C" fn(task: *mut bempd_sparse_task, user: *mut ::std::os::raw::c_void) -> i32,
+>;
+extern "C" {
+    /// Lend a solver of the sparse system to a model, before its first step or result. The model
+    /// uses it until it is freed or the solver is taken away again; then it gets
+    /// BEMPD_SPARSE_DETACH. Windows work on it. After a break outside windows the factor
+    /// preconditions an iteration, because there are no changes of low rank.
+    ///
+    /// * model \[in\]: the model
+    /// * function \[in\]: NULL takes the solver away; its factors are forgotten
+    /// * user \[in\]: handed to the function; may be NULL
+    /// * return: status
+    /// * since: 0.4
+    pub fn bempd_set_sparse_solver(
+        model: *mut bempd_model,
+        function: bempd_sparse_function,
+        user: *mut ::std::os::raw::c_void,
+    ) -> bempd_status;
 }
 /// The load factor asked for was reached.
 pub const BEMPD_STOP_LOAD_FACTOR: bempd_stop_reason = 1;

@@ -1,0 +1,70 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <Eigen/SparseCore>
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace bempd::linalg {
+
+// Sparse direct solver from outside the library, which keeps factors under numbers. It eliminates all unknowns of a
+// symmetric positive definite matrix but the last `kept` ones of an order; without an order it may choose one. All
+// functions throw Error or std::bad_alloc.
+class ExternalSolver {
+ public:
+  using Matrix = Eigen::SparseMatrix<double>;  // a lower triangle, compressed
+
+  // What is asked of a factor, from the pattern of its matrix on.
+  struct Plan {
+    std::vector<int> order;  // unknown eliminated k-th; empty: the solver chooses
+    int kept = 0;
+    std::string scratch;  // folder for the factor; empty: in memory
+  };
+  // What a factorization has found.
+  struct Outcome {
+    Eigen::MatrixXd schur;  // complement on the kept unknowns, both triangles
+    double smallest_pivot = 1;
+    std::int64_t entries = 0;
+  };
+
+  virtual ~ExternalSolver() = default;
+
+  virtual void analyse(std::int64_t factor, const Matrix& lower, const Plan& plan) = 0;
+  // Returns false if the part that is eliminated is not positive definite.
+  virtual bool factorize(std::int64_t factor, const Matrix& lower, int kept, Outcome& outcome) = 0;
+  // Solves for the eliminated unknowns while the kept ones are 0; entries of kept unknowns are neither read nor set.
+  virtual void solve(std::int64_t factor, Eigen::MatrixXd& values) = 0;
+  // First half of a solution: reduces right-hand sides to the kept unknowns.
+  virtual void reduce(std::int64_t factor, Eigen::MatrixXd& values, Eigen::MatrixXd& kept) = 0;
+  // Second half, right after reduce(): finds all unknowns from the kept ones.
+  virtual void expand(std::int64_t factor, const Eigen::MatrixXd& kept, Eigen::MatrixXd& values) = 0;
+  virtual void forget(std::int64_t factor) noexcept = 0;
+};
+
+// What a call uses for its sparse systems.
+struct SolverChoice {
+  std::shared_ptr<ExternalSolver> external;  // null: the library's own
+  std::string scratch;                       // folder for factors; empty: in memory
+  bool wide_indices = false;                 // of 64 bits also where 32 are enough
+};
+
+// Scope in which make_sparse_cholesky() of the same thread follows a choice.
+class SolverScope {
+ public:
+  explicit SolverScope(const SolverChoice& choice) : before_(current()) { current() = &choice; }
+  ~SolverScope() { current() = before_; }
+  SolverScope(const SolverScope&) = delete;
+  SolverScope& operator=(const SolverScope&) = delete;
+
+  static const SolverChoice*& current() {
+    thread_local const SolverChoice* choice = nullptr;
+    return choice;
+  }
+
+ private:
+  const SolverChoice* before_;
+};
+
+}  // namespace bempd::linalg
