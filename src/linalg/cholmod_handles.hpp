@@ -16,18 +16,54 @@ inline void require_cholmod(int running) {
                            std::to_string(CHOLMOD_MAIN_VERSION) + "; install that one or compile bempd again");
 }
 
+// CHOLMOD's functions by the integers of its indices: of 32 bits, which hold factors of up to 2^31 entries, or of 64.
+template <class Index>
+struct Cholmod;
+
+template <>
+struct Cholmod<int> {
+  static constexpr int index_type = CHOLMOD_INT;
+  static constexpr auto version = cholmod_version;
+  static constexpr auto start = cholmod_start, finish = cholmod_finish;
+  static constexpr auto analyze = cholmod_analyze_p;
+  static constexpr auto copy_factor = cholmod_copy_factor;
+  static constexpr auto change_factor = cholmod_change_factor;
+  static constexpr auto update = cholmod_updown;
+  static constexpr auto solve = cholmod_solve2;
+  static constexpr auto free_factor = cholmod_free_factor;
+  static constexpr auto free_dense = cholmod_free_dense;
+};
+
+template <>
+struct Cholmod<SuiteSparse_long> {
+  static constexpr int index_type = CHOLMOD_LONG;
+  static constexpr auto version = cholmod_l_version;
+  static constexpr auto start = cholmod_l_start, finish = cholmod_l_finish;
+  static constexpr auto analyze = cholmod_l_analyze_p;
+  static constexpr auto copy_factor = cholmod_l_copy_factor;
+  static constexpr auto change_factor = cholmod_l_change_factor;
+  static constexpr auto update = cholmod_l_updown;
+  static constexpr auto solve = cholmod_l_solve2;
+  static constexpr auto free_factor = cholmod_l_free_factor;
+  static constexpr auto free_dense = cholmod_l_free_dense;
+};
+
+// Exception for a factor with more entries than indices of 32 bits can count.
+struct TooLargeForIndices : std::bad_alloc {};
+
 // Workspace and settings of CHOLMOD. Its errors become exceptions instead of messages on the host's terminal.
+template <class Index>
 class CholmodCommon {
  public:
   CholmodCommon() {
     int running[3] = {0, 0, 0};
-    cholmod_version(running);
+    Cholmod<Index>::version(running);
     require_cholmod(running[0]);
-    cholmod_start(&common_);
+    Cholmod<Index>::start(&common_);
     common_.print = 0;
     common_.error_handler = [](int, const char*, int, const char* message) { last_message() = message; };
   }
-  ~CholmodCommon() { cholmod_finish(&common_); }
+  ~CholmodCommon() { Cholmod<Index>::finish(&common_); }
   CholmodCommon(const CholmodCommon&) = delete;
   CholmodCommon& operator=(const CholmodCommon&) = delete;
 
@@ -37,8 +73,8 @@ class CholmodCommon {
   // Throws if the last CHOLMOD call has failed; to be called after each. A negative status is an error, a positive one
   // a warning.
   void check() const {
-    // A matrix too large for CHOLMOD's 32-bit integers would need tens of gigabytes, so it counts as out of memory.
-    if (common_.status == CHOLMOD_OUT_OF_MEMORY || common_.status == CHOLMOD_TOO_LARGE) throw std::bad_alloc();
+    if (common_.status == CHOLMOD_TOO_LARGE) throw TooLargeForIndices();
+    if (common_.status == CHOLMOD_OUT_OF_MEMORY) throw std::bad_alloc();
     if (common_.status < 0) throw std::runtime_error(std::string("CHOLMOD: ") + last_message());
   }
 
@@ -54,10 +90,10 @@ class CholmodCommon {
 };
 
 // Owner of a CHOLMOD object that `release(&pointer, common)` frees; `slot` is where CHOLMOD stores or replaces it.
-template <class T, int (*release)(T**, cholmod_common*)>
+template <class Index, class T, int (*release)(T**, cholmod_common*)>
 class CholmodHandle {
  public:
-  explicit CholmodHandle(CholmodCommon& common) : common_(common) {}
+  explicit CholmodHandle(CholmodCommon<Index>& common) : common_(common) {}
   ~CholmodHandle() { reset(); }
   CholmodHandle(const CholmodHandle&) = delete;
   CholmodHandle& operator=(const CholmodHandle&) = delete;
@@ -72,11 +108,13 @@ class CholmodHandle {
   explicit operator bool() const { return value_ != nullptr; }
 
  private:
-  CholmodCommon& common_;
+  CholmodCommon<Index>& common_;
   T* value_ = nullptr;
 };
 
-using CholmodFactor = CholmodHandle<cholmod_factor, cholmod_free_factor>;
-using CholmodDense = CholmodHandle<cholmod_dense, cholmod_free_dense>;
+template <class Index>
+using CholmodFactor = CholmodHandle<Index, cholmod_factor, Cholmod<Index>::free_factor>;
+template <class Index>
+using CholmodDense = CholmodHandle<Index, cholmod_dense, Cholmod<Index>::free_dense>;
 
 }  // namespace bempd::linalg

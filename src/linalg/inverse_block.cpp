@@ -10,12 +10,13 @@ namespace bempd::linalg {
 namespace {
 
 // Columns of the factor, the diagonal entry first: of L in L L^T, or of L in L D L^T with D on the diagonal.
+template <class Index>
 class FactorColumns {
  public:
   explicit FactorColumns(const cholmod_factor& factor)
       : factor_(factor), values_(static_cast<const double*>(factor.x)) {
     if (!factor.is_super) return;
-    const int* super = static_cast<const int*>(factor.super);
+    const Index* super = static_cast<const Index*>(factor.super);
     supernode_of_.resize(factor.n);
     for (std::size_t s = 0; s < factor.nsuper; ++s)
       std::fill(supernode_of_.begin() + super[s], supernode_of_.begin() + super[s + 1], static_cast<int>(s));
@@ -27,19 +28,20 @@ class FactorColumns {
   template <class Visit>
   void for_each(int column, const Visit& visit) const {
     if (!factor_.is_super) {
-      const int begin = static_cast<const int*>(factor_.p)[column];
-      const int count = static_cast<const int*>(factor_.nz)[column];
-      const int* rows = static_cast<const int*>(factor_.i);
-      for (int k = begin; k < begin + count; ++k) visit(rows[k], values_[k]);
+      const Index begin = static_cast<const Index*>(factor_.p)[column];
+      const Index count = static_cast<const Index*>(factor_.nz)[column];
+      const Index* rows = static_cast<const Index*>(factor_.i);
+      for (Index k = begin; k < begin + count; ++k) visit(static_cast<int>(rows[k]), values_[k]);
       return;
     }
     const int s = supernode_of_[static_cast<std::size_t>(column)];
-    const int* rows = static_cast<const int*>(factor_.s);
-    const int* pi = static_cast<const int*>(factor_.pi);
-    const int within = column - static_cast<const int*>(factor_.super)[s], count = pi[s + 1] - pi[s];
+    const Index* rows = static_cast<const Index*>(factor_.s);
+    const Index* pi = static_cast<const Index*>(factor_.pi);
+    const auto within = static_cast<int>(column - static_cast<const Index*>(factor_.super)[s]);
+    const auto count = static_cast<int>(pi[s + 1] - pi[s]);
     const double* panel =
-        values_ + static_cast<const int*>(factor_.px)[s] + static_cast<std::ptrdiff_t>(within) * count;
-    for (int k = within; k < count; ++k) visit(rows[pi[s] + k], panel[k]);
+        values_ + static_cast<const Index*>(factor_.px)[s] + static_cast<std::ptrdiff_t>(within) * count;
+    for (int k = within; k < count; ++k) visit(static_cast<int>(rows[pi[s] + k]), panel[k]);
   }
 
   int parent(int column) const {
@@ -59,9 +61,10 @@ class FactorColumns {
 }  // namespace
 
 // Computes the block as y^T y, or y^T D^-1 y, where L y = b and the columns of b are the unit vectors of the places.
+template <class Index>
 Eigen::MatrixXd inverse_block(const cholmod_factor& factor, const std::vector<int>& places) {
   using Rows = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
-  const FactorColumns columns(factor);
+  const FactorColumns<Index> columns(factor);
   std::vector<int> way, row_of(factor.n, -1);
   for (const int place : places)
     for (int j = place; j >= 0 && row_of[static_cast<std::size_t>(j)] < 0; j = columns.parent(j)) {
@@ -89,5 +92,8 @@ Eigen::MatrixXd inverse_block(const cholmod_factor& factor, const std::vector<in
   if (!columns.has_roots()) y = roots.cwiseInverse().asDiagonal() * y;
   return y.transpose() * y;
 }
+
+template Eigen::MatrixXd inverse_block<int>(const cholmod_factor&, const std::vector<int>&);
+template Eigen::MatrixXd inverse_block<SuiteSparse_long>(const cholmod_factor&, const std::vector<int>&);
 
 }  // namespace bempd::linalg

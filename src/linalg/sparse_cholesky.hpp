@@ -32,16 +32,16 @@ class SparseCholesky : public SparseFactorization {
   virtual void solve_backward_at(const std::vector<int>& places, Eigen::Ref<Eigen::MatrixXd> transposed,
                                  int known) const = 0;
 
-  // Products a^T A^-1 b of right-hand sides, where the last `known` unknowns are held at 0, from what solve_forward()
-  // has made of them.
-  using TwoColumns = Eigen::Matrix<double, Eigen::Dynamic, 2>;
-  virtual Eigen::MatrixXd eliminated_products(const Eigen::MatrixXd& a, const TwoColumns& b, int known) const;
-
   // Block of A^-1 for some unknowns, with any factor, changed or not.
   virtual Eigen::MatrixXd inverse_block(const std::vector<int>& unknowns) const = 0;
 
   // Lower right corner of L: the Cholesky factor of the Schur complement on the last `size` unknowns.
   virtual Eigen::MatrixXd trailing_factor(int size) const = 0;
+
+  // Products a^T A^-1 b of right-hand sides, where the last `known` unknowns are held at 0, from what solve_forward()
+  // has made of them.
+  using TwoColumns = Eigen::Matrix<double, Eigen::Dynamic, 2>;
+  virtual Eigen::MatrixXd eliminated_products(const Eigen::MatrixXd& a, const TwoColumns& b, int known) const;
 };
 
 // Factorization that the present call uses: the library's own, or one from outside (SolverScope).

@@ -1,299 +1,76 @@
-#if __has_include(<sys/mman.h>)
-#include <sys/mman.h>
-#include <unistd.h>
-#endif
-
-#include <algorithm>
-#include <cassert>
-#include <cstdint>
-#include <limits>
-#include <numeric>
+#include <memory>
 #include <utility>
 #include <vector>
 
-#include "cancellation.hpp"
-#include "linalg/cholmod_handles.hpp"
-#include "linalg/inverse_block.hpp"
-#include "linalg/sparse_cholesky.hpp"
-#include "linalg/sparsity_pattern.hpp"
-#include "linalg/supernodal_cholesky.hpp"
-#include "linalg/supernodal_factor.hpp"
+#include "linalg/cholmod_cholesky.hpp"
 
 namespace bempd::linalg {
 
 namespace {
 
-using SparseMatrix = Eigen::SparseMatrix<double>;
-
-cholmod_sparse view(const SparseMatrix& matrix, int symmetry) {
-  assert(matrix.isCompressed());
-  cholmod_sparse out = {};
-  out.nrow = static_cast<std::size_t>(matrix.rows());
-  out.ncol = static_cast<std::size_t>(matrix.cols());
-  out.nzmax = static_cast<std::size_t>(matrix.nonZeros());
-  out.p = const_cast<int*>(matrix.outerIndexPtr());
-  out.i = const_cast<int*>(matrix.innerIndexPtr());
-  out.x = const_cast<double*>(matrix.valuePtr());
-  out.stype = symmetry;
-  out.itype = CHOLMOD_INT;
-  out.xtype = CHOLMOD_REAL;
-  out.dtype = CHOLMOD_DOUBLE;
-  out.sorted = 1;
-  out.packed = 1;
-  return out;
-}
-
-cholmod_dense view(Eigen::Ref<Eigen::MatrixXd> matrix) {
-  cholmod_dense out = {};
-  out.nrow = static_cast<std::size_t>(matrix.rows());
-  out.ncol = static_cast<std::size_t>(matrix.cols());
-  out.d = static_cast<std::size_t>(std::max(matrix.outerStride(), matrix.rows()));
-  out.nzmax = out.d * out.ncol;
-  out.x = matrix.data();
-  out.xtype = CHOLMOD_REAL;
-  out.dtype = CHOLMOD_DOUBLE;
-  return out;
-}
-
-// Number of factor entries above which one solution takes more than some 50 ms.
-constexpr std::int64_t entries_of_a_long_solution = 50'000'000;
-
-// Requests large pages for a block of memory: the first access to many small pages costs a third of a factorization.
-void use_large_pages([[maybe_unused]] void* memory, [[maybe_unused]] std::size_t bytes) {
-#ifdef MADV_HUGEPAGE
-  const auto page = static_cast<std::size_t>(sysconf(_SC_PAGESIZE));
-  const std::size_t before = (page - reinterpret_cast<std::uintptr_t>(memory) % page) % page;
-  if (bytes > before + page) madvise(static_cast<char*>(memory) + before, bytes - before, MADV_HUGEPAGE);
-#endif
-}
-
+// Factorization with indices of 32 bits, until a factor has more entries than these can count: then with 64 bits, which
+// need more memory and time for changes.
 class SuiteSparseCholesky final : public SparseCholesky {
  public:
-  SuiteSparseCholesky() {
-    // Supernodal factors are used for all sizes: L L^T notices a negative pivot, CHOLMOD's simplicial L D L^T does not.
-    common_->supernodal = CHOLMOD_SUPERNODAL;
-    // AMD is the only ordering. CHOLMOD's other choice, METIS, reseeds the process-wide random generator and swaps
-    // signal handlers, which an embedded library must not do to its host.
-    common_->nmethods = 1;
-    common_->method[0].ordering = CHOLMOD_AMD;
+  explicit SuiteSparseCholesky(bool wide) {
+    if (wide) widen();
   }
 
   void set_elimination_order(std::vector<int> order, int kept_last) override {
-    if (order == wanted_order_ && kept_last == kept_last_) return;
-    wanted_order_ = std::move(order);
+    order_ = order;
     kept_last_ = kept_last;
-    pattern_.clear();
+    chosen_->set_elimination_order(std::move(order), kept_last);
   }
 
-  const std::vector<int>& elimination_order() const override { return order_; }
-
-  bool factorize(const SparseMatrix& lower) override {
-    assert(lower.rows() == lower.cols());
-    if (!lower.isCompressed()) {
-      SparseMatrix compressed = lower;
-      compressed.makeCompressed();
-      return factorize(compressed);
+  bool factorize(const Eigen::SparseMatrix<double>& lower) override {
+    try {
+      return chosen_->factorize(lower);
+    } catch (const TooLargeForIndices&) {
+      if (is_wide_) throw;
     }
-    has_factor_ = false;
-    diagonal_ = lower.diagonal();
-    if (lower.rows() == 0) {
-      factor_.reset();
-      return has_factor_ = true;
-    }
-    if (!lower.coeffs().allFinite()) return false;
-    cholmod_sparse matrix = view(lower, -1);
-    prepare_factor(lower, matrix);
-    common_->dbound = 0;
-    check_cancelled();
-    has_factor_ = factorize_supernodes(lower, *factor_.get()) && smallest_pivot_ratio() > singular_pivot_ratio;
-    return has_factor_;
+    widen();
+    return chosen_->factorize(lower);
   }
 
-  void solve_in_place(Eigen::Ref<Eigen::MatrixXd> rhs) const override {
-    assert(has_factor_ && rhs.rows() == diagonal_.size());
-    if (rhs.size() == 0) return;
-    if (!factor_->is_super && factor_nonzeros() < entries_of_a_long_solution) {
-      triangular_solve(CHOLMOD_A, rhs);
-      rhs = solution();
-      return;
-    }
-    Eigen::MatrixXd ordered = rhs(order_, Eigen::all);
-    if (factor_->is_super) {
-      SupernodalFactor factor(*factor_.get());
-      factor.solve_lower(ordered);
-      factor.solve_upper(ordered);
-    } else {
-      // Long solutions are done in two halves, with a check for cancellation between, and have the same digits as in
-      // one call.
-      triangular_solve(CHOLMOD_L, ordered);
-      check_cancelled();
-      ordered = solution();
-      triangular_solve(CHOLMOD_DLt, ordered);
-      ordered = solution();
-    }
-    rhs(order_, Eigen::all) = ordered;
-  }
-
-  void solve_forward(Eigen::Ref<Eigen::MatrixXd> rhs) const override {
-    assert(has_factor_ && factor_->is_super && rhs.rows() == diagonal_.size());
-    if (rhs.size() == 0) return;
-    // Columns are copied one by one with checks for cancellation, because many long columns take a while.
-    Eigen::MatrixXd ordered(rhs.rows(), rhs.cols());
-    for (Eigen::Index c = 0; c < rhs.cols(); ++c) {
-      check_cancelled();
-      ordered.col(c) = rhs.col(c)(order_);
-    }
-    SupernodalFactor(*factor_.get()).solve_lower(ordered);
-    for (Eigen::Index c = 0; c < rhs.cols(); ++c) {
-      check_cancelled();
-      rhs.col(c) = ordered.col(c);
-    }
-  }
-
+  const std::vector<int>& elimination_order() const override { return chosen_->elimination_order(); }
+  void solve_in_place(Eigen::Ref<Eigen::MatrixXd> rhs) const override { chosen_->solve_in_place(rhs); }
+  void solve_forward(Eigen::Ref<Eigen::MatrixXd> rhs) const override { chosen_->solve_forward(rhs); }
   void solve_backward(Eigen::Ref<Eigen::MatrixXd> transposed, int known) const override {
-    assert(has_factor_ && factor_->is_super && transposed.cols() == diagonal_.size());
-    SupernodalFactor(*factor_.get()).solve_backward(transposed, known);
+    chosen_->solve_backward(transposed, known);
   }
-
   void solve_backward_at(const std::vector<int>& places, Eigen::Ref<Eigen::MatrixXd> transposed,
                          int known) const override {
-    assert(has_factor_ && factor_->is_super && transposed.cols() == diagonal_.size());
-    const SupernodalFactor factor(*factor_.get());
-    const std::vector<char> asked = factor.supernodes_needed_for(places);
-    factor.solve_backward(transposed, known, &asked);
+    chosen_->solve_backward_at(places, transposed, known);
   }
-
   Eigen::MatrixXd inverse_block(const std::vector<int>& unknowns) const override {
-    assert(has_factor_);
-    std::vector<int> places(unknowns.size());
-    std::transform(unknowns.begin(), unknowns.end(), places.begin(), [&](int u) { return position_[u]; });
-    return linalg::inverse_block(*factor_.get(), places);
+    return chosen_->inverse_block(unknowns);
   }
-
-  Eigen::MatrixXd trailing_factor(int size) const override {
-    assert(has_factor_ && factor_->is_super);
-    return SupernodalFactor(*factor_.get()).trailing_block(size);
+  Eigen::MatrixXd trailing_factor(int size) const override { return chosen_->trailing_factor(size); }
+  bool update(const Eigen::SparseMatrix<double>& columns, Change change) override {
+    return chosen_->update(columns, change);
   }
-
-  bool update(const SparseMatrix& columns, Change change) override {
-    assert(has_factor_ && columns.rows() == diagonal_.size());
-    if (columns.nonZeros() == 0) return true;
-    has_factor_ = false;  // until this call succeeds
-    // The factor becomes simplicial only at its first change; runs without changes keep the faster supernodal
-    // solutions.
-    if (factor_->is_super) {
-      cholmod_change_factor(CHOLMOD_REAL, 0, 0, 0, 1, factor_.get(), common_.get());
-      common_.check();
-    }
-    const SparseMatrix permuted = in_elimination_order(columns);
-    cholmod_sparse c = view(permuted, 0);
-    common_->dbound = singular_pivot_ratio * diagonal_.maxCoeff();
-    cholmod_updown(change == Change::add ? 1 : 0, &c, factor_.get(), common_.get());
-    common_.check();
-    return has_factor_ = true;
-  }
-
-  double smallest_pivot_ratio() const override {
-    double smallest = diagonal_.size() == 0 ? 1 : std::numeric_limits<double>::infinity();
-    if (!factor_) return smallest;
-    const int* order = static_cast<const int*>(factor_->Perm);
-    for_each_pivot(*factor_.get(), [&](int j, double pivot) {
-      const double ratio = pivot / diagonal_[order[j]];
-      if (!(ratio >= smallest)) smallest = ratio;  // a NaN wins
-    });
-    return smallest;
-  }
-
-  std::int64_t factor_nonzeros() const override {
-    if (!factor_) return 0;
-    if (factor_->is_super) return static_cast<std::int64_t>(factor_->xsize);
-    const int* counts = static_cast<const int*>(factor_->nz);
-    return std::accumulate(counts, counts + factor_->n, std::int64_t{0});
-  }
+  double smallest_pivot_ratio() const override { return chosen_->smallest_pivot_ratio(); }
+  std::int64_t factor_nonzeros() const override { return chosen_->factor_nonzeros(); }
 
  private:
-  // Sets `factor_` to a supernodal factor without values, analysed for the pattern of `lower`.
-  void prepare_factor(const SparseMatrix& lower, cholmod_sparse& matrix) {
-    if (!analysis_ || !pattern_.matches(lower)) {
-      factor_.reset();
-      analysis_.reset();
-      pattern_.clear();
-      analyse(matrix);
-      order_.assign(static_cast<const int*>(analysis_->Perm), static_cast<const int*>(analysis_->Perm) + lower.cols());
-      position_.resize(order_.size());
-      for (std::size_t k = 0; k < order_.size(); ++k) position_[order_[k]] = static_cast<int>(k);
-      pattern_.assign(lower);  // assigned last, so that all is done anew if memory is missing before
-    }
-    // A changed factor is simplicial, so the next one is made from the analysis again.
-    if (!factor_ || !factor_->is_super) {
-      factor_.reset(cholmod_copy_factor(analysis_.get(), common_.get()));
-      common_.check();
-      cholmod_change_factor(CHOLMOD_REAL, 1, 1, 1, 1, factor_.get(), common_.get());
-      if (common_->status != CHOLMOD_OK) factor_.reset();  // a factor without memory for its values is none
-      common_.check();
-      use_large_pages(factor_->x, factor_->xsize * sizeof(double));
-    }
+  void widen() {
+    chosen_.reset();  // before more memory is asked for
+    chosen_ = std::make_unique<CholmodCholesky<SuiteSparse_long>>();
+    chosen_->set_elimination_order(order_, kept_last_);
+    is_wide_ = true;
   }
 
-  void analyse(cholmod_sparse& matrix) {
-    const bool given = !wanted_order_.empty();
-    common_->method[0].ordering = given ? CHOLMOD_GIVEN : CHOLMOD_AMD;
-    // Postordering gathers columns into larger supernodes, but may move unknowns that must come last.
-    for (const int postorder : {1, 0}) {
-      common_->postorder = postorder;
-      analysis_.reset(cholmod_analyze_p(&matrix, given ? wanted_order_.data() : nullptr, nullptr, 0, common_.get()));
-      common_.check();
-      if (kept_are_last()) return;
-    }
-  }
-
-  bool kept_are_last() const {
-    const int* found = static_cast<const int*>(analysis_->Perm);
-    const auto last = [&](const int* end) {
-      std::vector<int> set(end - kept_last_, end);
-      std::sort(set.begin(), set.end());
-      return set;
-    };
-    return last(found + analysis_->n) == last(wanted_order_.data() + wanted_order_.size());
-  }
-
-  // Solves a triangular system and stores the result in solution().
-  void triangular_solve(int system, Eigen::Ref<Eigen::MatrixXd> rhs) const {
-    cholmod_dense b = view(rhs);
-    cholmod_solve2(system, factor_.get(), &b, nullptr, solution_.slot(), nullptr, work_y_.slot(), work_e_.slot(),
-                   common_.get());
-    common_.check();
-  }
-  Eigen::Map<const Eigen::MatrixXd> solution() const {
-    return {static_cast<const double*>(solution_->x), static_cast<Eigen::Index>(solution_->nrow),
-            static_cast<Eigen::Index>(solution_->ncol)};
-  }
-
-  SparseMatrix in_elimination_order(const SparseMatrix& columns) const {
-    std::vector<Eigen::Triplet<double>> entries;
-    entries.reserve(static_cast<std::size_t>(columns.nonZeros()));
-    for (int k = 0; k < columns.outerSize(); ++k)
-      for (SparseMatrix::InnerIterator it(columns, k); it; ++it)
-        entries.emplace_back(position_[it.row()], k, it.value());
-    SparseMatrix permuted(columns.rows(), columns.cols());
-    permuted.setFromTriplets(entries.begin(), entries.end());
-    return permuted;
-  }
-
-  mutable CholmodCommon common_;
-  CholmodFactor analysis_{common_}, factor_{common_};
-  mutable CholmodDense solution_{common_}, work_y_{common_}, work_e_{common_};
-  Eigen::VectorXd diagonal_;       // of the matrix last factorized
-  SparsityPattern<int> pattern_;   // pattern of `analysis_`
-  std::vector<int> wanted_order_;  // empty: CHOLMOD's own
+  std::unique_ptr<SparseCholesky> chosen_ = std::make_unique<CholmodCholesky<int>>();
+  std::vector<int> order_;
   int kept_last_ = 0;
-  std::vector<int> order_, position_;  // unknown eliminated k-th, and the inverse
-  bool has_factor_ = false;
+  bool is_wide_ = false;
 };
 
 }  // namespace
 
-std::unique_ptr<SparseCholesky> own_cholesky(bool) { return std::make_unique<SuiteSparseCholesky>(); }
+std::unique_ptr<SparseCholesky> own_cholesky(bool wide_indices) {
+  return std::make_unique<SuiteSparseCholesky>(wide_indices);
+}
 
 const char* backend_name() { return "suitesparse"; }
 

@@ -24,10 +24,11 @@ struct Ordered {
   std::vector<int> begin, row;
   std::vector<double> value;
 
-  Ordered(const SparseMatrix& lower, const int* order) : begin(static_cast<std::size_t>(lower.cols()) + 1, 0) {
+  template <class Index>
+  Ordered(const SparseMatrix& lower, const Index* order) : begin(static_cast<std::size_t>(lower.cols()) + 1, 0) {
     const auto n = static_cast<int>(lower.cols());
     std::vector<int> position(static_cast<std::size_t>(n));
-    for (int k = 0; k < n; ++k) position[order[k]] = k;
+    for (int k = 0; k < n; ++k) position[static_cast<std::size_t>(order[k])] = k;
     const auto for_each_entry = [&](const auto& visit) {
       for (int j = 0; j < n; ++j) {
         for (SparseMatrix::InnerIterator it(lower, j); it; ++it) {
@@ -48,14 +49,15 @@ struct Ordered {
   }
 };
 
+template <class Index>
 class Factorization {
  public:
   Factorization(const SparseMatrix& lower, cholmod_factor& factor)
-      : matrix_(lower, static_cast<const int*>(factor.Perm)),
-        first_column_(static_cast<const int*>(factor.super)),
-        rows_begin_(static_cast<const int*>(factor.pi)),
-        values_begin_(static_cast<const int*>(factor.px)),
-        row_(static_cast<const int*>(factor.s)),
+      : matrix_(lower, static_cast<const Index*>(factor.Perm)),
+        first_column_(static_cast<const Index*>(factor.super)),
+        rows_begin_(static_cast<const Index*>(factor.pi)),
+        values_begin_(static_cast<const Index*>(factor.px)),
+        row_(static_cast<const Index*>(factor.s)),
         values_(static_cast<double*>(factor.x)),
         count_(static_cast<int>(factor.nsuper)),
         supernode_of_(factor.n),
@@ -91,8 +93,8 @@ class Factorization {
   }
 
  private:
-  int columns(int s) const { return first_column_[s + 1] - first_column_[s]; }
-  int rows(int s) const { return rows_begin_[s + 1] - rows_begin_[s]; }
+  int columns(int s) const { return static_cast<int>(first_column_[s + 1] - first_column_[s]); }
+  int rows(int s) const { return static_cast<int>(rows_begin_[s + 1] - rows_begin_[s]); }
   double* panel(int s) { return values_ + values_begin_[s]; }
 
   // Work of a supernode, proportional to its floating-point operations: its own elimination and its updates of later
@@ -105,11 +107,11 @@ class Factorization {
   }
 
   void assemble(int s) {
-    const int height = rows(s), first = first_column_[s];
+    const int height = rows(s), first = static_cast<int>(first_column_[s]), end = first + columns(s);
     for (int r = 0; r < height; ++r) place_[row_[rows_begin_[s] + r]] = r;
     double* column = panel(s);
     std::fill(column, column + static_cast<std::ptrdiff_t>(height) * columns(s), 0.0);
-    for (int k = first; k < first_column_[s + 1]; ++k, column += height) {
+    for (int k = first; k < end; ++k, column += height) {
       for (int p = matrix_.begin[k]; p < matrix_.begin[k + 1]; ++p) column[place_[matrix_.row[p]]] += matrix_.value[p];
     }
   }
@@ -117,7 +119,7 @@ class Factorization {
   // Subtracts the update of an earlier supernode d from the columns of supernode s.
   void subtract(int s, int d) {
     check_cancelled();
-    const int* const own_rows = row_ + rows_begin_[d];
+    const Index* const own_rows = row_ + rows_begin_[d];
     const int height = rows(d), from = done_[d];
     int to = from;
     while (to < height && own_rows[to] < first_column_[s + 1]) ++to;
@@ -179,7 +181,7 @@ class Factorization {
   }
 
   Ordered matrix_;
-  const int *first_column_, *rows_begin_, *values_begin_, *row_;
+  const Index *first_column_, *rows_begin_, *values_begin_, *row_;
   double* values_;
   int count_;
   std::vector<int> supernode_of_;  // per column
@@ -192,8 +194,12 @@ class Factorization {
 
 }  // namespace
 
+template <class Index>
 bool factorize_supernodes(const SparseMatrix& lower, cholmod_factor& factor) {
-  return Factorization(lower, factor).run();
+  return Factorization<Index>(lower, factor).run();
 }
+
+template bool factorize_supernodes<int>(const SparseMatrix&, cholmod_factor&);
+template bool factorize_supernodes<SuiteSparse_long>(const SparseMatrix&, cholmod_factor&);
 
 }  // namespace bempd::linalg

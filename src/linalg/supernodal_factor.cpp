@@ -7,25 +7,27 @@
 
 namespace bempd::linalg {
 
-SupernodalFactor::SupernodalFactor(const cholmod_factor& factor)
+template <class Index>
+SupernodalFactor<Index>::SupernodalFactor(const cholmod_factor& factor)
     : supernodes_(static_cast<std::ptrdiff_t>(factor.nsuper)),
       size_(static_cast<int>(factor.n)),
       values_(static_cast<const double*>(factor.x)),
-      first_column_(static_cast<const int*>(factor.super)),
-      rows_begin_(static_cast<const int*>(factor.pi)),
-      values_begin_(static_cast<const int*>(factor.px)),
-      row_(static_cast<const int*>(factor.s)),
+      first_column_(static_cast<const Index*>(factor.super)),
+      rows_begin_(static_cast<const Index*>(factor.pi)),
+      values_begin_(static_cast<const Index*>(factor.px)),
+      row_(static_cast<const Index*>(factor.s)),
       most_rows_below_(static_cast<Eigen::Index>(std::max<std::size_t>(factor.maxesize, 1))) {
   assert(factor.is_super);
 }
 
-Eigen::MatrixXd SupernodalFactor::trailing_block(int size) const {
+template <class Index>
+Eigen::MatrixXd SupernodalFactor<Index>::trailing_block(int size) const {
   Eigen::MatrixXd block = Eigen::MatrixXd::Zero(size, size);
   const int first = size_ - size;
   for (std::ptrdiff_t s = 0; s < supernodes_; ++s) {
-    const int rows = rows_begin_[s + 1] - rows_begin_[s];
-    for (int j = std::max(first_column_[s], first); j < first_column_[s + 1]; ++j) {
-      const int k = j - first_column_[s];
+    const int rows = rows_of(s), begin = static_cast<int>(first_column_[s]), end = begin + columns_of(s);
+    for (int j = std::max(begin, first); j < end; ++j) {
+      const int k = j - begin;
       const double* column = values_ + values_begin_[s] + static_cast<std::ptrdiff_t>(k) * rows;
       for (int r = k; r < rows; ++r) block(row_[rows_begin_[s] + r] - first, j - first) = column[r];
     }
@@ -34,14 +36,16 @@ Eigen::MatrixXd SupernodalFactor::trailing_block(int size) const {
 }
 
 // Gathers the entries of all right-hand sides in the rows below the triangle of supernode `s`.
-void SupernodalFactor::gather(std::ptrdiff_t s, const Eigen::Ref<const Eigen::MatrixXd>& x) {
+template <class Index>
+void SupernodalFactor<Index>::gather(std::ptrdiff_t s, const Eigen::Ref<const Eigen::MatrixXd>& x) {
   const int columns = columns_of(s), below = rows_of(s) - columns;
-  const int* const row = row_ + rows_begin_[s] + columns;
+  const Index* const row = row_ + rows_begin_[s] + columns;
   for (Eigen::Index c = 0; c < x.cols(); ++c)
     for (int r = 0; r < below; ++r) below_(r, c) = x(row[r], c);
 }
 
-void SupernodalFactor::solve_lower(Eigen::Ref<Eigen::MatrixXd> x) {
+template <class Index>
+void SupernodalFactor<Index>::solve_lower(Eigen::Ref<Eigen::MatrixXd> x) {
   below_.resize(most_rows_below_, x.cols());
   const int sides = static_cast<int>(x.cols()), stride = static_cast<int>(x.outerStride()), one = 1;
   const int below_stride = static_cast<int>(below_.rows());
@@ -63,13 +67,14 @@ void SupernodalFactor::solve_lower(Eigen::Ref<Eigen::MatrixXd> x) {
     else
       dgemm_("N", "N", &below, &sides, &columns, &minus, panel + columns, &rows, own, &stride, &plus, below_.data(),
              &below_stride);
-    const int* const row = row_ + rows_begin_[s] + columns;
+    const Index* const row = row_ + rows_begin_[s] + columns;
     for (Eigen::Index c = 0; c < x.cols(); ++c)
       for (int r = 0; r < below; ++r) x(row[r], c) = below_(r, c);
   }
 }
 
-void SupernodalFactor::solve_upper(Eigen::Ref<Eigen::MatrixXd> x) {
+template <class Index>
+void SupernodalFactor<Index>::solve_upper(Eigen::Ref<Eigen::MatrixXd> x) {
   below_.resize(most_rows_below_, x.cols());
   const int sides = static_cast<int>(x.cols()), stride = static_cast<int>(x.outerStride()), one = 1;
   const int below_stride = static_cast<int>(below_.rows());
@@ -94,7 +99,8 @@ void SupernodalFactor::solve_upper(Eigen::Ref<Eigen::MatrixXd> x) {
   }
 }
 
-std::vector<char> SupernodalFactor::supernodes_needed_for(const std::vector<int>& places) const {
+template <class Index>
+std::vector<char> SupernodalFactor<Index>::supernodes_needed_for(const std::vector<int>& places) const {
   std::vector<char> marked(static_cast<std::size_t>(supernodes_), 0);
   for (int place : places) {
     for (;;) {
@@ -102,20 +108,22 @@ std::vector<char> SupernodalFactor::supernodes_needed_for(const std::vector<int>
       if (marked[static_cast<std::size_t>(s)]) break;
       marked[static_cast<std::size_t>(s)] = 1;
       if (rows_of(s) == columns_of(s)) break;
-      place = row_[rows_begin_[s] + columns_of(s)];
+      place = static_cast<int>(row_[rows_begin_[s] + columns_of(s)]);
     }
   }
   return marked;
 }
 
-void SupernodalFactor::solve_backward(Eigen::Ref<Eigen::MatrixXd> transposed, int known,
-                                      const std::vector<char>* marked) const {
+template <class Index>
+void SupernodalFactor<Index>::solve_backward(Eigen::Ref<Eigen::MatrixXd> transposed, int known,
+                                             const std::vector<char>* marked) const {
   const int unknown = size_ - known;
   Eigen::MatrixXd later;  // rows of unknowns that a supernode's columns depend on
   for (std::ptrdiff_t s = supernodes_ - 1; s >= 0; --s) {
-    const int columns = std::min(first_column_[s + 1], unknown) - first_column_[s];
+    const int first = static_cast<int>(first_column_[s]);
+    const int columns = std::min(first + columns_of(s), unknown) - first;
     if (columns <= 0 || (marked && !(*marked)[static_cast<std::size_t>(s)])) continue;
-    const int rows = rows_begin_[s + 1] - rows_begin_[s];
+    const int rows = rows_of(s);
     const Eigen::Map<const Eigen::MatrixXd> panel(values_ + values_begin_[s], rows, columns);
     auto own = transposed.middleCols(first_column_[s], columns);
     later.resize(transposed.rows(), rows - columns);
@@ -124,5 +132,8 @@ void SupernodalFactor::solve_backward(Eigen::Ref<Eigen::MatrixXd> transposed, in
     panel.topRows(columns).triangularView<Eigen::Lower>().solveInPlace<Eigen::OnTheRight>(own);
   }
 }
+
+template class SupernodalFactor<int>;
+template class SupernodalFactor<SuiteSparse_long>;
 
 }  // namespace bempd::linalg

@@ -8,20 +8,20 @@
 namespace bempd::linalg {
 
 // Calls visit(j, d_j) for every pivot d_j of CHOLMOD's factor L L^T (supernodal or simplicial) or L D L^T.
-template <class Visit>
+template <class Index, class Visit>
 void for_each_pivot(const cholmod_factor& factor, Visit visit) {
   const double* x = static_cast<const double*>(factor.x);
   if (!factor.is_super) {
-    const int* p = static_cast<const int*>(factor.p);
-    for (int j = 0; j < static_cast<int>(factor.n); ++j) visit(j, factor.is_ll ? x[p[j]] * x[p[j]] : x[p[j]]);
+    const Index* p = static_cast<const Index*>(factor.p);
+    for (Index j = 0; j < static_cast<Index>(factor.n); ++j) visit(j, factor.is_ll ? x[p[j]] * x[p[j]] : x[p[j]]);
     return;
   }
-  const int* super = static_cast<const int*>(factor.super);
-  const int* pi = static_cast<const int*>(factor.pi);
-  const int* px = static_cast<const int*>(factor.px);
+  const Index* super = static_cast<const Index*>(factor.super);
+  const Index* pi = static_cast<const Index*>(factor.pi);
+  const Index* px = static_cast<const Index*>(factor.px);
   for (std::size_t s = 0; s < factor.nsuper; ++s) {
-    const int rows = pi[s + 1] - pi[s];
-    for (int k = 0; k < super[s + 1] - super[s]; ++k) {
+    const Index rows = pi[s + 1] - pi[s];
+    for (Index k = 0; k < super[s + 1] - super[s]; ++k) {
       const double diagonal = x[px[s] + k + static_cast<std::ptrdiff_t>(k) * rows];
       visit(super[s] + k, diagonal * diagonal);
     }
@@ -30,6 +30,7 @@ void for_each_pivot(const cholmod_factor& factor, Visit visit) {
 
 // View of CHOLMOD's supernodal factor L: its columns lie in dense panels, one for each supernode. Rows and columns are
 // in the order of elimination.
+template <class Index>
 class SupernodalFactor {
  public:
   explicit SupernodalFactor(const cholmod_factor& factor);
@@ -51,14 +52,14 @@ class SupernodalFactor {
   std::vector<char> supernodes_needed_for(const std::vector<int>& places) const;
 
  private:
-  int columns_of(std::ptrdiff_t s) const { return first_column_[s + 1] - first_column_[s]; }
-  int rows_of(std::ptrdiff_t s) const { return rows_begin_[s + 1] - rows_begin_[s]; }
+  int columns_of(std::ptrdiff_t s) const { return static_cast<int>(first_column_[s + 1] - first_column_[s]); }
+  int rows_of(std::ptrdiff_t s) const { return static_cast<int>(rows_begin_[s + 1] - rows_begin_[s]); }
   void gather(std::ptrdiff_t s, const Eigen::Ref<const Eigen::MatrixXd>& x);
 
   std::ptrdiff_t supernodes_;
   int size_;
   const double* values_;
-  const int *first_column_, *rows_begin_, *values_begin_, *row_;  // of a supernode; of an entry of its panel's rows
+  const Index *first_column_, *rows_begin_, *values_begin_, *row_;  // of a supernode; of an entry of its panel's rows
   Eigen::Index most_rows_below_;
   Eigen::MatrixXd below_;  // of a supernode's triangle, in right-hand sides
 };

@@ -34,8 +34,10 @@ class Handle:
         self.interrupts.is_running = self._lock.locked
         self._views: set[object] = set()
 
-    def call(self, name: str, *arguments: Any, changes: bool = False) -> None:
-        """Call a function on the model; `changes` marks those after which field views would be stale."""
+    def call(self, name: str, *arguments: Any, changes: bool = False, invoke: Callable[..., int] = invoke,
+             check: Callable[..., None] = check) -> None:
+        """Call a function on the model; `changes` marks those after which field views would be stale. `invoke` and `check`
+        are those of another library for its functions."""
         short = name_of(name).replace("Model.", "")
         if not self._lock.acquire(blocking=False):
             raise OrderError(f"{short}: the model is in another call; "
