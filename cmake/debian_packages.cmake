@@ -1,4 +1,5 @@
-# `cpack -G DEB` makes three packages: the library, what programs are compiled with, and the Python module.
+# `cpack -G DEB` makes three packages: the library, what programs are compiled with, and the Python module; and a fourth one
+# where libbempd_mpi is built.
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_NAME bempd)
 set(CPACK_PACKAGE_VENDOR "The bempd authors")
@@ -20,6 +21,16 @@ set(CPACK_DEBIAN_RUNTIME_PACKAGE_SECTION libs)
 set(CPACK_DEBIAN_RUNTIME_PACKAGE_SHLIBDEPS ON)
 set(CPACK_DEBIAN_RUNTIME_PACKAGE_GENERATE_SHLIBS ON)
 set(CPACK_COMPONENT_RUNTIME_DESCRIPTION "The shared library.")
+
+if(TARGET bempd_mpi)
+  list(APPEND CPACK_COMPONENTS_ALL mpi)
+  set(CPACK_DEBIAN_MPI_PACKAGE_NAME "libbempd-mpi${abi_version}")
+  set(CPACK_DEBIAN_MPI_PACKAGE_SECTION libs)
+  set(CPACK_DEBIAN_MPI_PACKAGE_SHLIBDEPS ON)
+  set(CPACK_DEBIAN_MPI_PACKAGE_GENERATE_SHLIBS ON)
+  set(CPACK_DEBIAN_MPI_PACKAGE_DEPENDS "${runtime_package} (= ${PROJECT_VERSION})")
+  set(CPACK_COMPONENT_MPI_DESCRIPTION "One large body on several processes, by MUMPS over Open MPI.")
+endif()
 
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_NAME libbempd-dev)
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SECTION libdevel)

@@ -14,6 +14,14 @@ install(FILES "${PROJECT_SOURCE_DIR}/include/bempd.h" "${PROJECT_SOURCE_DIR}/inc
         COMPONENT development)
 install(EXPORT bempdTargets NAMESPACE bempd:: DESTINATION "${package_dir}" COMPONENT development)
 
+# Component MPI: libbempd_mpi in a package of its own, because it needs MPI and MUMPS.
+if(TARGET bempd_mpi)
+  install(TARGETS bempd_mpi EXPORT bempdMPITargets
+          LIBRARY DESTINATION "${CMAKE_INSTALL_LIBDIR}" COMPONENT mpi NAMELINK_COMPONENT development OPTIONAL)
+  install(FILES "${PROJECT_SOURCE_DIR}/include/bempd_mpi.h" DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}" COMPONENT development)
+  install(EXPORT bempdMPITargets NAMESPACE bempd:: DESTINATION "${package_dir}" COMPONENT development)
+endif()
+
 set(fortran_source_dir "${CMAKE_INSTALL_DATADIR}/bempd/fortran")
 set(fortran_binary_dir "${CMAKE_INSTALL_LIBDIR}/bempd/fortran")
 configure_package_config_file("${PROJECT_SOURCE_DIR}/cmake/bempdConfig.cmake.in" "${generated_dir}/bempdConfig.cmake"
@@ -21,7 +29,7 @@ configure_package_config_file("${PROJECT_SOURCE_DIR}/cmake/bempdConfig.cmake.in"
 # Before 1.0 a new minor version may change the interface.
 write_basic_package_version_file("${generated_dir}/bempdConfigVersion.cmake" COMPATIBILITY SameMinorVersion)
 install(FILES "${generated_dir}/bempdConfig.cmake" "${generated_dir}/bempdConfigVersion.cmake"
-        "${PROJECT_SOURCE_DIR}/cmake/bempdFortran.cmake"
+        "${PROJECT_SOURCE_DIR}/cmake/bempdFortran.cmake" "${PROJECT_SOURCE_DIR}/cmake/bempdMPI.cmake"
         DESTINATION "${package_dir}" COMPONENT development)
 
 # Fortran: the sources for every compiler, and what was compiled for the one at hand, if it was: who builds the target bempd
@@ -31,6 +39,7 @@ install(DIRECTORY "${PROJECT_SOURCE_DIR}/bindings/fortran/" DESTINATION "${fortr
 if(TARGET bempd_fortran)
   get_target_property(fortran_modules bempd_fortran Fortran_MODULE_DIRECTORY)
   install(FILES "$<TARGET_FILE:bempd_fortran>" "${fortran_modules}/bempd_c.mod" "${fortran_modules}/bempd.mod"
+          "${fortran_modules}/bempd_mpi.mod"
           DESTINATION "${fortran_binary_dir}" COMPONENT development OPTIONAL)
 endif()
 
@@ -68,10 +77,13 @@ else()
   file(RELATIVE_PATH pc_prefix "/${CMAKE_INSTALL_LIBDIR}/pkgconfig" "/")
   string(REGEX REPLACE "/$" "" pc_prefix "\${pcfiledir}/${pc_prefix}")
 endif()
-foreach(name bempd bempd-fortran)
+foreach(name bempd bempd-fortran bempd-mpi)
   configure_file("${PROJECT_SOURCE_DIR}/cmake/${name}.pc.in" "${generated_dir}/${name}.pc" @ONLY)
 endforeach()
 install(FILES "${generated_dir}/bempd.pc" DESTINATION "${CMAKE_INSTALL_LIBDIR}/pkgconfig" COMPONENT development)
+if(TARGET bempd_mpi)
+  install(FILES "${generated_dir}/bempd-mpi.pc" DESTINATION "${CMAKE_INSTALL_LIBDIR}/pkgconfig" COMPONENT development)
+endif()
 if(TARGET bempd_fortran)
   install(CODE "if(EXISTS \"$<TARGET_FILE:bempd_fortran>\")
   file(INSTALL DESTINATION \"\${CMAKE_INSTALL_PREFIX}/${CMAKE_INSTALL_LIBDIR}/pkgconfig\" TYPE FILE

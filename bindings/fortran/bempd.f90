@@ -48,7 +48,7 @@ module bempd
     type(c_ptr) :: handle = c_null_ptr
     character(:), allocatable :: sentence  ! of an error that this module found
   contains
-    procedure :: create, free, last_error
+    procedure :: create, free, last_error, c_handle
     procedure, private :: set_option_number, set_option_text, get_option_number, get_option_text, refuse_copy
     generic :: set_option => set_option_number, set_option_text
     generic :: get_option => get_option_number, get_option_text
@@ -98,7 +98,7 @@ module bempd
     real(c_double) :: default_value, minimum, maximum
   end type bempd_option
 
-  private :: create, free, last_error, set_option_number, set_option_text, get_option_number, &
+  private :: create, free, last_error, c_handle, set_option_number, set_option_text, get_option_number, &
     get_option_text, refuse_copy, add_material, add_bem_region, add_pd_region, add_hole, add_circular_hole, add_crack, &
     add_bem_disc, set_edge_arc, set_edge_arc_about, set_edges_smooth, set_edge_mesh, &
     set_toughness_at, set_resistance_curve, set_resistance_directions, &
@@ -134,6 +134,11 @@ module bempd
       class(bempd_model), intent(in) :: self
       character(:), allocatable :: sentence
     end function last_error
+    !> The pointer of the C interface, for libraries that take it, as bempd_mpi does.
+    module function c_handle(self) result(handle)
+      class(bempd_model), intent(in) :: self
+      type(c_ptr) :: handle
+    end function c_handle
 
     ! Options: a number or a word.
     module subroutine set_option_number(self, name, value, stat, errmsg)

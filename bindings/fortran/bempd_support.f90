@@ -253,6 +253,10 @@ contains
     end if
   end procedure last_error
 
+  module procedure c_handle
+    handle = self%handle
+  end procedure c_handle
+
   module procedure free_state
     call bempd_state_free(self%handle)
     self%handle = c_null_ptr

@@ -38,7 +38,7 @@ def copy(source: pathlib.Path, target: pathlib.Path) -> None:
 
 CHAPTERS = {
     "Learn": ["docs/first_path", "docs/tutorial", "docs/cookbook", "docs/cracks", "docs/mixed_cracks", "docs/fatigue", "docs/import",
-              "docs/converge", "docs/coupling", "docs/checkpoints", "docs/ensembles", "docs/paraview", "docs/theory"],
+              "docs/converge", "docs/coupling", "docs/checkpoints", "docs/ensembles", "docs/parallel_hosts", "docs/paraview", "docs/theory"],
     "Look up": ["README", "docs/troubleshooting", "docs/limits", "docs/glossary", "docs/units", "docs/options", "docs/linking"],
     "Languages": ["docs/languages", "docs/reference/index", "docs/python_reference", "docs/cpp", "bindings/python/README",
                   "bindings/fortran/README", "bindings/rust/README"],

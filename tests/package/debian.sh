@@ -11,8 +11,21 @@ touch "$root/var/lib/dpkg/status"
 cd "$work"
 cpack -G DEB --config "$build/CPackConfig.cmake" -B "$work" >cpack.log || { cat cpack.log; exit 1; }
 ls -- *.deb
-[ "$(ls -- *.deb | wc -l)" -eq 3 ] || { echo "expected three packages"; exit 1; }
+expected_packages=3
+if [ -e "$build/src/mpi/libbempd_mpi.so" ]; then expected_packages=4; fi
+[ "$(ls -- *.deb | wc -l)" -eq $expected_packages ] || { echo "expected $expected_packages packages"; exit 1; }
 for package in *.deb; do dpkg-deb --field "$package" Package Depends; done
+
+# MPI and MUMPS are needed by the package of libbempd_mpi alone.
+for package in *.deb; do
+  needs=$(dpkg-deb --field "$package" Depends)
+  case $package in
+    libbempd-mpi0_*)
+      grep -q libmumps <<<"$needs" && grep -q libopenmpi <<<"$needs" && grep -q 'libbempd0 (=' <<<"$needs" ||
+        { echo "$package needs: $needs"; exit 1; } ;;
+    *) if grep -E 'mumps|mpi' <<<"$needs"; then echo "$package needs MPI or MUMPS"; exit 1; fi ;;
+  esac
+done
 
 # The packages' scripts run outside of the root, where they must find a harmless ldconfig.
 mkdir bin

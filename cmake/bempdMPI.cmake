@@ -1,0 +1,15 @@
+# Component MPI: the target bempd::mpi, if the library was built with it. It brings the MPI of this machine, which must be the one
+# that the library was built for.
+set(bempd_MPI_FOUND FALSE)
+if(NOT EXISTS "${CMAKE_CURRENT_LIST_DIR}/bempdMPITargets.cmake")
+  string(APPEND bempd_NOT_FOUND_MESSAGE "component MPI: this bempd was built without BEMPD_MPI\n")
+  return()
+endif()
+include(CMakeFindDependencyMacro)
+find_package(MPI QUIET COMPONENTS C)
+if(NOT MPI_C_FOUND)
+  string(APPEND bempd_NOT_FOUND_MESSAGE "component MPI: no MPI for C was found\n")
+  return()
+endif()
+include("${CMAKE_CURRENT_LIST_DIR}/bempdMPITargets.cmake")
+set(bempd_MPI_FOUND TRUE)
