@@ -125,7 +125,7 @@ double measure(const Run& run, double stop_after) {
       std::this_thread::sleep_for(std::chrono::milliseconds(2));
       if (processor_time() - start < stop_after) continue;
       if (asked == 0) asked = processor_time();
-      // Again and again: a request before the call is forgotten.
+      // Requests are repeated, because one before the call is forgotten.
       if (keeps_events)
         bempd_request_stop(model);
       else

@@ -183,11 +183,7 @@ void EventSources::drop_mark() {
 void EventSources::mark() {
   if (mark_) return;
   keep_way_on();
-  if (window_.is_open()) {
-    mark_ = Mark{{}, window_.place()};
-  } else {
-    mark_ = Mark{body_.state(), {}};
-  }
+  mark_ = window_.is_open() ? Mark{{}, window_.place()} : Mark{body_.state(), {}};
 }
 
 // Keeps the present state to the last bit, because displacements that are computed again later would have other

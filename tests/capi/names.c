@@ -116,7 +116,7 @@ static void files_have_names(void) {
         file_says("named_0000_edges.vtu", "left \"<side>\""));
   bempd_model_free(model);
 
-  /* Without names files are as before. */
+  /* Files of a scene without names have no such part. */
   model = bem_block();
   CHECK_OK(model, bempd_set_option_text(model, "snapshots.existing", "replace"));
   CHECK_OK(model, bempd_fix_edge(model, 1, 4, BEMPD_BOTH, NULL));

@@ -42,7 +42,7 @@ TEST(Names, of_an_edge_are_those_of_its_region) {
   const Names names = names_of_a_strip();
   EXPECT_EQ(names.in("region 2 has a corner where edge 3 begins"),
             "region 2 (\"middle\") has a corner where edge 3 (\"top\") begins");
-  // Without its region, or with two regions, an edge is not named.
+  // An edge without its region, or with two regions, is not named.
   EXPECT_EQ(names.in("edge 3 of the outline crosses edge 1"), "edge 3 of the outline crosses edge 1");
   EXPECT_EQ(names.in("edge 3 lies between region 1 and region 2"),
             "edge 3 lies between region 1 (\"left\") and region 2 (\"middle\")");

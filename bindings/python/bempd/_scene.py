@@ -161,19 +161,19 @@ class Scene:
         Traceback (most recent call last):
         bempd.errors.UnsolvableError: prepare: region 1 ("pane") can translate ...
         """
-        self._name("region", region, name)
+        self._name("region", "bempd_name_region", region, name)
 
     def name_support(self, support: int, name: str) -> None:
         """Name a support, as name_region() does a region."""
-        self._name("support", support, name)
+        self._name("support", "bempd_name_support", support, name)
 
     def name_load(self, load: int, name: str) -> None:
         """Name a load, as name_region() does a region."""
-        self._name("load", load, name)
+        self._name("load", "bempd_name_load", load, name)
 
-    def _name(self, what: str, number: int, name: str) -> None:
+    def _name(self, what: str, function: str, number: int, name: str) -> None:
         whole = arguments.whole(f"name_{what}: {what}", number)
-        self._open().call(f"bempd_name_{what}", whole, arguments.word(f"name_{what}: name", name))
+        self._open().call(function, whole, arguments.word(f"name_{what}: name", name))
         self._sketch.names[what, whole] = name
 
     def edge_named(self, region: int, name: str) -> int:
