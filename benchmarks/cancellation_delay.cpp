@@ -7,6 +7,7 @@
 //   bempd_cancellation_delay boundary N [moments]   square of N elements, prepared and one step
 //   bempd_cancellation_delay paper N [moments]      the same two side by side in scheme paper, N elements and N / 4
 //   rows
+// With the word stop behind the number of moments, runs are asked to end and to keep their events instead.
 #include <bempd.h>
 
 #include <algorithm>
@@ -36,7 +37,8 @@ void check(const bempd_model* model, bempd_status status) {
   if (status != BEMPD_OK) throw std::runtime_error(bempd_last_error(model));
 }
 
-std::string phase;  // what the log said last
+std::string phase;          // what the log said last
+bool keeps_events = false;  // whether runs are asked to end, not cancelled
 
 void listen(int32_t, const char* message, void*) { phase = message; }
 
@@ -123,15 +125,19 @@ double measure(const Run& run, double stop_after) {
       std::this_thread::sleep_for(std::chrono::milliseconds(2));
       if (processor_time() - start < stop_after) continue;
       if (asked == 0) asked = processor_time();
-      bempd_request_cancel(model);  // again and again: one before the call is forgotten
+      // Requests are repeated, because one before the call is forgotten.
+      if (keeps_events)
+        bempd_request_stop(model);
+      else
+        bempd_request_cancel(model);
     }
   });
   const bempd_status status = run(model);
   const double end = processor_time();
   returned = true;
   other.join();
-  const bool stopped = status == BEMPD_ERROR_CANCELLED;
-  if (!stopped && status != BEMPD_OK) std::printf("%s\n", bempd_last_error(model));
+  const bool stopped = keeps_events ? asked > 0 : status == BEMPD_ERROR_CANCELLED;
+  if (status != BEMPD_OK && status != BEMPD_ERROR_CANCELLED) std::printf("%s\n", bempd_last_error(model));
   bempd_model_free(model);
   if (std::isinf(stop_after)) return end - start;
   return stopped ? end - asked : 0;
@@ -143,6 +149,7 @@ int main(int argc, char** argv) {
   if (argc < 3) return EXIT_FAILURE;
   const std::string kind = argv[1];
   const int size = std::atoi(argv[2]), moments = argc > 3 ? std::atoi(argv[3]) : 20;
+  keeps_events = argc > 4 && std::string(argv[4]) == "stop";
   const std::map<std::string, bempd_status (*)(bempd_model*, int)> kinds = {{"lattice", &lattice},   {"plain", &plain},
                                                                             {"first", &first},       {"line", &line},
                                                                             {"boundary", &boundary}, {"paper", &paper}};

@@ -87,6 +87,11 @@
  *   bempd_remove_crack              takes a crack back out of the scene
  *   bempd_region_count              number of regions
  *   bempd_edge_count                number of edges of a region
+ *   bempd_name_region               names a region in messages and files
+ *   bempd_name_edge                 names an edge
+ *   bempd_name_support              names a support
+ *   bempd_name_load                 names a load
+ *   bempd_edge_named                number of the edge with a name
  *
  * Supports and loads
  *   bempd_fix_edge                  holds an edge
@@ -624,6 +629,31 @@ BEMPD_API bempd_status bempd_region_count(const bempd_model* model, int32_t* cou
  * @param[out] count number of edges @return status @since 0.1 */
 BEMPD_API bempd_status bempd_edge_count(const bempd_model* model, int32_t region, int32_t* count);
 
+/** @brief Name a region. Messages, the log and bempd_explain() then show names behind numbers: region 2 ("middle");
+ * bempd_write_history() has those of supports in its heading, and bempd_write_snapshot() all of them.
+ * @param[in] model the model @param[in] region id of a region
+ * @param[in] name UTF-8 without control characters; empty takes the name away @return status @since 0.4 */
+BEMPD_API bempd_status bempd_name_region(bempd_model* model, int32_t region, const char* name);
+
+/** @brief Name an edge, as bempd_name_region() does a region; several edges may have one name.
+ * @param[in] model the model @param[in] region id of a region @param[in] edge number of the edge
+ * @param[in] name UTF-8 without control characters; empty takes the name away @return status @since 0.4 */
+BEMPD_API bempd_status bempd_name_edge(bempd_model* model, int32_t region, int32_t edge, const char* name);
+
+/** @brief Name a support, as bempd_name_region() does a region. @param[in] model the model
+ * @param[in] support id of a support
+ * @param[in] name UTF-8 without control characters; empty takes the name away @return status @since 0.4 */
+BEMPD_API bempd_status bempd_name_support(bempd_model* model, int32_t support, const char* name);
+
+/** @brief Name a load, as bempd_name_region() does a region. @param[in] model the model @param[in] load id of a load
+ * @param[in] name UTF-8 without control characters; empty takes the name away @return status @since 0.4 */
+BEMPD_API bempd_status bempd_name_load(bempd_model* model, int32_t load, const char* name);
+
+/** @brief Number of the edge with a name. @param[in] model the model @param[in] region id of a region
+ * @param[in] name as bempd_name_edge() gave it @param[out] edge number of the edge
+ * @return status; an argument error if no edge or several have the name @since 0.4 */
+BEMPD_API bempd_status bempd_edge_named(const bempd_model* model, int32_t region, const char* name, int32_t* edge);
+
 /* ------------------------------------------------------------------------------ Supports and loads */
 
 /** @brief Direction of a support or load; BEMPD_BOTH where the function says so. @since 0.1 */
@@ -1003,8 +1033,9 @@ BEMPD_API bempd_status bempd_set_log(bempd_model* model, bempd_log_function func
  * @param[in] model the model @return status @since 0.1 */
 BEMPD_API bempd_status bempd_request_cancel(bempd_model* model);
 
-/** @brief Ask the step that runs in another thread, or calls back, to end after the event that it is at, and to keep
- * what it has done: it succeeds with BEMPD_STOP_REQUESTED. Calls that are not steps do not hear it. A request made
+/** @brief Ask the step that runs in another thread, or calls back, to end and to keep the events that it has done: it
+ * succeeds with BEMPD_STOP_REQUESTED. An event that changes the whole body is given up, and short ones are finished.
+ * Calls that are not steps do not hear it, nor does the search for equilibrium before the first event. A request made
  * while no call runs is forgotten.
  * @param[in] model the model @return status @since 0.3 */
 BEMPD_API bempd_status bempd_request_stop(bempd_model* model);
@@ -2354,6 +2385,10 @@ BEMPD_API bempd_status bempd_state_read(const char* path, bempd_state** state);
  * bempd_tip() has. Stress is a 3 x 3 tensor, with the principal stresses in the plane as principal_stress_1, the larger
  * one, and principal_stress_2.
  *
+ * If anything has a name (bempd_name_region() and its kin), prefix_NNNN_edges.vtu has a line for each edge and
+ * described crack and a point for each held or loaded point, with names as text. Field data of every file have the
+ * number of each named region, support and load under its name.
+ *
  * The time of a snapshot is its load factor. Where that has not grown since the last snapshot the time does, by 1e-9:
  * times are distinct and follow the order of writing. Every file has load_factor, snapshot (their ordinal) and events
  * as field data.
@@ -2365,7 +2400,8 @@ BEMPD_API bempd_status bempd_state_read(const char* path, bempd_state** state);
 BEMPD_API bempd_status bempd_write_snapshot(bempd_model* model, const char* prefix);
 
 /** @brief Write the history as comma-separated values: the members of bempd_history_entry, and of every support what
- * bempd_get_history_support() tells (reaction_x_1, reaction_before_x_1, displacement_x_1 and so on).
+ * bempd_get_history_support() tells (reaction_x_1, reaction_before_x_1, displacement_x_1 and so on). The name of a
+ * support stands behind these headings: reaction_x_1 (clamp).
  * @param[in] model the model @param[in] path file name, UTF-8 @return status @since 0.1 */
 BEMPD_API bempd_status bempd_write_history(const bempd_model* model, const char* path);
 

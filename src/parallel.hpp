@@ -15,7 +15,7 @@
 namespace bempd {
 
 // Calls body(i) for every i < count on up to `threads` threads (0: one per core), which end with the call. All of them
-// obey the host's request to cancel the caller; an exception of body ends the loop and is rethrown.
+// obey the host's requests to the caller; an exception of body ends the loop and is rethrown.
 //
 // OpenMP is not used: its threads spin for a while after every loop and so take the cores from the threads of the BLAS
 // and of the host, which made small scenes four times slower.
@@ -30,9 +30,9 @@ void parallel_for(std::size_t count, int threads, const Body& body) {
   std::atomic<std::size_t> next{0};
   std::exception_ptr failure;
   std::mutex failing;
-  const CancellationScope::Request* const request = CancellationScope::current();
+  const CancellationScope::Requests requests = CancellationScope::current();
   const auto work = [&] {
-    const CancellationScope scope(request);
+    const CancellationScope scope(requests);
     try {
       for (std::size_t i = next++; i < count; i = next++) body(i);
     } catch (...) {

@@ -1,4 +1,4 @@
-"""What closed cracks do: the table of contact in docs/research/materials.md."""
+"""What closed cracks do: the table of contact in docs/research/README.md."""
 
 from __future__ import annotations
 

@@ -29,7 +29,7 @@ OUT = pathlib.Path(os.environ["BEMPD_OUTPUT"])
 
 # Sizes of types, and a list: they are varied by compiling again.
 COMPILED = ("states_swept_at_once", "classes", "hot_shares")
-# Bounds on rounding are no trade of time: docs/research/reliability.md has the scenes behind them.
+# Bounds on rounding are no trade of time: docs/research/tables/reliability_findings.csv has the scenes behind them.
 ROUNDING = ("smallest_pivot", "most_growth", "certificate_margin", "energy_rounding", "doubtful_energy",
             "acceptable_residual", "negligible_residual", "least_class_width", "surely_driven")
 

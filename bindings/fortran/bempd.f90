@@ -58,6 +58,7 @@ module bempd
     procedure :: set_resistance_curve, set_resistance_directions
     procedure :: remove_region, remove_crack, remove_support, remove_load
     procedure :: region_count, edge_count, node_count, element_count, bond_count
+    procedure :: name_region, name_edge, name_support, name_load, edge_named
     procedure :: fix_edge, fix_point, prescribe_edge, prescribe_edge_function, prescribe_point
     procedure :: add_traction, add_traction_function, add_pressure, add_point_force
     procedure :: add_crack_pressure, add_body_force, add_rotation, add_temperature, add_temperature_function, set_load_values
@@ -107,7 +108,8 @@ module bempd
     fractions_on_edge, edge_nodes, edge_elements, edge_forces, &
     piece_count, piece, node_pieces, support_piece, load_piece, are_connected, &
     remove_region, remove_crack, remove_support, remove_load, &
-    region_count, edge_count, node_count, element_count, bond_count, fix_edge, fix_point, prescribe_edge, &
+    region_count, edge_count, node_count, element_count, bond_count, name_region, name_edge, name_support, name_load, &
+    edge_named, fix_edge, fix_point, prescribe_edge, &
     prescribe_edge_function, prescribe_point, add_traction, add_traction_function, add_pressure, add_point_force, &
     add_crack_pressure, add_body_force, add_rotation, add_temperature, add_temperature_function, set_load_values, &
     set_support_values, set_progress, set_phase_progress, set_log, request_cancel, request_stop, prepare, step, &
@@ -323,6 +325,44 @@ module bempd
       integer, intent(out), optional :: stat
       character(*), intent(inout), optional :: errmsg
     end subroutine edge_count
+
+    ! Names that messages and files show; an empty one takes a name away.
+    module subroutine name_region(self, region, name, stat, errmsg)
+      class(bempd_model), intent(inout) :: self
+      integer(c_int32_t), intent(in) :: region
+      character(*), intent(in) :: name
+      integer, intent(out), optional :: stat
+      character(*), intent(inout), optional :: errmsg
+    end subroutine name_region
+    module subroutine name_edge(self, region, edge, name, stat, errmsg)
+      class(bempd_model), intent(inout) :: self
+      integer(c_int32_t), intent(in) :: region, edge
+      character(*), intent(in) :: name
+      integer, intent(out), optional :: stat
+      character(*), intent(inout), optional :: errmsg
+    end subroutine name_edge
+    module subroutine name_support(self, support, name, stat, errmsg)
+      class(bempd_model), intent(inout) :: self
+      integer(c_int32_t), intent(in) :: support
+      character(*), intent(in) :: name
+      integer, intent(out), optional :: stat
+      character(*), intent(inout), optional :: errmsg
+    end subroutine name_support
+    module subroutine name_load(self, load, name, stat, errmsg)
+      class(bempd_model), intent(inout) :: self
+      integer(c_int32_t), intent(in) :: load
+      character(*), intent(in) :: name
+      integer, intent(out), optional :: stat
+      character(*), intent(inout), optional :: errmsg
+    end subroutine name_load
+    module subroutine edge_named(self, region, name, edge, stat, errmsg)
+      class(bempd_model), intent(inout) :: self
+      integer(c_int32_t), intent(in) :: region
+      character(*), intent(in) :: name
+      integer(c_int32_t), intent(out) :: edge
+      integer, intent(out), optional :: stat
+      character(*), intent(inout), optional :: errmsg
+    end subroutine edge_named
 
     ! Supports and loads. Without from and to: the whole edge.
     module subroutine fix_edge(self, region, edge, component, support, stat, errmsg)

@@ -1885,6 +1885,86 @@ module bempd_c
       integer(c_int) :: bempd_edge_count
     end function bempd_edge_count
 
+    !> Name a region. Messages, the log and bempd_explain() then show names behind numbers: region 2 ("middle");
+    !> bempd_write_history() has those of supports in its heading, and bempd_write_snapshot() all of them.
+    !>
+    !> model [in]: the model
+    !> region [in]: id of a region
+    !> name [in]: UTF-8 without control characters; empty takes the name away
+    !> return: status
+    !> since: 0.4
+    function bempd_name_region(model, region, name) bind(c, name="bempd_name_region")
+      import :: c_char, c_int, c_int32_t, c_ptr
+      type(c_ptr), value :: model
+      integer(c_int32_t), value :: region
+      character(kind=c_char), intent(in) :: name(*)
+      integer(c_int) :: bempd_name_region
+    end function bempd_name_region
+
+    !> Name an edge, as bempd_name_region() does a region; several edges may have one name.
+    !>
+    !> model [in]: the model
+    !> region [in]: id of a region
+    !> edge [in]: number of the edge
+    !> name [in]: UTF-8 without control characters; empty takes the name away
+    !> return: status
+    !> since: 0.4
+    function bempd_name_edge(model, region, edge, name) bind(c, name="bempd_name_edge")
+      import :: c_char, c_int, c_int32_t, c_ptr
+      type(c_ptr), value :: model
+      integer(c_int32_t), value :: region
+      integer(c_int32_t), value :: edge
+      character(kind=c_char), intent(in) :: name(*)
+      integer(c_int) :: bempd_name_edge
+    end function bempd_name_edge
+
+    !> Name a support, as bempd_name_region() does a region.
+    !>
+    !> model [in]: the model
+    !> support [in]: id of a support
+    !> name [in]: UTF-8 without control characters; empty takes the name away
+    !> return: status
+    !> since: 0.4
+    function bempd_name_support(model, support, name) bind(c, name="bempd_name_support")
+      import :: c_char, c_int, c_int32_t, c_ptr
+      type(c_ptr), value :: model
+      integer(c_int32_t), value :: support
+      character(kind=c_char), intent(in) :: name(*)
+      integer(c_int) :: bempd_name_support
+    end function bempd_name_support
+
+    !> Name a load, as bempd_name_region() does a region.
+    !>
+    !> model [in]: the model
+    !> load [in]: id of a load
+    !> name [in]: UTF-8 without control characters; empty takes the name away
+    !> return: status
+    !> since: 0.4
+    function bempd_name_load(model, load, name) bind(c, name="bempd_name_load")
+      import :: c_char, c_int, c_int32_t, c_ptr
+      type(c_ptr), value :: model
+      integer(c_int32_t), value :: load
+      character(kind=c_char), intent(in) :: name(*)
+      integer(c_int) :: bempd_name_load
+    end function bempd_name_load
+
+    !> Number of the edge with a name.
+    !>
+    !> model [in]: the model
+    !> region [in]: id of a region
+    !> name [in]: as bempd_name_edge() gave it
+    !> edge [out]: number of the edge
+    !> return: status; an argument error if no edge or several have the name
+    !> since: 0.4
+    function bempd_edge_named(model, region, name, edge) bind(c, name="bempd_edge_named")
+      import :: c_char, c_int, c_int32_t, c_ptr
+      type(c_ptr), value :: model
+      integer(c_int32_t), value :: region
+      character(kind=c_char), intent(in) :: name(*)
+      integer(c_int32_t), intent(inout) :: edge
+      integer(c_int) :: bempd_edge_named
+    end function bempd_edge_named
+
     !> Fix a whole edge: displacement 0.
     !>
     !> model [in]: the model
@@ -2635,9 +2715,10 @@ module bempd_c
       integer(c_int) :: bempd_request_cancel
     end function bempd_request_cancel
 
-    !> Ask the step that runs in another thread, or calls back, to end after the event that it is at, and to keep what
-    !> it has done: it succeeds with BEMPD_STOP_REQUESTED. Calls that are not steps do not hear it. A request made while
-    !> no call runs is forgotten.
+    !> Ask the step that runs in another thread, or calls back, to end and to keep the events that it has done: it
+    !> succeeds with BEMPD_STOP_REQUESTED. An event that changes the whole body is given up, and short ones are
+    !> finished. Calls that are not steps do not hear it, nor does the search for equilibrium before the first event. A
+    !> request made while no call runs is forgotten.
     !>
     !> model [in]: the model
     !> return: status
@@ -4278,6 +4359,10 @@ module bempd_c
     !> with what bempd_tip() has. Stress is a 3 x 3 tensor, with the principal stresses in the plane as
     !> principal_stress_1, the larger one, and principal_stress_2.
     !>
+    !> If anything has a name (bempd_name_region() and its kin), prefix_NNNN_edges.vtu has a line for each edge and
+    !> described crack and a point for each held or loaded point, with names as text. Field data of every file have the
+    !> number of each named region, support and load under its name.
+    !>
     !> The time of a snapshot is its load factor. Where that has not grown since the last snapshot the time does, by
     !> 1e-9: times are distinct and follow the order of writing. Every file has load_factor, snapshot (their ordinal)
     !> and events as field data.
@@ -4297,7 +4382,8 @@ module bempd_c
     end function bempd_write_snapshot
 
     !> Write the history as comma-separated values: the members of bempd_history_entry, and of every support what
-    !> bempd_get_history_support() tells (reaction_x_1, reaction_before_x_1, displacement_x_1 and so on).
+    !> bempd_get_history_support() tells (reaction_x_1, reaction_before_x_1, displacement_x_1 and so on). The name of a
+    !> support stands behind these headings: reaction_x_1 (clamp).
     !>
     !> model [in]: the model
     !> path [in]: file name, UTF-8

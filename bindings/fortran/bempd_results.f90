@@ -121,6 +121,27 @@ contains
     call finish(self, bempd_edge_count(self%handle, region, count), stat, errmsg)
   end procedure edge_count
 
+  module procedure name_region
+    call finish(self, bempd_name_region(self%handle, region, c_string(name)), stat, errmsg)
+  end procedure name_region
+
+  module procedure name_edge
+    call finish(self, bempd_name_edge(self%handle, region, edge, c_string(name)), stat, errmsg)
+  end procedure name_edge
+
+  module procedure name_support
+    call finish(self, bempd_name_support(self%handle, support, c_string(name)), stat, errmsg)
+  end procedure name_support
+
+  module procedure name_load
+    call finish(self, bempd_name_load(self%handle, load, c_string(name)), stat, errmsg)
+  end procedure name_load
+
+  module procedure edge_named
+    edge = 0
+    call finish(self, bempd_edge_named(self%handle, region, c_string(name), edge), stat, errmsg)
+  end procedure edge_named
+
   module procedure node_count
     count = 0
     call finish(self, bempd_node_count(self%handle, region, count), stat, errmsg)

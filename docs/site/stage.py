@@ -152,9 +152,6 @@ def stage(root: pathlib.Path, target: pathlib.Path) -> None:
     languages.write_text(languages.read_text(encoding="utf-8").replace("<!-- reference -->\n", REFERENCE), encoding="utf-8")
     with open(target / "docs/index.md", "a", encoding="utf-8") as index:
         index.write(contents(target))
-    notes = sorted(page.stem for page in target.glob("docs/research/*.md") if page.stem != "README")
-    with open(target / "docs/research/README.md", "a", encoding="utf-8") as index:
-        index.write("\n```{toctree}\n:hidden:\n\n" + "\n".join(notes) + "\n```\n")
     shutil.move(target / "docs/site/conf.py", target / "conf.py")
     for part in MATHJAX_PARTS:
         if (MATHJAX / part).exists():

@@ -30,6 +30,6 @@ bempd_status bempd_explain(bempd_model* model, int32_t rising, bempd_explanation
                        .ratio = found.ratio,
                    },
                    "explanation");
-    write_text(found.text, buffer, capacity, needed);
+    write_text(m.names().in(found.text), buffer, capacity, needed);
   });
 }

@@ -88,6 +88,14 @@ void run(model::Model& engine, const Work<model::Model&>& body) {
 
 void run(const model::Model& engine, const Work<const model::Model&>& body) { body(engine); }
 
+// Adds the names that the host gave to the message of a failed call; without memory for it the message stays as it is.
+void name_things(const bempd_model& model) noexcept {
+  try {
+    model.error = model.engine.names().in(model.error);
+  } catch (const std::bad_alloc&) {
+  }
+}
+
 template <class Handle, class Body>
 bempd_status guarded(Handle* model, const char* function, const Body& body) noexcept {
   if (!model) {
@@ -105,6 +113,7 @@ bempd_status guarded(Handle* model, const char* function, const Body& body) noex
       throw std::logic_error("the model has had an internal error before; only bempd_model_free() works");
     run(model->engine, body);
   });
+  if (status != BEMPD_OK) name_things(*model);
   Use in_a_call = Use::in_a_call;
   if (!model->use.compare_exchange_strong(in_a_call, Use::idle)) {
     thread_error().assign(model->error);  // the message can still be asked for

@@ -77,6 +77,18 @@ bool CrackEvolution::perform_if_possible(const Event& event) {
   }
 }
 
+std::optional<CrackEvolution::BeforeEvent> CrackEvolution::before_event() {
+  if (sources_.is_in_window()) return std::nullopt;
+  return BeforeEvent{state_, start(), sources_.continuation()};
+}
+
+void CrackEvolution::give_up_event(BeforeEvent before) {
+  forget_lines(before.start);
+  sources_.give_up_event(before.body, std::move(before.way_on));
+  static_cast<BodyState&>(state_) = std::move(before.body);
+  sources_.refresh();
+}
+
 void CrackEvolution::move_to(double load_factor) { state_.work = in_range(state_.work + body_.move_to(load_factor)); }
 
 // Next bond that breaks by itself; bonds around the tips of crack lines are left out.

@@ -228,6 +228,14 @@ class CrackEvolution {
                       const std::vector<crack::TipId>& entering);
   void forget_lines(const Start& start) noexcept;  // of the history, and what was added to the sums
   void return_to(const Start& start) noexcept;
+  // Body before an event that may be given up; empty while events come from a window, which are short.
+  struct BeforeEvent {
+    BodyState body;
+    Start start;
+    Continuation way_on;
+  };
+  std::optional<BeforeEvent> before_event();
+  void give_up_event(BeforeEvent before);
   double within(double load_factor) const;
   // Least scale of the energies that within() returns: where the parts of the loads cancel, these are known only up to
   // a share of the energies of the parts.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "cancellation.hpp"
 #include "crack/cannot_grow.hpp"
 #include "error.hpp"
 #include "fracture/resistance.hpp"
@@ -61,7 +62,9 @@ StopReason EventLoop::go_on() {
     const EvolutionState& state = body_->state_;
     if (goal_ == Goal::separation && state.separated) return StopReason::separated;
     if (options_.stop && options_.stop->load(std::memory_order_relaxed)) return end_with(StopReason::requested);
-    const Event* next = body_->next(target_, options_);
+    before_event_.reset();
+    const Event* next = nullptr;
+    if (!done_unless_stopped([&] { next = body_->next(target_, options_); })) return end_with(StopReason::requested);
     if (has_come_apart(next) && goal_ != Goal::load_factor) return StopReason::separated;
     if (const std::optional<StopReason> reason = next ? std::nullopt : why_there_is_none()) return end_with(*reason);
     const bool upwards = target_ >= state.load_factor;
@@ -76,33 +79,59 @@ StopReason EventLoop::go_on() {
   return end_with(body_->state_.separated ? StopReason::separated : StopReason::load_factor);
 }
 
+// Finds or performs an event, which takes long where it changes the whole body. If the host asks for the end of the run
+// meanwhile, the event is given up: the body is as it was before, and the result is false. Events from a window are
+// short.
+template <class Work>
+bool EventLoop::done_unless_stopped(const Work& work) {
+  if (options_.stop && !before_event_) before_event_ = body_->before_event();
+  if (!before_event_) {
+    work();
+    return true;
+  }
+  try {
+    const CancellationScope scope({CancellationScope::current().cancel, options_.stop});
+    work();
+    return true;
+  } catch (const EventGivenUp&) {
+    body_->give_up_event(std::move(*before_event_));
+    return false;
+  }
+}
+
 // Performs the next event; returns why the run ends with it, if it does.
 std::optional<StopReason> EventLoop::perform(const Event& event) {
   if (event.is_contact) {
     if (!turns_.pass(event)) return end_with(StopReason::no_admissible_load);
-    body_->pass(body_->sources_.perform());
+    if (!done_unless_stopped([&] { body_->pass(body_->sources_.perform()); })) return end_with(StopReason::requested);
     return std::nullopt;
   }
   turns_ = {};
   const bool increments = options_.mode == SteppingMode::increments;
-  if (event.is_growth) {
-    body_->move_to(event.load_factor);
-    body_->measure_work();
-    return advance(*options_.elements, event);
-  }
+  if (event.is_growth) return advance(*options_.elements, event);
   if (event.tip.crack > 0 && !increments) return advance(*body_->lines(), event);
-  if (increments && body_->state_.events > events_before_) {
-    if (!body_->perform_if_possible(event)) return end_with(StopReason::no_equilibrium);
-  } else {
-    body_->perform_and_book(event);
-  }
-  return after_event(false);
+  bool is_possible = true;
+  const bool is_done = done_unless_stopped([&] {
+    if (increments && body_->state_.events > events_before_)
+      is_possible = body_->perform_if_possible(event);
+    else
+      body_->perform_and_book(event);
+  });
+  if (!is_done) return end_with(StopReason::requested);
+  return is_possible ? after_event(false) : std::optional(end_with(StopReason::no_equilibrium));
 }
 
 std::optional<StopReason> EventLoop::advance(crack::Carrier& carrier, const Event& event) {
   crack::Advance done;
   try {
-    done = carrier.advance({event.tip, event.ties});
+    const bool is_done = done_unless_stopped([&] {
+      if (event.is_growth) {
+        body_->move_to(event.load_factor);
+        body_->measure_work();
+      }
+      done = carrier.advance({event.tip, event.ties});
+    });
+    if (!is_done) return end_with(StopReason::requested);
   } catch (const crack::FreesLoadedPart&) {
     return separated_before_growth();
   }

@@ -48,6 +48,8 @@ class EventLoop {
   bool has_come_apart(const Event* next);
   StopReason end_with(StopReason reason);
   void follow_body();
+  template <class Work>
+  bool done_unless_stopped(const Work& work);
 
   CrackEvolution* body_;   // at present
   bool has_begun_ = true;  // in this body
@@ -57,6 +59,7 @@ class EventLoop {
   const OnEvent& on_event_;
   const OnEnd& on_end_;
   std::int64_t events_before_ = 0;
+  std::optional<CrackEvolution::BeforeEvent> before_event_;  // to come; empty while events come from a window
   Turns turns_;
 };
 

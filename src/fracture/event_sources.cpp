@@ -168,6 +168,13 @@ void EventSources::keep_way_on() {
   if (call_ && !call_->way_on) call_->way_on = continuation();
 }
 
+void EventSources::give_up_event(const BodyState& before, Continuation continuation) {
+  // A window that was opened meanwhile has its only mark at this state.
+  if (mark_ && mark_->place) mark_ = Mark{before, {}};
+  abandon();
+  continue_with(std::move(continuation));
+}
+
 void EventSources::drop_mark() {
   mark_.reset();
   call_.reset();
@@ -176,11 +183,7 @@ void EventSources::drop_mark() {
 void EventSources::mark() {
   if (mark_) return;
   keep_way_on();
-  if (window_.is_open()) {
-    mark_ = Mark{{}, window_.place()};
-  } else {
-    mark_ = Mark{body_.state(), {}};
-  }
+  mark_ = window_.is_open() ? Mark{{}, window_.place()} : Mark{body_.state(), {}};
 }
 
 // Keeps the present state to the last bit, because displacements that are computed again later would have other

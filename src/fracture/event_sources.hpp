@@ -61,6 +61,9 @@ class EventSources {
   // go_on(), before the run continues.
   Continuation continuation() const;
   void continue_with(Continuation continuation) noexcept { awaited_ = std::move(continuation); }
+  // Notes that an event that had begun or was looked for outside a window is given up. The body's state `before` is to
+  // be set.
+  void give_up_event(const BodyState& before, Continuation continuation);
   void go_on();
 
   // One state of the body to return to: the first one marked since the last drop_mark(). If begin_call() was called
@@ -69,6 +72,9 @@ class EventSources {
   void mark();
   void drop_mark();
   void return_to_mark() noexcept;
+
+  // Whether events come from a window at present.
+  bool is_in_window() const { return window_.is_open(); }
 
  private:
   // Marked state. In an open window a position in it replaces the large parts of the state.

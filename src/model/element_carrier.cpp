@@ -95,6 +95,9 @@ crack::Advance ElementCarrier::advance(const crack::Step& step) {
     if (stopped.empty()) stopped.push_back(step.tip);
     body().stop(stopped);
     return {{}, true};
+  } catch (const EventGivenUp&) {
+    model_.scene_.set_cracks(before);
+    throw;
   }
 }
 

@@ -68,8 +68,8 @@ double extent(const std::vector<Point>& positions, const std::vector<int>& nodes
     fail(Failure::unsolvable, "supports hold ", regions, " along ", held, " only, of a size of ", size,
          ", which does not keep it from rotating within the digits of a number: hold it at another place as well, or "
          "make it thicker there");
-  fail(Failure::unsolvable, regions, " can ", motion, gap.empty() ? "" : ": ", gap, gap.empty() ? "" : "; if not",
-       "; add supports that prevent this, for example with bempd_fix_point()");
+  fail(Failure::unsolvable, regions, " can ", motion, gap.empty() ? "" : ": ", gap,
+       gap.empty() ? "; add" : "; if not, add", " supports that prevent this, for example with bempd_fix_point()");
 }
 
 // Flags of nodes of lattices on interfaces with boundary elements of the same material. The two ends of an interface

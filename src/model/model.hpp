@@ -32,6 +32,7 @@
 #include "results/snapshots.hpp"
 #include "results/tip_record.hpp"
 #include "scene/load_table.hpp"
+#include "scene/names.hpp"
 #include "scene/options.hpp"
 #include "scene/scene.hpp"
 
@@ -109,6 +110,10 @@ class Model {
     cancel_requested_ = stop_requested_ = false;
     return CancellationScope(&cancel_requested_);
   }
+
+  // Names that the host gave to parts of the scene; messages and files show them.
+  scene::Names& names() { return names_; }
+  const scene::Names& names() const { return names_; }
 
   double load_factor() const;
   fracture::LoadInterval admissible_load_factors();
@@ -246,6 +251,7 @@ class Model {
   scene::Options options_;
   std::shared_ptr<linalg::ExternalSolver> external_solver_;
   scene::Scene scene_;
+  scene::Names names_;
   std::unique_ptr<PreparedScene> prepared_;
   Loads loads_;
   std::int64_t generation_ = 1;

@@ -24,7 +24,7 @@ constexpr std::int64_t unknowns_that_need_a_fast_blas = 5000;
 }  // namespace
 
 void Model::log(int level, const std::string& message) const {
-  if (log_) log_(level, message);
+  if (log_) log_(level, names_.in(message));
 }
 
 void Model::tell_of_preparation() const {

@@ -31,17 +31,15 @@ class VtuFile {
 
   template <typename Number>
   void add_array(std::string_view name, int components, const std::vector<Number>& values, bool counted = false) {
-    text_.append("<DataArray type=\"").append(vtk_type<Number>());
-    text_.append("\" Name=\"").append(xml_escaped(name));
-    // The number of components is left out if it is 1, the default: some readers make a matrix of a scalar field
-    // otherwise.
-    if (components != 1) text_.append("\" NumberOfComponents=\"").append(to_text(std::int64_t{components}));
-    // The number of entries is given for data of the whole grid only: readers know the numbers of points and cells.
-    if (counted) text_.append("\" NumberOfTuples=\"").append(count_text(values.size() / components));
-    text_.append("\" format=\"appended\" offset=\"").append(count_text(block_.size())).append("\"/>\n");
-    const std::uint64_t size = values.size() * sizeof(Number);
-    append_bytes(&size, sizeof size);
-    append_bytes(values.data(), size);
+    add_element(vtk_type<Number>(), name, components, values.size(), counted);
+    add_bytes(values.data(), values.size() * sizeof(Number));
+  }
+  // Texts follow one another in the block, each with a zero at its end.
+  void add_array(std::string_view name, int components, const std::vector<std::string>& values, bool counted = false) {
+    add_element("String", name, components, values.size(), counted);
+    std::string bytes;
+    for (const std::string& value : values) bytes.append(value).push_back('\0');
+    add_bytes(bytes.data(), bytes.size());
   }
 
   std::string finish() {
@@ -52,7 +50,18 @@ class VtuFile {
   }
 
  private:
-  void append_bytes(const void* bytes, std::size_t size) {
+  void add_element(std::string_view type, std::string_view name, int components, std::size_t size, bool counted) {
+    text_.append("<DataArray type=\"").append(type);
+    text_.append("\" Name=\"").append(xml_escaped(name));
+    // The number of components is left out if it is 1, the default: some readers make a matrix of a scalar field
+    // otherwise.
+    if (components != 1) text_.append("\" NumberOfComponents=\"").append(to_text(std::int64_t{components}));
+    // The number of entries is given for data of the whole grid only: readers know the numbers of points and cells.
+    if (counted) text_.append("\" NumberOfTuples=\"").append(count_text(size / static_cast<std::size_t>(components)));
+    text_.append("\" format=\"appended\" offset=\"").append(count_text(block_.size())).append("\"/>\n");
+  }
+  void add_bytes(const void* bytes, std::uint64_t size) {
+    block_.append(reinterpret_cast<const char*>(&size), sizeof size);
     if (size > 0) block_.append(static_cast<const char*>(bytes), size);
   }
 
@@ -61,7 +70,7 @@ class VtuFile {
 
 template <typename Number>
 std::vector<Number> padded_to_three(const std::vector<Number>& pairs) {
-  std::vector<Number> triples(pairs.size() / 2 * 3, Number{0});
+  std::vector<Number> triples(pairs.size() / 2 * 3, Number{});
   for (std::size_t i = 0; i < pairs.size() / 2; ++i) {
     triples[3 * i] = pairs[2 * i];
     triples[3 * i + 1] = pairs[2 * i + 1];

@@ -14,6 +14,7 @@ namespace bempd::output {
 enum class VtuCell : std::uint8_t {
   vertex = 1,
   line = 3,
+  polyline = 4,
   triangle = 5,        // corners counter-clockwise
   quad = 9,            // corners counter-clockwise
   quadratic_edge = 21  // both ends, then the middle
@@ -24,7 +25,7 @@ enum class VtuCell : std::uint8_t {
 struct VtuArray {
   std::string name;
   int components = 1;
-  std::variant<std::vector<double>, std::vector<std::int32_t>> values;
+  std::variant<std::vector<double>, std::vector<std::int32_t>, std::vector<std::string>> values;
 };
 
 struct VtuGrid {

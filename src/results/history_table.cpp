@@ -6,23 +6,30 @@
 
 namespace bempd::results {
 
-void write_history(const std::string& path, const fracture::EvolutionState* state, const std::vector<char>& there) {
+namespace {
+
+void add_columns(std::vector<std::string>& columns, const std::vector<SupportColumns>& supports,
+                 std::initializer_list<const char*> values) {
+  for (std::size_t s = 0; s < supports.size(); ++s)
+    for (const char* value : values) {
+      if (!supports[s].there) continue;
+      const std::string& name = supports[s].name;
+      columns.push_back(name.empty() ? text(value, s + 1) : text(value, s + 1, " (", name, ")"));
+    }
+}
+
+}  // namespace
+
+void write_history(const std::string& path, const fracture::EvolutionState* state,
+                   const std::vector<SupportColumns>& supports) {
   std::vector<std::string> columns{"event",         "load_factor",          "total_broken_bonds",
                                    "stretch_ratio", "stored_energy",        "released_energy",
                                    "work",          "energy_balance_error", "residual"};
-  for (std::size_t s = 1; s <= there.size(); ++s) {
-    if (!there[s - 1]) continue;
-    columns.push_back(text("reaction_x_", s));
-    columns.push_back(text("reaction_y_", s));
-  }
+  add_columns(columns, supports, {"reaction_x_", "reaction_y_"});
   // Columns that were added later come last, so that programs that count columns find the others in their places.
   columns.insert(columns.end(), {"critical_load_factor", "critical_stored_energy", "bond_energy", "load_factor_before",
                                  "stored_energy_before", "work_before", "resistance_before", "resistance", "ties"});
-  for (std::size_t s = 1; s <= there.size(); ++s) {
-    if (!there[s - 1]) continue;
-    for (const char* name : {"reaction_before_x_", "reaction_before_y_", "displacement_x_", "displacement_y_"})
-      columns.push_back(text(name, s));
-  }
+  add_columns(columns, supports, {"reaction_before_x_", "reaction_before_y_", "displacement_x_", "displacement_y_"});
   output::CsvTable table(columns);
   const std::size_t lines = state ? state->history.size() : 0;
   for (std::size_t i = 0; i < lines; ++i) {
@@ -30,17 +37,17 @@ void write_history(const std::string& path, const fracture::EvolutionState* stat
     std::vector<output::CsvValue> row{h.event,         h.load_factor,          h.total_broken_bonds,
                                       h.stretch_ratio, h.stored_energy,        h.released_energy,
                                       h.work,          h.energy_balance_error, h.residual};
-    for (std::size_t s = 0; s < there.size(); ++s) {
-      if (!there[s]) continue;
-      const std::size_t at = 2 * (there.size() * i + s);
+    for (std::size_t s = 0; s < supports.size(); ++s) {
+      if (!supports[s].there) continue;
+      const std::size_t at = 2 * (supports.size() * i + s);
       row.emplace_back(state->reactions[at]);
       row.emplace_back(state->reactions[at + 1]);
     }
     row.insert(row.end(), {h.critical_load_factor, h.critical_stored_energy, h.bond_energy, h.load_factor_before,
                            h.stored_energy_before, h.work_before, h.resistance_before, h.resistance, h.ties});
-    for (std::size_t s = 0; s < there.size(); ++s) {
-      if (!there[s]) continue;
-      const std::size_t at = 2 * (there.size() * i + s);
+    for (std::size_t s = 0; s < supports.size(); ++s) {
+      if (!supports[s].there) continue;
+      const std::size_t at = 2 * (supports.size() * i + s);
       for (const std::vector<double>* values : {&state->reactions_before, &state->support_displacements})
         row.insert(row.end(), {(*values)[at], (*values)[at + 1]});
     }

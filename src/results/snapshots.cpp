@@ -129,10 +129,11 @@ void Snapshots::write(const std::string& prefix, const Moment& moment, std::vect
   NewFiles files;
   writing([&] {
     for (PicturePart& part : parts) {
-      part.grid.field_data = {{"TimeValue", 1, std::vector<double>{time}},
-                              {"load_factor", 1, std::vector<double>{moment.load_factor}},
-                              {"snapshot", 1, std::vector<std::int32_t>{series.next}},
-                              {"events", 1, std::vector<double>{static_cast<double>(moment.events)}}};
+      std::vector<output::VtuArray>& data = part.grid.field_data;
+      data.insert(data.begin(), {{"TimeValue", 1, std::vector<double>{time}},
+                                 {"load_factor", 1, std::vector<double>{moment.load_factor}},
+                                 {"snapshot", 1, std::vector<std::int32_t>{series.next}},
+                                 {"events", 1, std::vector<double>{static_cast<double>(moment.events)}}});
       files.write(file_of(part), part.grid);
       series.entries.push_back({time, part.number, file_of(part).filename().generic_string(), part.name});
     }

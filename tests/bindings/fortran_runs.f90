@@ -359,12 +359,23 @@ contains
     real(dp), pointer :: position(:, :)
     integer(c_int64_t) :: count
     integer(c_int32_t) :: regions, edges
+    integer :: stat
+    character(200) :: message
 
     call make_strip(model)
     call model%prepare()
     call model%region_count(regions)
     call model%edge_count(2, edges)
     call check(regions == 3 .and. edges == 4, "three regions of four edges")
+    call model%name_edge(2, 3, "lid")
+    call model%edge_named(2, "lid", edges)
+    call check(edges == 3, "an edge has its name")
+    call model%name_region(2, "middle")
+    call model%name_support(1, "clamp")
+    call model%name_load(1, "wind", stat=stat, errmsg=message)
+    call check(stat == BEMPD_ERROR_ARGUMENT .and. index(message, "load 1 does not exist") > 0, "a load that is not there")
+    call model%edge_named(2, "floor", edges, stat=stat, errmsg=message)
+    call check(stat == BEMPD_ERROR_ARGUMENT .and. index(message, 'region 2 ("middle")') > 0, "messages have names")
     call model%copy_elements(1, elements)
     call model%element_count(1, count)
     call check(size(elements, 1) == 3 .and. size(elements, 2) == count, "boundary elements have three nodes")

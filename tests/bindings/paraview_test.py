@@ -111,6 +111,31 @@ def strip_with_cracks():
     return model
 
 
+def texts(data, name):
+    """A text array, as ParaView shows it."""
+    found = data.GetAbstractArray(name)
+    return [found.GetValue(k) for k in range(found.GetNumberOfValues())]
+
+
+def test_names_are_shown(folder):
+    model = strip_with_cracks()
+    model.name_region(1, "left block")
+    model.name_edge(1, 4, "Klemme <1> \u00bd")
+    model.name_support(1, "clamp")
+    model.step(1)
+    model.write_snapshot(folder / "named")
+    ((_, parts),) = series(folder / "named.pvd").items()
+    assert list(parts) == ["lattice", "boundary", "inside", "cracks", "edges"], list(parts)
+    data, field = parts["edges"].GetCellData(), parts["lattice"].GetFieldData()
+    count = 3 * 4 + 2  # edges and cracks
+    assert parts["edges"].GetNumberOfCells() == count
+    assert texts(data, "name") == ["", "", "", "Klemme <1> \u00bd"] + [""] * (count - 4)
+    assert texts(data, "region name") == ["left block"] * 4 + [""] * (count - 4)
+    assert texts(data, "supports and loads")[3] == 'support 1 ("clamp")'
+    assert texts(data, "supports and loads")[9] == "support 2" and values(data, "crack").tolist()[-2:] == [1, 2]
+    assert values(field, 'region 1 ("left block")')[0] == 1 and values(field, 'support 1 ("clamp")')[0] == 1
+
+
 def test_torn_strip_opens(folder):
     model = strip_with_cracks()
     model.step(1)
@@ -159,6 +184,6 @@ def test_inside_opens_along_a_crack(folder):
 
 
 with tempfile.TemporaryDirectory() as name:
-    for test in (test_uniform_tension_in_all_parts, test_torn_strip_opens, test_inside_opens_along_a_crack):
+    for test in (test_uniform_tension_in_all_parts, test_names_are_shown, test_torn_strip_opens, test_inside_opens_along_a_crack):
         test(pathlib.Path(name))
         print("passed:", test.__name__)

@@ -1,5 +1,8 @@
 /* A step that is asked to stop keeps what it has done; long parts of calls say how far they are. */
 #define CRACK_RULE "bond"
+#include <pthread.h>
+#include <time.h>
+
 #include "scenes.h"
 
 typedef struct listener {
@@ -66,6 +69,62 @@ static void early_request_is_forgotten(void) {
   bempd_model_free(plate.model);
 }
 
+typedef struct impatient {
+  bempd_model* model;
+  double seconds; /**< until the request */
+  volatile int has_ended;
+} impatient;
+
+static void* request_later(void* user) {
+  impatient* one = (impatient*)user;
+  const clock_t start = clock();
+  while (!one->has_ended && (double)(clock() - start) < one->seconds * CLOCKS_PER_SEC) {
+  }
+  while (!one->has_ended) bempd_request_stop(one->model); /* a request before the call is forgotten */
+  return NULL;
+}
+
+/** A plate of which each event changes the whole body, run to its end by steps that are asked to end at any moment,
+ * most of them inside an event: these events are given up, and the run is the one that nobody disturbs. */
+static void events_are_given_up(const char* rule) {
+  outcome seen[2];
+  bempd_step_report report;
+  double seconds = 0.0;
+  int64_t inside = 0, calls = 0;
+  int disturbed;
+  CHECK_OK(NULL, bempd_step_report_init(&report, sizeof report));
+  for (disturbed = 0; disturbed < 2; ++disturbed) {
+    const coupled_plate plate = coupled_plate_create();
+    impatient one = {NULL, 0.0, 0};
+    one.model = plate.model;
+    CHECK_OK(plate.model, bempd_set_option_text(plate.model, "test.solver", "plain"));
+    CHECK_OK(plate.model, bempd_set_option_text(plate.model, "crack.rule", rule));
+    CHECK_OK(plate.model, bempd_step(plate.model, 0.0, NULL));
+    do {
+      const clock_t start = clock();
+      pthread_t other;
+      /* Later and later within an event, so that each moment of it is met and the run comes to its end. */
+      one.seconds = seconds * (double)(calls % 40) / 8.0;
+      one.has_ended = 0;
+      if (disturbed) CHECK(pthread_create(&other, NULL, request_later, &one) == 0);
+      CHECK_OK(plate.model, bempd_run_to_separation(plate.model, 100.0, &report));
+      one.has_ended = 1;
+      if (disturbed) pthread_join(other, NULL);
+      ++calls;
+      if (report.stop_reason == BEMPD_STOP_REQUESTED && report.events == 0) ++inside;
+      if (!disturbed) seconds = (double)(clock() - start) / CLOCKS_PER_SEC / (double)report.events;
+    } while (report.stop_reason == BEMPD_STOP_REQUESTED);
+    CHECK(report.separated);
+    seen[disturbed] = coupled_plate_outcome(&plate);
+    bempd_model_free(plate.model);
+  }
+  printf("%s: %d calls, %d of them ended without an event\n", rule, (int)calls, (int)inside);
+  CHECK(inside > 10);
+  CHECK(outcome_difference(&seen[0], &seen[1]) <= 1e-9);
+  outcome_free(&seen[0]);
+  outcome_free(&seen[1]);
+}
+
 /** A plate large enough that its preparation takes longer than the pause between two calls. */
 static bempd_model* large_plate(void) {
   bempd_model* model = new_model();
@@ -118,6 +177,8 @@ int main(void) {
   stopped_step_keeps_its_events("window");
   stopped_step_keeps_its_events("plain");
   early_request_is_forgotten();
+  events_are_given_up("bond");
+  events_are_given_up("line");
   long_parts_say_how_far_they_are();
   return check_finish();
 }

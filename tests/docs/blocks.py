@@ -1,5 +1,6 @@
 """Runs the Python blocks of README.md, of the tutorials and of the cookbook, each page as one program: it must end, print what the page says, and
-write every picture that the page shows of it.
+write every picture that the page shows of it. Blocks of other pages must end. Commands of README.md must be there; its program in C runs in
+example.readme_programs_run_and_print_the_same.
 
     blocks.py ROOT WORK
 
@@ -10,6 +11,7 @@ The program of docs/index.md is that of README.md.
 
 from __future__ import annotations
 
+import json
 import os
 import pathlib
 import re
@@ -23,6 +25,7 @@ matplotlib.use("Agg")
 from matplotlib import pyplot  # noqa: E402
 
 PAGES = ["README.md", "docs/first_path.md", "docs/cookbook.md", "docs/tutorial.md"]
+FOR_THEMSELVES = ["docs/fatigue.md", "docs/mixed_cracks.md"]  # whose blocks show calls, not what they print
 MOST_CHANGED = 0.005  # share of the pixels of a picture
 PICTURE = re.compile(r"savefig\(\"([\w.]+)\"\)")
 
@@ -37,6 +40,25 @@ def compare(drawn: pathlib.Path, stored: pathlib.Path, page: str) -> None:
         raise SystemExit(f"{page}: {100 * changed:.1f} % of docs/{stored.name} is not what its block draws; copy {drawn}")
 
 
+def look_for_commands(root: pathlib.Path, page: str) -> None:
+    """Presets and scripts of this tree that the ```sh blocks of a page name."""
+    presets = {preset["name"] for preset in json.loads((root / "CMakePresets.json").read_text())["configurePresets"]}
+    commands = "\n".join(re.findall(r"^```sh\n(.*?)^```$", (root / page).read_text(encoding="utf-8"), re.DOTALL | re.MULTILINE))
+    named = re.findall(r"--preset (\w+)", commands)
+    scripts = re.findall(r"^([\w./]+\.sh)\b", commands, re.MULTILINE)
+    for name in named:
+        if name not in presets:
+            raise SystemExit(f"{page}: there is no preset {name}")
+    for script in scripts:
+        if not os.access(root / script, os.X_OK):
+            raise SystemExit(f"{page}: {script} cannot be run")
+    for folder in re.findall(r"\$PWD/((?!build/)[\w/]+)", commands):
+        if not (root / folder).exists():
+            raise SystemExit(f"{page}: there is no {folder}")
+    if not named or not scripts:
+        raise SystemExit(f"{page} has no commands")
+
+
 def run(root: pathlib.Path, page: str, work: pathlib.Path) -> str:
     text = (root / page).read_text(encoding="utf-8")
     program = "\n".join(re.findall(r"^```python\n(.*?)^```$", text, re.DOTALL | re.MULTILINE))
@@ -48,7 +70,7 @@ def run(root: pathlib.Path, page: str, work: pathlib.Path) -> str:
     if done.returncode:
         raise SystemExit(f"{page}: the blocks fail:\n{done.stderr}")
     shown = " ".join(re.sub(r"^```python\n.*?^```$", "", text, flags=re.DOTALL | re.MULTILINE).split())
-    for line in done.stdout.splitlines():
+    for line in done.stdout.splitlines() if page in PAGES else ():
         if " ".join(line.split()) not in shown:
             raise SystemExit(f"{page} does not say what its blocks print: {line}")
     for name in PICTURE.findall(program):
@@ -60,8 +82,9 @@ def run(root: pathlib.Path, page: str, work: pathlib.Path) -> str:
 
 def main() -> None:
     root, work = pathlib.Path(sys.argv[1]).resolve(), pathlib.Path(sys.argv[2])
-    for page in PAGES:
+    for page in PAGES + FOR_THEMSELVES:
         print(run(root, page, work))
+    look_for_commands(root, "README.md")
     first, landing = ((root / page).read_text(encoding="utf-8") for page in ("README.md", "docs/index.md"))
     for block in re.findall(r"^```python\n.*?^```$", landing, re.DOTALL | re.MULTILINE):
         if block not in first:

@@ -75,6 +75,7 @@ class Scene {
   // Edges (scene_edges.cpp).
   void add_other_load();
   void give_edge_values();
+  void name_things(std::int32_t of, std::int32_t number);
   void read_edge();
   void read_bounds();
   void change_values_along();

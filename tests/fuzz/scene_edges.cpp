@@ -96,12 +96,24 @@ void Scene::give_edge_values() {
   }
 }
 
+// Names of what is there and what is not.
+void Scene::name_things(std::int32_t of, std::int32_t number) {
+  std::int32_t found = 0;
+  FUZZ_CALL(bempd_name_region, model_, of, "region 1");
+  FUZZ_CALL(bempd_name_support, model_, number, "support \"1\"");
+  FUZZ_CALL(bempd_name_load, model_, number, "");
+  if (FUZZ_CALL(bempd_name_edge, model_, of, number, "edge 2") &&
+      FUZZ_CALL(bempd_edge_named, model_, of, "edge 2", &found))
+    require_true(found == number, "bempd_edge_named", "another edge");
+}
+
 void Scene::read_edge() {
   const std::int32_t of = region(), number = edge();
   std::int32_t edges = 0;
   std::int64_t nodes = 0, elements = 0;
   if (FUZZ_CALL(bempd_edge_count, model_, of, &edges))
     require_true(edges >= 3 || edges == 1, "bempd_edge_count", "no outline");
+  name_things(of, number);
   const Place at = place();
   const std::array point = {at.x, at.y};
   std::array<double, 2> answer;

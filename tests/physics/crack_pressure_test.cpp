@@ -74,7 +74,7 @@ TEST(CrackPressure, on_a_cut_has_the_resultant_of_its_length) {
 
 // A crack in a lattice, along the rows and across their diagonals, opens as a crack in a plane that is longer by the
 // distance of the effective tips: none if it grows as a line, else as all bonds across it are cut
-// (docs/research/materials.md).
+// (docs/research/README.md).
 void expect_opening_in_a_plane(const char* rule, double direction, double felt) {
   const double half = direction == 0 ? 14.5 : 10.5 * std::sqrt(2);
   const Vector centre = direction == 0 ? Vector{0, 0} : Vector{-0.25, 0.25};

@@ -165,6 +165,13 @@ def file_name(name: str, value: Union[str, "os.PathLike[str]"]) -> bytes:
         raise ArgumentError(f"{name} is {value!r}; it must be a path") from None
 
 
+def word(name: str, value: Any) -> bytes:
+    """A text that is not empty, as the library reads it."""
+    if not isinstance(value, str) or not value:
+        raise ArgumentError(f"{name} is {value!r}; it must be a word")
+    return _terminated(name, value.encode("utf-8"))
+
+
 def _terminated(name: str, value: bytes) -> bytes:
     if b"\0" in value:
         raise ArgumentError(f"{name} contains a zero byte; remove it")

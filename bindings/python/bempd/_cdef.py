@@ -110,6 +110,12 @@ bempd_status bempd_remove_region(bempd_model *model, int32_t region);
 bempd_status bempd_remove_crack(bempd_model *model, int32_t crack);
 bempd_status bempd_region_count(const bempd_model *model, int32_t *count);
 bempd_status bempd_edge_count(const bempd_model *model, int32_t region, int32_t *count);
+bempd_status bempd_name_region(bempd_model *model, int32_t region, const char *name);
+bempd_status bempd_name_edge(bempd_model *model, int32_t region, int32_t edge, const char *name);
+bempd_status bempd_name_support(bempd_model *model, int32_t support, const char *name);
+bempd_status bempd_name_load(bempd_model *model, int32_t load, const char *name);
+bempd_status bempd_edge_named(const bempd_model *model, int32_t region, const char *name,
+    int32_t *edge);
 typedef enum bempd_component {
   BEMPD_X = 1,
   BEMPD_Y = 2,
@@ -1206,6 +1212,50 @@ region [in]: id of a region
 count [out]: number of edges
 return: status
 since: 0.1""",
+    "bempd_name_region": """\
+Name a region. Messages, the log and bempd_explain() then show names behind numbers: region 2
+("middle"); bempd_write_history() has those of supports in its heading, and bempd_write_snapshot()
+all of them.
+
+model [in]: the model
+region [in]: id of a region
+name [in]: UTF-8 without control characters; empty takes the name away
+return: status
+since: 0.4""",
+    "bempd_name_edge": """\
+Name an edge, as bempd_name_region() does a region; several edges may have one name.
+
+model [in]: the model
+region [in]: id of a region
+edge [in]: number of the edge
+name [in]: UTF-8 without control characters; empty takes the name away
+return: status
+since: 0.4""",
+    "bempd_name_support": """\
+Name a support, as bempd_name_region() does a region.
+
+model [in]: the model
+support [in]: id of a support
+name [in]: UTF-8 without control characters; empty takes the name away
+return: status
+since: 0.4""",
+    "bempd_name_load": """\
+Name a load, as bempd_name_region() does a region.
+
+model [in]: the model
+load [in]: id of a load
+name [in]: UTF-8 without control characters; empty takes the name away
+return: status
+since: 0.4""",
+    "bempd_edge_named": """\
+Number of the edge with a name.
+
+model [in]: the model
+region [in]: id of a region
+name [in]: as bempd_name_edge() gave it
+edge [out]: number of the edge
+return: status; an argument error if no edge or several have the name
+since: 0.4""",
     "bempd_component": """Direction of a support or load; BEMPD_BOTH where the function says so.
 
 since: 0.1""",
@@ -1708,9 +1758,10 @@ model [in]: the model
 return: status
 since: 0.1""",
     "bempd_request_stop": """\
-Ask the step that runs in another thread, or calls back, to end after the event that it is at, and
-to keep what it has done: it succeeds with BEMPD_STOP_REQUESTED. Calls that are not steps do not
-hear it. A request made while no call runs is forgotten.
+Ask the step that runs in another thread, or calls back, to end and to keep the events that it has
+done: it succeeds with BEMPD_STOP_REQUESTED. An event that changes the whole body is given up, and
+short ones are finished. Calls that are not steps do not hear it, nor does the search for
+equilibrium before the first event. A request made while no call runs is forgotten.
 
 model [in]: the model
 return: status
@@ -3349,6 +3400,10 @@ nearest neighbours. With the option tips.record prefix_NNNN_tips.vtu, a point fo
 what bempd_tip() has. Stress is a 3 x 3 tensor, with the principal stresses in the plane as
 principal_stress_1, the larger one, and principal_stress_2.
 
+If anything has a name (bempd_name_region() and its kin), prefix_NNNN_edges.vtu has a line for each
+edge and described crack and a point for each held or loaded point, with names as text. Field data
+of every file have the number of each named region, support and load under its name.
+
 The time of a snapshot is its load factor. Where that has not grown since the last snapshot the time
 does, by 1e-9: times are distinct and follow the order of writing. Every file has load_factor,
 snapshot (their ordinal) and events as field data.
@@ -3363,7 +3418,7 @@ since: 0.1""",
     "bempd_write_history": """\
 Write the history as comma-separated values: the members of bempd_history_entry, and of every
 support what bempd_get_history_support() tells (reaction_x_1, reaction_before_x_1, displacement_x_1
-and so on).
+and so on). The name of a support stands behind these headings: reaction_x_1 (clamp).
 
 model [in]: the model
 path [in]: file name, UTF-8

@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 import threading
-from typing import Any, Callable
+from typing import Any
 
 from ._interrupts import Heard
 from ._library import call, check, ffi, invoke, lib
 from ._words import name_of
 from .callbacks import Interrupts
-from .errors import Error, OrderError
+from .errors import OrderError
 
 
 class Handle:
@@ -29,7 +29,6 @@ class Handle:
         self.log: Any = None
         self.raised: list[BaseException] = []  # by callbacks during the present call
         self.interrupts = Interrupts(self.raised, self.pointer)
-        self.with_names: Callable[[str], str] = str  # a sentence with the names that the host gave to what it speaks of
         self._lock = threading.Lock()
         self.interrupts.is_running = self._lock.locked
         self._views: set[object] = set()
@@ -52,11 +51,7 @@ class Handle:
                 status = invoke(name, self.pointer, *arguments)
             if self.raised:
                 raise self.raised.pop(0)
-            try:
-                check(status, self.pointer)
-            except Error as error:
-                error.args = (self.with_names(str(error)),)
-                raise
+            check(status, self.pointer)
         finally:
             self._lock.release()
 

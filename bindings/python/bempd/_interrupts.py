@@ -23,7 +23,7 @@ def is_interactive() -> bool:
 class Ear:
     """A thread that the system tells of signals while the main thread is in the library. There is one a process.
 
-    The first Ctrl-C asks the call to end: after its present event if there was one, else at once and as it was before. A second
+    The first Ctrl-C asks the call to end: with the events that it has done if there was one, else as it was before. A second
     one in the same call ends the process, or cancels the call where somebody types at the interpreter."""
 
     def __init__(self) -> None:
@@ -106,7 +106,7 @@ class Ear:
     def _say(self) -> None:
         if not self._ended.wait(_WORD_AFTER):
             again = "cancels the call" if is_interactive() else "ends the process"
-            sys.stderr.write(f"\nbempd: Ctrl-C: the call ends after its present event, what it has done is kept; once more {again}\n")
+            sys.stderr.write(f"\nbempd: Ctrl-C: the call ends, what it has done is kept; once more {again}\n")
             sys.stderr.flush()
 
 

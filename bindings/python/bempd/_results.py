@@ -10,8 +10,7 @@ import numpy.typing as npt
 
 from . import _arguments as arguments
 from ._arguments import FloatArray
-from ._columns import name_columns, read_columns
-from ._edge_picture import write_edges
+from ._columns import read_columns
 from ._handle import Handle
 from ._names import Edge, Face, FieldName
 from ._library import call, ffi, lib, new_struct, string
@@ -186,7 +185,7 @@ class Results:
         self._open().call("bempd_explain", int(rising), explanation, ffi.NULL, 0, needed)
         buffer = ffi.new("char[]", needed[0])
         self._open().call("bempd_explain", int(rising), explanation, buffer, needed[0], ffi.NULL)
-        return explained(explanation, self._sketch.with_names(in_python(string(buffer))))
+        return explained(explanation, in_python(string(buffer)))
 
     def _conditions(self) -> list[tuple[object, ...]]:
         """What bempd.table() shows of a model: supports and loads, and the forces of supports once something was solved."""
@@ -439,17 +438,15 @@ class Results:
         """Write the present state for ParaView, which opens PREFIX.pvd, the series of all snapshots.
 
         The folder must exist. Files of another run with this prefix raise FileError, unless the option
-        "snapshots.existing" is "continue" or "replace". If edges, regions, supports or loads have names, PREFIX_edges.vtp shows
+        "snapshots.existing" is "continue" or "replace". If edges, regions, supports or loads have names, a part "edges" shows
         them: edges and cracks as lines, held and loaded points as points.
         """
         self._open().call("bempd_write_snapshot", arguments.file_name("write_snapshot: prefix", prefix))
-        write_edges(self._sketch, prefix)
 
     def write_history(self, path: Union[str, "os.PathLike[str]"]) -> None:
         """Write history() and support_history() of all supports as comma-separated values. Columns of a support have its number
         and, if it has one, its name: reaction_x_1 (clamp)."""
         self._open().call("bempd_write_history", arguments.file_name("write_history: path", path))
-        name_columns(self._sketch, path)
 
     def write_tips(self, path: Union[str, "os.PathLike[str]"]) -> None:
         """Write what tip_history() has as comma-separated values; read_history() reads them."""

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import dataclasses
-from typing import Any, Callable, Mapping, Optional, Sequence, Union
+from typing import Any, Callable, Optional, Sequence, Union
 
 import numpy.typing as npt
 
@@ -129,7 +129,9 @@ class Scene:
         except Exception:
             self.remove_region(region)
             raise
-        self._sketch.regions[region].name(1, outline.names)
+        for edge, name in enumerate(outline.names, 1):
+            if name:
+                self.name_edge(region, edge, name)
         return region
 
     def name_edge(self, region: int, edge: Edge, name: str) -> None:
@@ -143,14 +145,12 @@ class Scene:
         >>> model.fix_edge(plate, "clamp")
         1
         """
-        if not isinstance(name, str) or not name:
-            raise ArgumentError(f"name_edge: name is {name!r}; it must be a word")
         number = arguments.whole("name_edge: edge", self._sketch.edge("name_edge", region, edge))
-        self._edge_exists("name_edge", region, number)
+        self._open().call("bempd_name_edge", region, number, arguments.word("name_edge: name", name))
         self._sketch.regions[region].names[number] = name
 
     def name_region(self, region: int, name: str) -> None:
-        """Name a region; messages, the log, the table and picture of a notebook, and VTK files of edges show the name.
+        """Name a region; messages, the log, tables, the picture of a notebook, histories and snapshots show the name.
 
         >>> import bempd
         >>> model = bempd.Model()
@@ -161,22 +161,20 @@ class Scene:
         Traceback (most recent call last):
         bempd.errors.UnsolvableError: prepare: region 1 ("pane") can translate ...
         """
-        self._name("region", region, name, self._sketch.regions)
+        self._name("region", "bempd_name_region", region, name)
 
     def name_support(self, support: int, name: str) -> None:
         """Name a support, as name_region() does a region."""
-        self._name("support", support, name, self._sketch.supports)
+        self._name("support", "bempd_name_support", support, name)
 
     def name_load(self, load: int, name: str) -> None:
         """Name a load, as name_region() does a region."""
-        self._name("load", load, name, self._sketch.loads)
+        self._name("load", "bempd_name_load", load, name)
 
-    def _name(self, what: str, number: int, name: str, known: Mapping[int, object]) -> None:
-        if not isinstance(name, str) or not name:
-            raise ArgumentError(f"name_{what}: name is {name!r}; it must be a word")
-        if arguments.whole(f"name_{what}: {what}", number) not in known:
-            raise ArgumentError(f"name_{what}: there is no {what} {number}")
-        self._sketch.names[what, number] = name
+    def _name(self, what: str, function: str, number: int, name: str) -> None:
+        whole = arguments.whole(f"name_{what}: {what}", number)
+        self._open().call(function, whole, arguments.word(f"name_{what}: name", name))
+        self._sketch.names[what, whole] = name
 
     def edge_named(self, region: int, name: str) -> int:
         """The number of the edge with a name; an error if there is none, or several."""
@@ -218,9 +216,9 @@ class Scene:
         here = [edge for away, edge in found if away <= close]
         if not here:
             away, edge = min(found)
-            raise ArgumentError(self._sketch.with_names(
-                f"edge_at: no edge of region {region} passes through ({x:g}, {y:g}); the nearest, edge {edge} of region {region}, is "
-                f"{away:.3g} away; give a place on the edge, or a larger tolerance"))
+            nearest = self._sketch.place_of(Mark(region, edge))
+            raise ArgumentError(f"edge_at: no edge of region {region} passes through ({x:g}, {y:g}); the nearest, {nearest}, is "
+                                f"{away:.3g} away; give a place on the edge, or a larger tolerance")
         if len(here) > 1:
             raise ArgumentError(f"edge_at: edges {' and '.join(map(str, here))} of region {region} meet at ({x:g}, {y:g}); give a place "
                                 "inside one of them")

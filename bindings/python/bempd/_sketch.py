@@ -5,7 +5,6 @@ from __future__ import annotations
 import dataclasses
 import html
 import math
-import re
 from typing import Iterable, Optional, Sequence, Union
 
 from .errors import ArgumentError
@@ -67,10 +66,6 @@ class Region:
     def edge_count(self) -> int:
         """Number of edges of all loops."""
         return sum(map(len, self.loops))
-
-    def name(self, first: int, names: Iterable[str]) -> None:
-        """Name edges in a row; an empty name leaves an edge without."""
-        self.names.update({edge: name for edge, name in enumerate(names, first) if name})
 
     def named(self, name: str) -> list[int]:
         """Edges of a name, in their order."""
@@ -161,19 +156,6 @@ class Sketch:
         names = sorted(set(self.regions[region].names.values())) if region in self.regions else []
         known = f"its edges are named {', '.join(map(repr, names))}" if names else "its edges have no names; name_edge() gives one"
         raise ArgumentError(f"{caller}: no edge of region {region} has the name {edge!r}; {known}")
-
-    def with_names(self, sentence: str) -> str:
-        """A sentence of the library with the names of edges, regions, supports and loads in it."""
-        lone = set(re.findall(r"\bregion (\d+)", sentence))
-
-        def named(found: re.Match[str]) -> str:
-            number = found[2] or (next(iter(lone)) if len(lone) == 1 else "0")
-            region = self.regions.get(int(number))
-            name = region.names.get(int(found[1])) if region is not None else None
-            return f'edge {found[1]} ("{name}")' + (f" of region {found[2]}" if found[2] else "") if name else found[0]
-
-        sentence = re.sub(r"\bedge (\d+)\b(?: of region (\d+))?", named, sentence)
-        return re.sub(r"\b(region|support|load) (\d+)\b(?!\.\d)", lambda found: self.called(found[1], int(found[2])), sentence)
 
     def called(self, what: str, number: int) -> str:
         """Region 2 ("middle"): what it is, its number and, if it has one, its name."""

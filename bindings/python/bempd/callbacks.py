@@ -100,7 +100,7 @@ def phase_callback(interrupts: Interrupts, progress: Optional[PhaseProgress]) ->
     return ffi.callback("bempd_phase_function", told, error=1, onerror=interrupts)
 
 
-def log_callback(raised: List[BaseException], model: Any, log: Log, with_names: Callable[[str], str]) -> Any:
+def log_callback(raised: List[BaseException], model: Any, log: Log) -> Any:
     """What the library calls with a line of its log."""
     if isinstance(log, logging.Logger):
         logger = log
@@ -109,7 +109,7 @@ def log_callback(raised: List[BaseException], model: Any, log: Log, with_names: 
         write = warn if isinstance(log, str) else log
 
     def told(level: int, message: Any, _: Any) -> None:
-        write(level, with_names(in_python(string(message))))
+        write(level, in_python(string(message)))
 
     keep = _keeper(raised)
 

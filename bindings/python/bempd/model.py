@@ -56,7 +56,6 @@ class Model(Scene, Edges, Results, Fatigue, LoadCases):
                  log: Optional[Log] = "warnings") -> None:
         self._handle: Optional[Handle] = Handle()
         self._sketch = Sketch()
-        self._handle.with_names = self._sketch.with_names
         self._fields = {}
         self._fields_generation = 0
         self._progress: Optional[Progress] = None
@@ -110,7 +109,7 @@ class Model(Scene, Edges, Results, Fatigue, LoadCases):
         """Function called as f(load_factor, events, broken_bonds) after every event, or None.
 
         An exception cancels the step, which returns to its start, and is raised again. KeyboardInterrupt (Ctrl-C), with a
-        function or without, ends the step after its present event and is raised with the events before kept; a second
+        function or without, ends the step and is raised with its events kept; a long event at hand is given up; a second
         Ctrl-C in the same call ends the process (where somebody types at the interpreter it cancels the call), and one before the
         first event cancels. If the function has methods start(load_factor, goal) and finish(), they are called around every run,
         and a method phase() as `phase_progress`; progress_bar() makes such a one.
@@ -169,7 +168,7 @@ class Model(Scene, Edges, Results, Fatigue, LoadCases):
                 raise ArgumentError(f"log is {log!r}; give \"warnings\", a logging.Logger, a function of level and message, or None")
             if not isinstance(log, (logging.Logger, str)):
                 callable_or_none("log", log)
-            callback = log_callback(handle.raised, handle.pointer, log, handle.with_names)
+            callback = log_callback(handle.raised, handle.pointer, log)
         self._set_log(callback)
         handle.log, self._log = callback, log
 
@@ -178,7 +177,7 @@ class Model(Scene, Edges, Results, Fatigue, LoadCases):
         check(invoke("bempd_request_cancel", self._open().pointer))
 
     def request_stop(self) -> None:
-        """Ask the step that runs in another thread, or calls back, to end after its present event: its report has
+        """Ask the step that runs in another thread, or calls back, to end with the events that it has done: its report has
         StopReason.REQUESTED, and what it has done is kept."""
         check(invoke("bempd_request_stop", self._open().pointer))
 

@@ -764,6 +764,82 @@ extern "C" {
         count: *mut i32,
     ) -> bempd_status;
 }
+extern "C" {
+    /// Name a region. Messages, the log and bempd_explain() then show names behind numbers: region
+    /// 2 ("middle"); bempd_write_history() has those of supports in its heading, and
+    /// bempd_write_snapshot() all of them.
+    ///
+    /// * model \[in\]: the model
+    /// * region \[in\]: id of a region
+    /// * name \[in\]: UTF-8 without control characters; empty takes the name away
+    /// * return: status
+    /// * since: 0.4
+    pub fn bempd_name_region(
+        model: *mut bempd_model,
+        region: i32,
+        name: *const ::std::os::raw::c_char,
+    ) -> bempd_status;
+}
+extern "C" {
+    /// Name an edge, as bempd_name_region() does a region; several edges may have one name.
+    ///
+    /// * model \[in\]: the model
+    /// * region \[in\]: id of a region
+    /// * edge \[in\]: number of the edge
+    /// * name \[in\]: UTF-8 without control characters; empty takes the name away
+    /// * return: status
+    /// * since: 0.4
+    pub fn bempd_name_edge(
+        model: *mut bempd_model,
+        region: i32,
+        edge: i32,
+        name: *const ::std::os::raw::c_char,
+    ) -> bempd_status;
+}
+extern "C" {
+    /// Name a support, as bempd_name_region() does a region.
+    ///
+    /// * model \[in\]: the model
+    /// * support \[in\]: id of a support
+    /// * name \[in\]: UTF-8 without control characters; empty takes the name away
+    /// * return: status
+    /// * since: 0.4
+    pub fn bempd_name_support(
+        model: *mut bempd_model,
+        support: i32,
+        name: *const ::std::os::raw::c_char,
+    ) -> bempd_status;
+}
+extern "C" {
+    /// Name a load, as bempd_name_region() does a region.
+    ///
+    /// * model \[in\]: the model
+    /// * load \[in\]: id of a load
+    /// * name \[in\]: UTF-8 without control characters; empty takes the name away
+    /// * return: status
+    /// * since: 0.4
+    pub fn bempd_name_load(
+        model: *mut bempd_model,
+        load: i32,
+        name: *const ::std::os::raw::c_char,
+    ) -> bempd_status;
+}
+extern "C" {
+    /// Number of the edge with a name.
+    ///
+    /// * model \[in\]: the model
+    /// * region \[in\]: id of a region
+    /// * name \[in\]: as bempd_name_edge() gave it
+    /// * edge \[out\]: number of the edge
+    /// * return: status; an argument error if no edge or several have the name
+    /// * since: 0.4
+    pub fn bempd_edge_named(
+        model: *const bempd_model,
+        region: i32,
+        name: *const ::std::os::raw::c_char,
+        edge: *mut i32,
+    ) -> bempd_status;
+}
 pub const BEMPD_X: bempd_component = 1;
 pub const BEMPD_Y: bempd_component = 2;
 pub const BEMPD_BOTH: bempd_component = 3;
@@ -1604,9 +1680,11 @@ extern "C" {
     pub fn bempd_request_cancel(model: *mut bempd_model) -> bempd_status;
 }
 extern "C" {
-    /// Ask the step that runs in another thread, or calls back, to end after the event that it is
-    /// at, and to keep what it has done: it succeeds with BEMPD_STOP_REQUESTED. Calls that are not
-    /// steps do not hear it. A request made while no call runs is forgotten.
+    /// Ask the step that runs in another thread, or calls back, to end and to keep the events that
+    /// it has done: it succeeds with BEMPD_STOP_REQUESTED. An event that changes the whole body is
+    /// given up, and short ones are finished. Calls that are not steps do not hear it, nor does the
+    /// search for equilibrium before the first event. A request made while no call runs is
+    /// forgotten.
     ///
     /// * model \[in\]: the model
     /// * return: status
@@ -4098,6 +4176,11 @@ extern "C" {
     /// tensor, with the principal stresses in the plane as principal_stress_1, the larger one, and
     /// principal_stress_2.
     ///
+    /// If anything has a name (bempd_name_region() and its kin), prefix_NNNN_edges.vtu has a line
+    /// for each edge and described crack and a point for each held or loaded point, with names as
+    /// text. Field data of every file have the number of each named region, support and load under
+    /// its name.
+    ///
     /// The time of a snapshot is its load factor. Where that has not grown since the last snapshot
     /// the time does, by 1e-9: times are distinct and follow the order of writing. Every file has
     /// load_factor, snapshot (their ordinal) and events as field data.
@@ -4118,7 +4201,8 @@ extern "C" {
 extern "C" {
     /// Write the history as comma-separated values: the members of bempd_history_entry, and of
     /// every support what bempd_get_history_support() tells (reaction_x_1, reaction_before_x_1,
-    /// displacement_x_1 and so on).
+    /// displacement_x_1 and so on). The name of a support stands behind these headings:
+    /// reaction_x_1 (clamp).
     ///
     /// * model \[in\]: the model
     /// * path \[in\]: file name, UTF-8

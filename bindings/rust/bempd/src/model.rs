@@ -4,8 +4,8 @@ use std::path::Path;
 
 use crate::raw::Handle;
 use crate::{
-    CancelToken, CrackId, Error, LogLevel, Material, MaterialId, PhaseProgress, ProgramColumn, Progress, RegionId,
-    Result, State, StepReport, Turn, Until,
+    CancelToken, CrackId, Error, LoadId, LogLevel, Material, MaterialId, PhaseProgress, ProgramColumn, Progress, RegionId,
+    Result, State, StepReport, SupportId, Turn, Until,
 };
 
 /// A scene and its state. Dropping it frees everything.
@@ -218,6 +218,31 @@ impl Model {
     /// Number of edges of a region with its holes.
     pub fn edge_count(&self, region: RegionId) -> Result<usize> {
         self.handle.edge_count(region.0).map(|count| count as usize)
+    }
+
+    /// Names a region: messages, the log and files then show the name behind the number. An empty name takes it away.
+    pub fn name_region(&mut self, region: RegionId, name: &str) -> Result<()> {
+        self.handle.name_region(region.0, name)
+    }
+
+    /// Names an edge, as [`Model::name_region`] does a region; several edges may have one name.
+    pub fn name_edge(&mut self, region: RegionId, edge: i32, name: &str) -> Result<()> {
+        self.handle.name_edge(region.0, edge, name)
+    }
+
+    /// Names a support, as [`Model::name_region`] does a region.
+    pub fn name_support(&mut self, support: SupportId, name: &str) -> Result<()> {
+        self.handle.name_support(support.0, name)
+    }
+
+    /// Names a load, as [`Model::name_region`] does a region.
+    pub fn name_load(&mut self, load: LoadId, name: &str) -> Result<()> {
+        self.handle.name_load(load.0, name)
+    }
+
+    /// Number of the edge with a name; an error if there is none, or several.
+    pub fn edge_named(&self, region: RegionId, name: &str) -> Result<i32> {
+        self.handle.edge_named(region.0, name)
     }
 }
 

@@ -228,6 +228,23 @@ fn a_hole_continues_the_edges_and_meshes_are_chosen() {
 }
 
 #[test]
+fn messages_have_names() {
+    let mut model = Model::new().unwrap();
+    let material = model.add_material(&Material::new(100.0, 0.25)).unwrap();
+    let region = model.add_bem_region(material, &rectangle(0.0, 0.0, 4.0, 4.0), 1.0).unwrap();
+    let support = model.fix_edge(region, 4, Component::Both).unwrap();
+    let load = model.add_point_force([4.0, 4.0], Component::X, 0.0, 1.0).unwrap();
+    model.name_region(region, "pane").unwrap();
+    model.name_edge(region, 2, "right").unwrap();
+    model.name_support(support, "clamp").unwrap();
+    model.name_load(load, "hook").unwrap();
+    assert_eq!(model.edge_named(region, "right").unwrap(), 2);
+    let error = model.edge_named(region, "left").unwrap_err();
+    assert!(error.to_string().contains("region 1 (\"pane\")"), "{error}");
+    assert!(model.name_region(region, "zero\0byte").is_err());
+}
+
+#[test]
 fn supports_take_new_values() {
     let mut model = Model::new().unwrap();
     let material = model.add_material(&Material::new(100.0, 0.25)).unwrap();

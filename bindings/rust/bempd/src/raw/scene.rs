@@ -1,6 +1,6 @@
 use bempd_sys as sys;
 
-use super::handle::{filled, Handle};
+use super::handle::{filled, terminated, Handle};
 use super::points;
 use crate::{Error, Material, Result};
 
@@ -186,6 +186,31 @@ impl Handle {
 
     pub(crate) fn edge_count(&self, region: i32) -> Result<i32> {
         self.output(|model, count| unsafe { sys::bempd_edge_count(model, region, count) })
+    }
+
+    pub(crate) fn name_region(&mut self, region: i32, name: &str) -> Result<()> {
+        let name = terminated(name)?;
+        self.call(|model| unsafe { sys::bempd_name_region(model, region, name.as_ptr()) })
+    }
+
+    pub(crate) fn name_edge(&mut self, region: i32, edge: i32, name: &str) -> Result<()> {
+        let name = terminated(name)?;
+        self.call(|model| unsafe { sys::bempd_name_edge(model, region, edge, name.as_ptr()) })
+    }
+
+    pub(crate) fn name_support(&mut self, support: i32, name: &str) -> Result<()> {
+        let name = terminated(name)?;
+        self.call(|model| unsafe { sys::bempd_name_support(model, support, name.as_ptr()) })
+    }
+
+    pub(crate) fn name_load(&mut self, load: i32, name: &str) -> Result<()> {
+        let name = terminated(name)?;
+        self.call(|model| unsafe { sys::bempd_name_load(model, load, name.as_ptr()) })
+    }
+
+    pub(crate) fn edge_named(&self, region: i32, name: &str) -> Result<i32> {
+        let name = terminated(name)?;
+        self.output(|model, edge| unsafe { sys::bempd_edge_named(model, region, name.as_ptr(), edge) })
     }
 }
 

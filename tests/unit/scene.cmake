@@ -1,0 +1,1 @@
+bempd_add_unit_test(scene_test scene_names_test.cpp)
