@@ -82,6 +82,7 @@
  *   bempd_set_toughness_at          fracture energies of a region by place
  *   bempd_set_resistance_curve      fracture energies of a material by the growth of a tip (R-curve)
  *   bempd_set_resistance_directions fracture energies of a material by the direction of a crack
+ *   bempd_set_resistance_function   fracture energies of a material by a function of the host
  *   bempd_add_crack                 a crack that is there from the start
  *   bempd_remove_region             takes a region back out of the scene
  *   bempd_remove_crack              takes a crack back out of the scene
@@ -212,6 +213,7 @@
  *   bempd_fatigue_init              prepares the options of bempd_grow_fatigue()
  *   bempd_fatigue_report_init       prepares its report
  *   bempd_grow_fatigue              lets cracks grow by cycles of the loads, and counts these
+ *   bempd_grow_fatigue_cases        the same between combinations of load cases
  *   bempd_fatigue_record_init       prepares the struct of a record
  *   bempd_fatigue_record_count      number of records of the last call
  *   bempd_get_fatigue_record        what a tip was like after a step
@@ -593,6 +595,40 @@ BEMPD_API bempd_status bempd_set_resistance_curve(bempd_model* model, int32_t ma
  * @param[in] energies fracture energies G_c [J/m^2], > 0, shape [count] @return status @since 0.3 */
 BEMPD_API bempd_status bempd_set_resistance_directions(bempd_model* model, int32_t material, int64_t count,
                                                        const double* angles, const double* energies);
+
+/** @brief How far a tip grows in a cycle, or the fracture energy that it meets.
+ *
+ * As a rate of growth (bempd_growth_rate) it is called many times for each step, also at lengths between those at which
+ * the body is solved. As a resistance (bempd_set_resistance_function()) it is called for many load factors to find the
+ * one at which a tip grows. It may call bempd_request_cancel() on the model and nothing else.
+ * @param[in] crack id of the crack @param[in] end a bempd_tip_end
+ * @param[in] equivalent factor of mode I in the direction of growth: of a rate K_max, that at the highest load
+ * [Pa m^(1/2)]
+ * @param[in] ratio R = K_min / K_max of a rate; of a resistance 1, a load that is held [-]
+ * @param[in] stress_intensity_1 K_I, of a rate at the highest load [Pa m^(1/2)]
+ * @param[in] stress_intensity_2 K_II there [Pa m^(1/2)]
+ * @param[in] t_stress T there, along the crack; NaN for tips of crack lines that have no room for contours [Pa]
+ * @param[in] length of a rate, length of the crack; of a resistance, by how much this end has grown in the model [m]
+ * @param[in] x place of the tip [m] @param[in] y place of the tip [m]
+ * @param[in] user the pointer given with the function
+ * @return growth in a cycle [m], >= 0, or fracture energy [J/m^2], > 0; NaN, infinity and other numbers end the call
+ * with BEMPD_ERROR_ARGUMENT @since 0.4 */
+typedef double (*bempd_growth_function)(int32_t crack, int32_t end, double equivalent, double ratio,
+                                        double stress_intensity_1, double stress_intensity_2, double t_stress,
+                                        double length, double x, double y, void* user);
+
+/** @brief Give a material a fracture energy by a function of the host.
+ *
+ * It takes the place of the material's fracture_energy, and of values of bempd_set_toughness_at(), for tips of cracks
+ * with boundary elements and of crack lines; bonds keep their critical stretch. A tip grows at the lowest load factor at
+ * which its energy release rate is the function's value there. A lattice in which cracks grow bond by bond is refused.
+ * The growth direction follows the option crack.criterion. States do not have the function. A material has either
+ * tables of resistance or a function. A second call replaces the first.
+ * @param[in] model the model, not prepared yet @param[in] material id of a material with a fracture_energy
+ * @param[in] function called as described there @param[in] user handed to the function; may be NULL
+ * @return status @since 0.4 */
+BEMPD_API bempd_status bempd_set_resistance_function(bempd_model* model, int32_t material,
+                                                     bempd_growth_function function, void* user);
 
 /** @brief Add an initial crack, a polyline.
  *
@@ -2025,20 +2061,6 @@ typedef enum bempd_rate_kind {
   BEMPD_RATE_HOST = 5
 } bempd_rate_kind;
 
-/** @brief How far a tip grows in a cycle. It is called many times for each step, also at lengths between those at which
- * the body is solved, and may call bempd_request_cancel() on the model and nothing else.
- * @param[in] crack id of the crack @param[in] end a bempd_tip_end
- * @param[in] highest K_max, the factor of mode I in the direction of growth at the highest load [Pa m^(1/2)]
- * @param[in] lowest K_min, the same at the lowest load [Pa m^(1/2)]
- * @param[in] stress_intensity_1 K_I at the highest load [Pa m^(1/2)]
- * @param[in] stress_intensity_2 K_II at the highest load [Pa m^(1/2)]
- * @param[in] length length of the crack [m] @param[in] x place of the tip [m] @param[in] y place of the tip [m]
- * @param[in] user the pointer given with the function
- * @return growth [m], >= 0; NaN, infinity and negative numbers end the call with BEMPD_ERROR_ARGUMENT @since 0.3 */
-typedef double (*bempd_rate_function)(int32_t crack, int32_t end, double highest, double lowest,
-                                      double stress_intensity_1, double stress_intensity_2, double length, double x,
-                                      double y, void* user);
-
 /** @brief How growth slows down in the plastic zone of an earlier, higher load. The zone of a load is
  * (K / yield_strength)^2 / (pi zone_constraint). @since 0.3 */
 typedef enum bempd_retardation {
@@ -2070,7 +2092,7 @@ typedef struct bempd_growth_rate {
   double q;                  /**< of BEMPD_RATE_NASGRO, >= 0; default 0 [-] */
   double closure_alpha;      /**< of BEMPD_RATE_NASGRO: 1 plane stress to 3 plane strain; default 1 [-] */
   double closure_stress;     /**< of BEMPD_RATE_NASGRO: largest stress over the flow stress, >= 0, < 1; default 0 [-] */
-  bempd_rate_function function; /**< of BEMPD_RATE_HOST; threshold and critical_intensity hold for it too */
+  bempd_growth_function function; /**< of BEMPD_RATE_HOST; threshold and critical_intensity hold for it too */
   void* user;                   /**< handed to the function; may be NULL */
   int32_t retardation;          /**< a bempd_retardation; default BEMPD_RETARDATION_NONE */
   int32_t reserved2;            /**< 0 */
@@ -2078,6 +2100,8 @@ typedef struct bempd_growth_rate {
   double zone_constraint;       /**< of its plastic zones; default 0: 2 in plane stress, 6 in plane strain [-] */
   double wheeler_exponent;      /**< of BEMPD_RETARDATION_WHEELER, > 0 [-] */
   double shutoff_ratio;         /**< of BEMPD_RETARDATION_WILLENBORG: overload over load that stops a tip, > 1 [-] */
+  double flow_stress; /**< stress at which the net section of a tip yields as a whole, which ends the growth; default 0:
+                           it is not watched [Pa] */
 } bempd_growth_rate;
 
 /** @brief Set struct_size and the defaults. @param[out] rate the struct to fill
@@ -2124,7 +2148,11 @@ typedef enum bempd_fatigue_stop {
   /** The number of steps asked for was made. */
   BEMPD_FATIGUE_STEPS = 7,
   /** bempd_request_stop() was called. */
-  BEMPD_FATIGUE_REQUESTED = 8
+  BEMPD_FATIGUE_REQUESTED = 8,
+  /** The net section of a tip bears no more than the highest load, by the flow_stress of its material's law. The section
+   * is the straight line through the tip in the direction of its growth, from edge to edge of its region, without holes
+   * and cracks along it; force and moment are compared with those of its full yielding. */
+  BEMPD_FATIGUE_NET_SECTION = 9
 } bempd_fatigue_stop;
 
 /** @brief What bempd_grow_fatigue() did. Fill it with bempd_fatigue_report_init(). @since 0.3 */
@@ -2156,10 +2184,11 @@ BEMPD_API bempd_status bempd_fatigue_report_init(bempd_fatigue_report* report, i
  * block by block. Steps are so long that the estimated error of their cycles is below the tolerance, and at most a
  * quarter of the way to the nearest edge, hole or crack.
  *
- * Crack lines grow by whole spacings, so they may pass the length asked for by half of one. In lattices low load
- * factors are 0 or more, loads have no constant part where faces can close, and the material has a fracture_energy.
+ * Crack lines grow by whole spacings, so they may pass the length asked for by half of one. Their material has a
+ * fracture_energy.
  *
- * Cracks stop at their critical factor; K_c is that of the law, or the toughness of the material. The progress callback
+ * Growth ends at the critical factor of a tip, K_c of the law or the toughness of the material at that place, and where
+ * a net section yields. The progress callback
  * is called after every step. After a failure, and where a callback cancels, the model is as it was.
  * @param[in] model the model @param[in] block_count number of blocks, >= 1; 1 is a constant amplitude
  * @param[in] high shape [block_count], high load factor of each block [-]
@@ -2171,8 +2200,28 @@ BEMPD_API bempd_status bempd_grow_fatigue(bempd_model* model, int64_t block_coun
                                           const double* low, const double* cycles, const bempd_fatigue* options,
                                           bempd_fatigue_report* report);
 
+/** @brief Let cracks grow by cycles between combinations of load cases, as bempd_grow_fatigue() does between load
+ * factors.
+ *
+ * Each end of a cycle is a combination of load cases (bempd_load_case_add()), each times a factor; other loads do not
+ * act. The body is solved under each combination by itself, with the faces of cracks closed that press on each other.
+ * A tip grows in the direction that belongs to the combination under which its factor is largest. Within a cycle its
+ * range is that between the two ends. Steps are events at the model's load factor, which stays where it is. It takes
+ * cracks with boundary elements.
+ * @param[in] model the model @param[in] block_count number of blocks, >= 1; 1 is a constant amplitude
+ * @param[in] case_count number of factors of a combination; cases beyond have 0
+ * @param[in] high shape [block_count][case_count], factors of the cases at one end of a cycle [-]
+ * @param[in] low shape [block_count][case_count], factors at the other end [-]
+ * @param[in] cycles shape [block_count], cycles of each block, > 0; NULL for one block [-]
+ * @param[in] options NULL for the defaults @param[in,out] report struct_size in, the rest out; may be NULL
+ * @return status @since 0.4 */
+BEMPD_API bempd_status bempd_grow_fatigue_cases(bempd_model* model, int64_t block_count, int64_t case_count,
+                                                const double* high, const double* low, const double* cycles,
+                                                const bempd_fatigue* options, bempd_fatigue_report* report);
+
 /** @brief A tip after a step of bempd_grow_fatigue(), or as it was at first. High and low are the highest and the
- * lowest load factor of all blocks. Fill it with bempd_fatigue_record_init(). @since 0.3 */
+ * lowest load factor of all blocks; with load cases, the combinations under which the factor of this tip is largest and
+ * least. Fill it with bempd_fatigue_record_init(). @since 0.3 */
 typedef struct bempd_fatigue_record {
   int64_t struct_size;           /**< sizeof(bempd_fatigue_record), set by bempd_fatigue_record_init() */
   int64_t step;                  /**< number of the step; 0: as it was at first */

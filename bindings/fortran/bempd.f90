@@ -65,7 +65,7 @@ module bempd
     procedure :: set_support_values
     procedure :: crack_count, crack_length, crack_path
     procedure :: add_crack_traction, tips, tip_history, write_tips, crack_opening, grow_cracks, set_tip_frozen, extensions
-    procedure :: extend_cracks, set_growth_rate, grow_fatigue, fatigue_records
+    procedure :: extend_cracks, set_growth_rate, grow_fatigue, grow_fatigue_cases, fatigue_records, set_resistance_function
     procedure :: add_load_case, load_case_count, combined_tips, combined_reaction, combined_values, pressed_faces
     procedure :: set_progress, set_phase_progress, set_log, request_cancel, request_stop
     procedure :: prepare, step, step_to_next_event, run_to_separation, step_to_values, run_program
@@ -120,6 +120,7 @@ module bempd
     get_statistics, &
     history, history_support, add_crack_traction, tips, tip_history, write_tips, crack_opening, grow_cracks, set_tip_frozen, &
     extensions, crack_count, crack_length, crack_path, extend_cracks, set_growth_rate, grow_fatigue, fatigue_records, &
+    grow_fatigue_cases, set_resistance_function, &
     add_load_case, load_case_count, combined_tips, combined_reaction, combined_values, pressed_faces, &
     state_save, state_restore, write_snapshot, write_history, finalize_model, free_state, to_bytes, &
     from_bytes, write_state_file, read_state_file, refuse_copy_of_state, finalize_state
@@ -964,6 +965,25 @@ module bempd
       integer, intent(out), optional :: stat
       character(*), intent(inout), optional :: errmsg
     end subroutine grow_fatigue
+    !> The same between combinations of load cases: shape (cases, blocks).
+    module subroutine grow_fatigue_cases(self, high, low, cycles, options, report, stat, errmsg)
+      class(bempd_model), intent(inout) :: self
+      real(c_double), intent(in), target, contiguous :: high(:, :), low(:, :)
+      real(c_double), intent(in), target, contiguous, optional :: cycles(:)
+      type(bempd_fatigue), intent(in), target, optional :: options
+      type(bempd_fatigue_report), intent(out), optional :: report
+      integer, intent(out), optional :: stat
+      character(*), intent(inout), optional :: errmsg
+    end subroutine grow_fatigue_cases
+    !> A function gives the fracture energy that a tip in a material meets.
+    module subroutine set_resistance_function(self, material, function, user, stat, errmsg)
+      class(bempd_model), intent(inout) :: self
+      integer(c_int32_t), intent(in) :: material
+      procedure(bempd_growth_function) :: function
+      type(c_ptr), intent(in), optional :: user
+      integer, intent(out), optional :: stat
+      character(*), intent(inout), optional :: errmsg
+    end subroutine set_resistance_function
     !> Each tip at first and after every step of the last grow_fatigue.
     module subroutine fatigue_records(self, found, stat, errmsg)
       class(bempd_model), intent(inout) :: self

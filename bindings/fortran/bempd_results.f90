@@ -525,6 +525,29 @@ contains
     if (present(report)) report = done
   end procedure grow_fatigue
 
+  module procedure grow_fatigue_cases
+    type(bempd_fatigue_report), target :: done
+    type(c_ptr) :: counts, asked
+    integer(c_int) :: status
+
+    status = bempd_fatigue_report_init(done, c_sizeof(done))
+    counts = c_null_ptr
+    if (present(cycles)) counts = c_loc(cycles)
+    asked = c_null_ptr
+    if (present(options)) asked = c_loc(options)
+    call finish(self, bempd_grow_fatigue_cases(self%handle, size(high, 2, kind=c_int64_t), &
+      size(high, 1, kind=c_int64_t), high, low, counts, asked, c_loc(done)), stat, errmsg)
+    if (present(report)) report = done
+  end procedure grow_fatigue_cases
+
+  module procedure set_resistance_function
+    type(c_ptr) :: handed
+
+    handed = c_null_ptr
+    if (present(user)) handed = user
+    call finish(self, bempd_set_resistance_function(self%handle, material, c_funloc(function), handed), stat, errmsg)
+  end procedure set_resistance_function
+
   module procedure fatigue_records
     integer(c_int64_t) :: count, k
     integer(c_int) :: status

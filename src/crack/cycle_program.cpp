@@ -1,27 +1,13 @@
 #include "crack/cycle_program.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <limits>
 
 namespace bempd::crack {
 
-CycleProgram::CycleProgram(std::span<const Block> blocks) {
-  for (const Block& block : blocks)
-    for (const double load_factor : {block.high, block.low}) load_factors_.push_back(load_factor);
-  std::sort(load_factors_.begin(), load_factors_.end());
-  load_factors_.erase(std::unique(load_factors_.begin(), load_factors_.end()), load_factors_.end());
-  const auto number = [&](double load_factor) {
-    return static_cast<std::size_t>(std::lower_bound(load_factors_.begin(), load_factors_.end(), load_factor) -
-                                    load_factors_.begin());
-  };
-  for (const Block& block : blocks) {
-    const bool is_alone = blocks.size() == 1;
-    blocks_.push_back(
-        {number(block.high), number(block.low), is_alone ? std::numeric_limits<double>::infinity() : block.cycles});
-    highest_ = std::max(highest_, blocks_.back().high);
-    cycles_ += blocks_.back().cycles;
-  }
+CycleProgram::CycleProgram(std::span<const Block> blocks) : blocks_(blocks.begin(), blocks.end()) {
+  if (blocks_.size() == 1) blocks_.front().cycles = std::numeric_limits<double>::infinity();
+  for (const Block& block : blocks_) cycles_ += block.cycles;
 }
 
 CycleProgram::Place CycleProgram::place_after(double cycles) const {

@@ -6,20 +6,15 @@
 
 namespace bempd::crack {
 
-// Cycles between two load factors, one after another.
+// Cycles between two loads, one after another. Loads have numbers, which are those of a tip's factors.
 struct Block {
-  double high = 0, low = 0;  // load factors
+  std::size_t high = 0, low = 0;
   double cycles = 0;
 };
 
 // Blocks of cycles that follow each other and are repeated for ever; one block is a constant amplitude.
 class CycleProgram {
  public:
-  // A block as numbers of load factors.
-  struct Levels {
-    std::size_t high, low;
-    double cycles;
-  };
   // Place in the program to which a run has come.
   struct Place {
     std::size_t block = 0;
@@ -29,11 +24,7 @@ class CycleProgram {
   explicit CycleProgram(std::span<const Block> blocks);
 
   std::size_t size() const { return blocks_.size(); }
-  const Levels& block(std::size_t number) const { return blocks_[number]; }
-  // All upper and lower load factors of the blocks, ascending, each once. Number highest() is the largest upper one.
-  const std::vector<double>& load_factors() const { return load_factors_; }
-  std::size_t highest() const { return highest_; }
-  std::size_t lowest() const { return 0; }
+  const Block& block(std::size_t number) const { return blocks_[number]; }
   double cycles() const { return cycles_; }  // of the whole program
 
   Place place_after(double cycles) const;
@@ -42,9 +33,7 @@ class CycleProgram {
   void go_on(Place& place, double cycles) const;
 
  private:
-  std::vector<Levels> blocks_;
-  std::vector<double> load_factors_;
-  std::size_t highest_ = 0;
+  std::vector<Block> blocks_;
   double cycles_ = 0;
 };
 

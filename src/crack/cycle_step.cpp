@@ -17,17 +17,35 @@ constexpr double parts_of_a_step = 24;
 // integrated by one step, and by which a whole program lets it grow at most where programs are passed at once.
 constexpr double share_of_zone = 0.04, share_of_zone_by_program = 0.002;
 
-double rate_of(const TipOnStep& tip, double grown, const CycleProgram::Levels& levels, const Overload& overload) {
-  const double rate = tip.law->rate(tip.cycle(grown, levels), overload, grown);
+double rate_of(const TipOnStep& tip, double grown, const Block& block, const Overload& overload) {
+  const double rate = tip.law->rate(tip.cycle(grown, block), overload, grown);
   if (!(rate >= 0) || std::isinf(rate))
     fail(Failure::argument, "the growth rate of crack ", tip.tip.crack, " is ", rate,
          "; it must be a finite number >= 0");
   return rate;
 }
 
-// Highest factor of a block over the one at which the tip breaks.
-double share_of_critical(const TipOnStep& tip, double grown, const CycleProgram::Levels& levels) {
-  return std::max(tip.at(grown, levels.high).equivalent, tip.at(grown, levels.low).equivalent) / tip.law->critical();
+// Highest factor of a block over the one at which the tip breaks, and the same for its net section.
+struct Shares {
+  double of_factor, of_section;
+  double largest() const { return std::max(of_factor, of_section); }
+};
+
+Shares shares_of(const TipOnStep& tip, double grown, const Block& block) {
+  const LevelFactors high = tip.at(grown, block.high), low = tip.at(grown, block.low);
+  return {std::max(high.equivalent, low.equivalent) / tip.critical_at(grown),
+          std::max(high.net_section, low.net_section)};
+}
+
+double share_of_critical(const TipOnStep& tip, double grown, const Block& block) {
+  return shares_of(tip, grown, block).largest();
+}
+
+double between(double first, double last, double share) { return (1 - share) * first + share * last; }
+
+// What is left of a section falls about evenly as a tip grows, so its share is the inverse of such a number.
+double section_between(double first, double last, double share) {
+  return first > 0 && last > 0 ? 1 / between(1 / first, 1 / last, share) : between(first, last, share);
 }
 
 }  // namespace
@@ -37,14 +55,29 @@ LevelFactors TipOnStep::at(double grown, std::size_t level) const {
   if (after.empty() || !(growth > 0)) return first;
   const LevelFactors& last = after[level];
   const double share = grown / growth, start = own_length();
-  if (!(first.equivalent > 0 && last.equivalent > 0))
-    return {(1 - share) * first.factors + share * last.factors,
-            (1 - share) * first.equivalent + share * last.equivalent};
+  LevelFactors there;
+  there.net_section = section_between(first.net_section, last.net_section, share);
+  there.t_stress = between(first.t_stress, last.t_stress, share);
+  if (!(first.equivalent > 0 && last.equivalent > 0)) {
+    there.factors = (1 - share) * first.factors + share * last.factors;
+    there.equivalent = between(first.equivalent, last.equivalent, share);
+    return there;
+  }
   const double whole = std::log1p(growth / start), way = std::log1p(grown / start);
   const double power = std::log(last.equivalent / first.equivalent) / whole;
-  const double equivalent = first.equivalent * std::exp(way * (power + (way - whole) * bend(level)));
+  there.equivalent = first.equivalent * std::exp(way * (power + (way - whole) * bend(level)));
   const Point modes = (1 - share) / first.equivalent * first.factors + share / last.equivalent * last.factors;
-  return {equivalent * modes, equivalent};
+  there.factors = there.equivalent * modes;
+  return there;
+}
+
+double TipOnStep::critical_at(double grown) const {
+  const std::size_t parts = critical.size() - 1;
+  if (parts == 0 || !(growth > 0)) return critical.front();
+  const double at = std::clamp(grown / growth, 0.0, 1.0) * static_cast<double>(parts);
+  const std::size_t part = std::min(static_cast<std::size_t>(at), parts - 1);
+  if (std::isinf(critical[part]) || std::isinf(critical[part + 1])) return std::min(critical[part], critical[part + 1]);
+  return between(critical[part], critical[part + 1], at - static_cast<double>(part));
 }
 
 // A step before that was much longer, or in which the tip took much more of its crack's growth, says nothing.
@@ -58,8 +91,8 @@ double TipOnStep::bend(std::size_t level) const {
   return (power - power_before) / (whole + back);
 }
 
-TipCycle TipOnStep::cycle(double grown, const CycleProgram::Levels& levels) const {
-  LevelFactors high = at(grown, levels.high), low = at(grown, levels.low);
+TipCycle TipOnStep::cycle(double grown, const Block& block) const {
+  LevelFactors high = at(grown, block.high), low = at(grown, block.low);
   if (low.equivalent > high.equivalent) std::swap(high, low);
   const double share = growth > 0 ? grown / growth : 0;
   return {tip,
@@ -67,6 +100,8 @@ TipCycle TipOnStep::cycle(double grown, const CycleProgram::Levels& levels) cons
           low.factors,
           high.equivalent,
           low.equivalent,
+          critical_at(grown),
+          high.t_stress,
           length + share * crack_growth,
           from + share * (to - from)};
 }
@@ -74,9 +109,9 @@ TipCycle TipOnStep::cycle(double grown, const CycleProgram::Levels& levels) cons
 double mean_rate(const TipOnStep& tip, double grown, const CycleProgram& program) {
   double sum = 0;
   for (std::size_t b = 0; b < program.size(); ++b) {
-    const CycleProgram::Levels& levels = program.block(b);
-    if (share_of_critical(tip, grown, levels) >= 1) continue;
-    sum += rate_of(tip, grown, levels, tip.overload) * (program.size() == 1 ? 1 : levels.cycles / program.cycles());
+    const Block& block = program.block(b);
+    if (share_of_critical(tip, grown, block) >= 1) continue;
+    sum += rate_of(tip, grown, block, tip.overload) * (program.size() == 1 ? 1 : block.cycles / program.cycles());
   }
   return sum;
 }
@@ -93,6 +128,12 @@ std::size_t CycleIntegration::most_loaded(const Growth& grown, std::size_t block
   for (std::size_t t = 1; t < tips_.size(); ++t)
     if (share(t) > share(most)) most = t;
   return most;
+}
+
+void CycleIntegration::end_at(CyclesOnStep& now, std::size_t tip) const {
+  const Shares shares = shares_of(tips_[tip], now.growth[tip], program_.block(now.place.block));
+  now.tip = tip;
+  now.end = shares.of_section > shares.of_factor ? CyclesEnd::net_section : CyclesEnd::critical;
 }
 
 std::optional<std::vector<double>> CycleIntegration::rates(const Growth& grown, std::size_t block,
@@ -210,8 +251,11 @@ bool CycleIntegration::pass_block(CyclesOnStep& now, const Growth& at_start, std
     (beyond ? high : low) = middle;
     if (!beyond) last = std::move(*there);
   }
-  now.end = last[goal] >= growth * (1 - 1e-9) ? CyclesEnd::growth : CyclesEnd::critical;
-  if (now.end == CyclesEnd::critical) now.tip = most_loaded(last, now.place.block);
+  const bool reached = last[goal] >= growth * (1 - 1e-9);
+  CyclesOnStep broken = now;
+  broken.growth = last;
+  if (!reached) end_at(broken, most_loaded(last, now.place.block));
+  now.end = reached ? CyclesEnd::growth : broken.end, now.tip = broken.tip;
   arrive(low, std::move(last));
   return false;
 }
@@ -230,7 +274,7 @@ CyclesOnStep CycleIntegration::run(const CycleProgram::Place& from, std::vector<
       return now;
     }
     if (const std::size_t tip = critical_tip(now.growth, now.place.block); tip < tips_.size()) {
-      now.end = CyclesEnd::critical, now.tip = tip;
+      end_at(now, tip);
       return now;
     }
     if (pass_programs(now, goal, growth, most_cycles)) continue;

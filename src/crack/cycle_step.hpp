@@ -1,5 +1,6 @@
 #pragma once
 
+#include <limits>
 #include <optional>
 #include <vector>
 
@@ -8,15 +9,17 @@
 
 namespace bempd::crack {
 
-// Factors of a tip at one load factor of a program.
+// Factors of a tip at one load of a program.
 struct LevelFactors {
   Point factors{0, 0};    // K_I and K_II [Pa m^(1/2)]
   double equivalent = 0;  // factor of mode I in the direction in which the tip grows
+  double net_section = 0;  // share of what the net section of the tip bears; 0 if that is not watched
+  double t_stress = 0;     // T, if the law asks for it [Pa]
 };
 
-// A tip on a step of its crack: factors are known before and after it, at each load factor of the program. Between the
-// two the logarithm of the equivalent factor is that of a power of the crack's length, bent as through the step before
-// where that is known, and the shares of the modes change evenly.
+// A tip on a step of its crack: factors are known before and after it, at each load of the program. Between the two
+// the logarithm of the equivalent factor is that of a power of the crack's length, bent as through the step before where
+// that is known, and the shares of the modes change evenly.
 struct TipOnStep {
   TipId tip;
   const RateLaw* law = nullptr;
@@ -26,6 +29,9 @@ struct TipOnStep {
   Point from{0, 0}, to{0, 0};
   std::vector<LevelFactors> before, after;  // `after` is empty where nothing is known of it: as before
 
+  // Factors at which it breaks at even shares of the step, from its beginning to its end; infinite: not known.
+  std::vector<double> critical{std::numeric_limits<double>::infinity()};
+
   // What is known of the step before: the growth of the tip in it, and its factors before it; 0 without [m].
   double past_growth = 0;
   std::vector<LevelFactors> past;
@@ -33,14 +39,15 @@ struct TipOnStep {
   Overload overload;  // that the tip has met before the step
 
   LevelFactors at(double grown, std::size_t level) const;
-  TipCycle cycle(double grown, const CycleProgram::Levels& levels) const;
+  TipCycle cycle(double grown, const Block& block) const;
+  double critical_at(double grown) const;
   // Length of the tip's own part of the crack: the power law counts from its other end.
   double bend(std::size_t level) const;  // second divided difference of logarithms over those of lengths
   double own_length() const { return crack_growth > 0 ? length * growth / crack_growth : length; }
 };
 
 // Why the way through a program ends.
-enum class CyclesEnd { growth, cycles, critical, none_grows };
+enum class CyclesEnd { growth, cycles, critical, net_section, none_grows };
 
 // A way through a program.
 struct CyclesOnStep {
@@ -81,6 +88,8 @@ class CycleIntegration {
   std::optional<Growth> advanced(const Growth& grown, double by, const Rates& rates) const;
   std::size_t critical_tip(const Growth& grown, std::size_t block) const;
   std::size_t most_loaded(const Growth& grown, std::size_t block) const;
+  // Ends the way at a tip that its block breaks, or nearly so.
+  void end_at(CyclesOnStep& now, std::size_t tip) const;
   bool pass_programs(CyclesOnStep& now, std::size_t goal, double growth, double most_cycles) const;
   bool pass_block(CyclesOnStep& now, const Growth& rates, std::size_t goal, double growth, double most_cycles) const;
 

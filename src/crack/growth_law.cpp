@@ -23,6 +23,11 @@ double end_of_range(const AffineFactors& factors, const GrowthLaw& law, double i
   const double least_share = law.directions ? law.directions->least_share() : 1;
   const double constant = factors.constant.stableNorm() / std::sqrt(std::min(1.0, least_share));
   double low = inside, high = direction * 2 * (law.toughness + 2 * constant) / slope;
+  if (law.asking.function) {  // no bound is known of what it gives
+    constexpr int most_doublings = 60;
+    for (int k = 0; k < most_doublings && law.ratio(factors, high) < 1; ++k) low = high, high *= 2;
+    if (law.ratio(factors, high) < 1) return infinity * direction;
+  }
   if (!std::isfinite(high)) return infinity * direction;
   for (int i = 0; i < 100; ++i) {
     const double middle = 0.5 * (low + high);
@@ -50,6 +55,18 @@ double least_loaded(const AffineFactors& factors, GrowthLaw law) {
 
 }  // namespace
 
+GrowthLaw GrowthLaw::met(const Point& factors, double t_stress) const {
+  if (!asking.function) return *this;
+  GrowthLaw law = *this;
+  law.asking.function = nullptr;
+  TipCycle held;
+  held.tip = asking.id, held.place = asking.place, held.length = asking.grown, held.t_stress = t_stress;
+  held.high = held.low = factors;
+  held.highest = held.lowest = kink(factors).equivalent_factor;
+  law.toughness = toughness_of(asking.function->energy(held), plane_modulus);
+  return law;
+}
+
 GrowthRange GrowthLaw::range(const AffineFactors& factors) const {
   if (!(toughness > 0) || std::isinf(toughness)) return {};
   const auto stays = [&](double load_factor) { return ratio(factors, load_factor) < 1; };
@@ -63,7 +80,7 @@ GrowthRange GrowthLaw::range(const AffineFactors& factors) const {
 }
 
 double GrowthLaw::first_load_factor(const AffineFactors& factors) const {
-  if (!directions) return growth_load_factor(factors.constant, factors.proportional, toughness, criterion);
+  if (!directions && !asking.function) return growth_load_factor(factors.constant, factors.proportional, toughness, criterion);
   if (!(toughness > 0)) return infinity;
   return ratio(factors, 0) >= 1 ? 0 : range(factors).highest;
 }

@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "crack/factors.hpp"
+#include "crack/laws/host_resistance.hpp"
 #include "crack/laws/resistance_directions.hpp"
 #include "elasticity/kinked_tip.hpp"
 
@@ -33,6 +34,13 @@ struct GrowthLaw {
   // [rad]. The toughness is then that in a direction with the share 1.
   const ResistanceDirections* directions = nullptr;
   double heading = 0;
+  AskingTip asking{};  // with a function, the toughness is a number to begin with only
+
+  // The law with the toughness that a function gives for these factors; itself without one.
+  GrowthLaw met(const Point& factors, double t_stress) const;
+  GrowthLaw met(const AffineFactors& factors, double load_factor) const {
+    return asking.function ? met(factors.at(load_factor), asking.t_stress.dot(Point(1, load_factor))) : *this;
+  }
 
   double share_in(double angle) const { return directions ? directions->share(heading + angle) : 1; }
   // Energy per area that growth at an angle takes, and the energy release rate of a kink [J/m^2].
@@ -47,12 +55,13 @@ struct GrowthLaw {
   Kink kink(const AffineFactors& factors, double load_factor) const { return kink(factors.at(load_factor)); }
   // Ratio of the equivalent mode I factor in the direction of growth to the toughness: the tip grows when it reaches 1.
   double ratio(const AffineFactors& factors, double load_factor) const {
-    return toughness > 0 ? kink(factors, load_factor).equivalent_factor / toughness : 0;
+    if (!(toughness > 0)) return 0;
+    return kink(factors, load_factor).equivalent_factor / met(factors, load_factor).toughness;
   }
   // Range of load factors in which that ratio is below 1; unbounded if the toughness is infinite, or is not positive
   // (no fracture). By the hoop stress criterion the factor is a maximum of functions linear in the load factor, so the
   // range is an interval. By the energy release rate, without kinks that close, it is the interval around the load
-  // factor 0, or around the one at which the ratio is least.
+  // factor 0, or around the one at which the ratio is least; likewise with a function of the host.
   GrowthRange range(const AffineFactors& factors) const;
   // Smallest load factor >= 0 at which the ratio is 1 or more; infinite if there is none.
   double first_load_factor(const AffineFactors& factors) const;

@@ -45,7 +45,7 @@ LongerCracks CrackLengthening::lengthened(const std::vector<Lengthened>& tips) {
   std::vector<double> thickness;
   for (const Lengthened& one : tips) {
     const regions::TipValues& tip = one.tip;
-    const crack::GrowthLaw law = law_of(tip, model_.options_);
+    const crack::GrowthLaw law = law_of(tip, model_.options_).met(factors_of(tip), growing.load_factor);
     crack::Extension extension = crack::begin_extension({tip.crack, tip.end}, tip.place, one.angle, growing.load_factor,
                                                         factors_of(tip), law.resistance(one.angle));
     const Kink kink = law.kink(factors_of(tip), growing.load_factor);
@@ -87,6 +87,26 @@ void CrackLengthening::go_on_in(LongerCracks longer) {
   ++model_.generation_;
   if (!start_) start_ = std::move(before);
   if (model_.records_tips()) model_.record_tips();
+}
+
+void CrackLengthening::in_scene_of(LongerCracks* longer, const std::function<void()>& read) {
+  if (!longer) return read();
+  const auto exchange = [&] {
+    std::swap(model_.prepared_, longer->grown.scene);
+    model_.tip_factors_.scene = nullptr;
+    ++model_.generation_;
+  };
+  exchange();
+  model_.scene_.set_cracks(longer->cracks);
+  try {
+    read();
+  } catch (...) {
+    exchange();
+    model_.scene_.set_cracks(present_);
+    throw;
+  }
+  exchange();
+  model_.scene_.set_cracks(present_);
 }
 
 void CrackLengthening::report_progress() {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <optional>
 #include <set>
@@ -36,6 +37,10 @@ class CrackLengthening {
 
   // Tips that may grow: neither frozen by the host nor stopped. Their factors are functions of the load factor.
   virtual std::vector<regions::TipValues> tips() { return model_.growing_tips(); }
+  // The same with T, under the loads that act at present.
+  virtual std::vector<regions::TipValues> loaded_tips() {
+    return model_.tips_of(*model_.prepared_, regions::TipDetail::everything);
+  }
   // Cracks as they are now.
   virtual std::vector<scene::Crack> cracks() const { return model_.scene_.cracks(); }
   // Region in which the tip of a crack grows.
@@ -45,6 +50,8 @@ class CrackLengthening {
   PreparedScene& scene() { return *model_.prepared_; }
   // Prepared scene of longer cracks that are not accepted yet.
   virtual PreparedScene& scene_of(LongerCracks& longer) { return *longer.grown.scene; }
+  // Calls `read` while the scene of longer cracks (null: the present one) is the model's.
+  virtual void in_scene_of(LongerCracks* longer, const std::function<void()>& read);
   virtual bool grows_lines() const { return false; }
   // Least length by which a tip can grow, of which its growth is a multiple [m]; 0 for any length.
   virtual double quantum(const regions::TipValues&) const { return 0; }

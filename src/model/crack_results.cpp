@@ -65,6 +65,7 @@ double grown_among_bonds(int crack, int end, const scene::Crack& described,
 
 void complete(regions::TipValues& tip, const scene::Options& options) {
   if (!tip.factors.allFinite() || !tip.constant_factors.allFinite() || !tip.proportional_factors.allFinite()) return;
+  tip.toughness = law_of(tip, options).met(tip.factors, tip.stress_along).toughness;
   tell_growth(tip, carried(tip, options));
   if (std::isfinite(tip.critical_kink_angle)) tip.load_error = tip.error / tip.factors.norm();
   const crack::GrowthLaw law = law_of(tip, options);
@@ -140,7 +141,7 @@ std::vector<regions::TipValues> Model::tips_of_lines() const {
     const crack::Tip& tip = carried[k];
     regions::TipValues& values = tips[k];
     if (values.contours == 0) take_stress_ahead(values, tip, load_factor());
-    values.directions = tip.law.directions;
+    values.directions = tip.law.directions, values.asking = tip.law.asking;
     if (values.toughness > 0) values.toughness = tip.law.toughness;
     complete(values, options_);
     tell_growth(values, tip);

@@ -41,7 +41,8 @@ crack::AffineFactors factors_of(const regions::TipValues& tip) {
 }
 
 crack::GrowthLaw law_of(const regions::TipValues& tip, const scene::Options& options) {
-  return {tip.toughness, tip.plane_modulus, growth_criterion(options), tip.directions, heading_of(tip.direction)};
+  return {tip.toughness,  tip.plane_modulus,         growth_criterion(options),
+          tip.directions, heading_of(tip.direction), tip.asking};
 }
 
 crack::Tip carried(const regions::TipValues& tip, const scene::Options& options) {
@@ -70,7 +71,7 @@ Growing growing_with(const std::vector<regions::TipValues>& tips, std::size_t fi
   for (std::size_t t = 0; t < tips.size(); ++t) {
     if (t != first && !(share > 0 && ratio_of(tips[t]) >= growing.ratio / (1 + share))) continue;
     const regions::TipValues& tip = tips[t];
-    const crack::GrowthLaw law = law_of(tip, options);
+    const crack::GrowthLaw law = law_of(tip, options).met(factors_of(tip), load_factor);
     const Kink kink = law.kink(factors_of(tip), load_factor);
     crack::Extension extension = crack::begin_extension({tip.crack, tip.end}, tip.place, kink.angle, load_factor,
                                                         factors_of(tip), law.resistance(kink.angle));

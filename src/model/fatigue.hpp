@@ -6,11 +6,12 @@
 #include <utility>
 #include <vector>
 
-#include "crack/cycle_program.hpp"
 #include "crack/laws/rate_parameters.hpp"
 #include "crack/tip.hpp"
 #include "geometry/point.hpp"
 #include "model/answers.hpp"
+#include "model/load_levels.hpp"
+#include "model/remembered_overload.hpp"
 
 namespace bempd::model {
 
@@ -20,7 +21,7 @@ class Model;
 struct FatigueOptions {
   static constexpr double unlimited = std::numeric_limits<double>::infinity();
 
-  std::vector<crack::Block> blocks;
+  std::vector<LoadBlock> blocks;
   double first_cycle = 0;          // cycles that have passed before
   double most_cycles = unlimited;  // of the program, with those before
   double most_length = unlimited;  // of a crack [m]
@@ -37,7 +38,8 @@ enum class FatigueEnd {
   tip_ended = 5,    // a tip has reached an edge, a hole or another crack
   tip_stopped = 6,  // a tip cannot grow on where it is
   steps = 7,
-  requested = 8
+  requested = 8,
+  net_section = 9  // of a tip bears no more
 };
 
 struct FatigueReport {
@@ -50,7 +52,7 @@ struct FatigueReport {
 };
 
 // Record of a tip after a step; step 0 is the initial state. The factors belong to the highest and the lowest load of
-// the program.
+// the program; with load cases, to those loads of it under which the equivalent factor of this tip is largest and least.
 struct FatigueRecord {
   std::int64_t step = 0, event = 0;
   crack::TipId tip{};
@@ -61,13 +63,6 @@ struct FatigueRecord {
   Point high{0, 0}, low{0, 0};
   double highest = 0, lowest = 0;  // equivalent factors [Pa m^(1/2)]
   double rate = 0;                 // mean over the program [m]
-};
-
-// Overload that a tip has met, at the place at which a call left the tip.
-struct RememberedOverload {
-  crack::TipId tip;
-  Point place{0, 0};
-  crack::Overload overload;
 };
 
 // Fatigue: growth of cracks by cycles of the loads.
@@ -85,6 +80,8 @@ class Fatigue {
   const std::vector<FatigueRecord>& records() const { return records_; }
   // Overloads that tips have met by the end of that call; a call that goes on from there takes them up.
   const std::vector<RememberedOverload>& overloads() const { return overloads_; }
+  // Takes over those of a saved state.
+  void set_overloads(std::vector<RememberedOverload> overloads) { overloads_ = std::move(overloads); }
 
   // Extends tips by the given lengths at the present load factor, as one event.
   GrowthResult extend(const std::vector<std::pair<crack::TipId, double>>& lengths);

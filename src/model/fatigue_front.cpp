@@ -1,121 +1,126 @@
 #include "model/fatigue_front.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <optional>
 
 #include "elasticity/kinked_tip.hpp"
-#include "model/crack_lengthening.hpp"
+#include "geometry/turning.hpp"
 #include "model/growth_options.hpp"
+#include "model/level_factors.hpp"
+#include "model/net_section.hpp"
 
 namespace bempd::model {
 
 namespace {
-
-// Stress intensity factors of tips at the load factors of a program.
-class FactorsByLevel {
- public:
-  FactorsByLevel(PreparedScene& scene, const std::vector<regions::TipValues>& tips, const crack::CycleProgram& program,
-                 bool follows_faces)
-      : scene_(scene), tips_(tips), program_(program), follows_faces_(follows_faces) {}
-
-  std::vector<std::vector<Point>> all() {
-    const std::size_t highest = program_.highest();
-    factors_.assign(tips_.size(), std::vector<Point>(program_.load_factors().size(), Point(0, 0)));
-    take(highest, program_.load_factors().size(), tips_);
-    take(0, highest, tips_);
-    const coupling::Constraints& constraints = scene_.system->constraints();
-    if (constraints.size() == 0 || program_.load_factors().size() == 1 || !follows_faces_) return factors_;
-    fracture::EvolutionState state = scene_.evolution->state();
-    fracture::Continuation continuation = scene_.evolution->continuation();
-    closed_ = constraints.closed();
-    for (const bool downwards : {true, false}) follow(downwards);
-    scene_.evolution->restore(std::move(state), std::move(continuation));
-    return factors_;
-  }
-
- private:
-  // Sets the factors at the load factors with the indices `from` up to, but without, `to`.
-  void take(std::size_t from, std::size_t to, const std::vector<regions::TipValues>& tips) {
-    for (std::size_t level = from; level < to; ++level)
-      for (std::size_t t = 0; t < tips_.size(); ++t)
-        for (const regions::TipValues& tip : tips)
-          if (tip.crack == tips_[t].crack && tip.end == tips_[t].end)
-            factors_[t][level] = factors_of(tip).at(program_.load_factors()[level]);
-  }
-
-  // Moves from the highest load factor downwards or upwards, until the faces closed at a load factor are those closed
-  // at the last one. Gaps and contact forces are affine, so the same faces are closed in between as well.
-  void follow(bool downwards) {
-    const std::vector<double>& loads = program_.load_factors();
-    const std::size_t last = downwards ? 0 : loads.size() - 1;
-    if (last == program_.highest()) return;
-    std::vector<char> closed = closed_;
-    for (std::size_t level = program_.highest(); level != last;) {
-      go_to(last);
-      if (scene_.system->constraints().closed() == closed) return;
-      level = downwards ? level - 1 : level + 1;
-      go_to(level);
-      closed = scene_.system->constraints().closed();
-      const std::vector<regions::TipValues> here = tips();
-      downwards ? take(0, level + 1, here) : take(level, loads.size(), here);
-    }
-  }
-
-  void go_to(std::size_t level) { move_load(scene_, program_.load_factors()[level], {}); }
-  std::vector<regions::TipValues> tips() {
-    std::vector<regions::TipValues> found;
-    for (const auto& region : scene_.discretization.regions)
-      for (const regions::TipValues& tip : region->tips(solution_of(scene_), regions::TipDetail::factors))
-        found.push_back(tip);
-    return found;
-  }
-
-  PreparedScene& scene_;
-  const std::vector<regions::TipValues>& tips_;
-  const crack::CycleProgram& program_;
-  bool follows_faces_;
-  std::vector<char> closed_;
-  std::vector<std::vector<Point>> factors_;
-};
 
 // Equivalent stress intensity factor (mode I) in the direction `angle`, by the growth criterion.
 double equivalent_in(const Point& factors, double angle, KinkCriterion criterion) {
   return criterion == KinkCriterion::hoop_stress ? hoop_factor(factors, angle) : kinked_factors(factors, angle).x();
 }
 
+// Parts of a step at whose ends a fracture energy that varies from place to place is read.
+constexpr int parts_of_step = 16;
+
 }  // namespace
 
-const crack::RateLaw* RateLaws::of(int region, double toughness) {
-  if (region == 0) return nullptr;
-  const int material = model_.scene().region(region).material();
-  const crack::RateParameters* parameters = model_.fatigue().rate_of(material);
+const crack::RateParameters* FrontReader::parameters_of(int region) const {
+  return region == 0 ? nullptr : model_.fatigue().rate_of(model_.scene().region(region).material());
+}
+
+const crack::RateLaw* FrontReader::law_in(int region) {
+  const crack::RateParameters* parameters = parameters_of(region);
   if (!parameters) return nullptr;
-  if (!(toughness > 0)) toughness = FatigueOptions::unlimited;
-  std::unique_ptr<crack::RateLaw>& law = laws_[{material, toughness}];
+  const int material = model_.scene().region(region).material();
+  std::unique_ptr<crack::RateLaw>& law = laws_[material];
   if (!law)
-    law = crack::make_rate_law(*parameters, toughness,
-                               model_.scene().material(material).elasticity.state == PlaneState::strain);
+    law = crack::make_rate_law(*parameters, model_.scene().material(material).elasticity.state == PlaneState::strain);
   return law.get();
 }
 
-// The angle of a tip is that of the load at which its equivalent factor is larger, the highest or the lowest one.
-Front front_of(PreparedScene& scene, const std::vector<regions::TipValues>& tips, const crack::CycleProgram& program,
-               const CrackLengthening& lengthening, Model& model, RateLaws& laws) {
-  const KinkCriterion criterion = growth_criterion(model.options());
-  const std::vector<std::vector<Point>> factors =
-      FactorsByLevel(scene, tips, program, !lengthening.grows_lines()).all();
+// The direction of a tip is that under the load where its equivalent factor is larger: of the highest and the lowest
+// load factor, or of all combinations of load cases.
+void FrontReader::set_direction(FrontTip& tip) const {
+  const KinkCriterion criterion = growth_criterion(model_.options());
+  crack::GrowthLaw law = law_of(tip.values, model_.options());
+  tip.high = levels_.highest(), tip.low = levels_.lowest();
+  Kink most = law.kink(tip.levels[tip.high].factors);
+  for (std::size_t level = 0; level < tip.levels.size(); ++level) {
+    if (!levels_.combine_cases() && level != tip.low) continue;
+    const Kink kink = law.kink(tip.levels[level].factors);
+    if (kink.equivalent_factor > most.equivalent_factor) most = kink;
+  }
+  tip.angle = most.angle;
+  for (crack::LevelFactors& at : tip.levels) at.equivalent = equivalent_in(at.factors, tip.angle, criterion);
+  if (levels_.combine_cases()) {
+    const auto less = [](const auto& a, const auto& b) { return a.equivalent < b.equivalent; };
+    const auto [low, high] = std::minmax_element(tip.levels.begin(), tip.levels.end(), less);
+    tip.low = static_cast<std::size_t>(low - tip.levels.begin());
+    tip.high = static_cast<std::size_t>(high - tip.levels.begin());
+  }
+  law = law.met(tip.levels[tip.high].factors, tip.levels[tip.high].t_stress);
+  double toughness = law.directions ? law.toughness * std::sqrt(law.share_in(tip.angle)) : law.toughness;
+  if (!(toughness > 0)) toughness = FatigueOptions::unlimited;
+  tip.critical = crack::critical_of(*parameters_of(tip.region), toughness);
+}
+
+Front FrontReader::front(const std::vector<regions::TipValues>& tips, LongerCracks* longer) {
+  PreparedScene& scene = longer ? lengthening_.scene_of(*longer) : lengthening_.scene();
   Front front;
-  for (std::size_t t = 0; t < tips.size(); ++t) {
+  bool with_t_stress = false, with_sections = false;
+  for (const regions::TipValues& values : tips) {
     FrontTip tip;
-    tip.values = tips[t];
-    const crack::GrowthLaw law = law_of(tips[t], model.options());
-    const Kink high = law.kink(factors[t][program.highest()]), low = law.kink(factors[t][program.lowest()]);
-    tip.angle = low.equivalent_factor > high.equivalent_factor ? low.angle : high.angle;
-    const double toughness = law.directions ? law.toughness * std::sqrt(law.share_in(tip.angle)) : law.toughness;
-    tip.law = laws.of(lengthening.region_of(tips[t], scene), toughness);
-    for (const Point& at : factors[t]) tip.levels.push_back({at, equivalent_in(at, tip.angle, criterion)});
+    tip.values = values, tip.region = lengthening_.region_of(values, scene);
+    tip.law = law_in(tip.region);
+    if (!tip.law) continue;
+    const crack::RateParameters& parameters = *parameters_of(tip.region);
+    with_t_stress |= parameters.kind == crack::RateParameters::Kind::host || values.asking.function;
+    with_sections |= parameters.flow_stress > 0;
     front.push_back(std::move(tip));
   }
+  std::vector<regions::TipValues> growing;
+  for (const FrontTip& tip : front) growing.push_back(tip.values);
+  FactorsOfTips factors = LevelSolver(model_, lengthening_, levels_, longer).factors(growing, with_t_stress);
+  for (std::size_t t = 0; t < front.size(); ++t) {
+    front[t].levels = std::move(factors[t]);
+    set_direction(front[t]);
+  }
+  if (with_sections) add_net_sections(front, longer);
   return front;
+}
+
+void FrontReader::add_net_sections(Front& front, LongerCracks* longer) {
+  const std::vector<scene::Crack> cracks = longer && !lengthening_.grows_lines() ? longer->cracks : lengthening_.cracks();
+  std::vector<std::optional<NetSection>> sections;
+  for (const FrontTip& tip : front) {
+    sections.emplace_back();
+    if (parameters_of(tip.region)->flow_stress > 0)
+      sections.back().emplace(model_.scene().region(tip.region).outline(), cracks, tip.values.crack, tip.values.place,
+                              turned(tip.values.direction, tip.angle));
+  }
+  LevelSolver(model_, lengthening_, levels_, longer).under_each([&](std::size_t level) {
+    for (std::size_t t = 0; t < front.size(); ++t)
+      if (sections[t])
+        front[t].levels[level].net_section = sections[t]->share(
+            model_.results().evaluate(sections[t]->places(), true), parameters_of(front[t].region)->flow_stress);
+  });
+}
+
+// The factor changes evenly along a step, but for what varies from place to place, which is read along it.
+std::vector<double> FrontReader::critical_along(const FrontTip& before, const FrontTip* after, const Point& to) const {
+  const pd::VariedEnergy* energies = lengthening_.scene().discretization.region(before.region).toughness().if_any();
+  const bool is_stated = parameters_of(before.region)->critical > 0;
+  if (!energies || is_stated || std::isinf(before.critical))
+    return {before.critical, after ? after->critical : before.critical};
+  const Point from = before.values.place;
+  const auto share = [&](const Point& place) { return std::sqrt(energies->share(place)); };
+  const double first = before.critical / share(from), last = after ? after->critical / share(to) : first;
+  std::vector<double> all;
+  for (int k = 0; k <= parts_of_step; ++k) {
+    const double way = static_cast<double>(k) / parts_of_step;
+    all.push_back(((1 - way) * first + way * last) * share(from + way * (to - from)));
+  }
+  return all;
 }
 
 const FrontTip* tip_in(const Front& front, const crack::TipId& tip) {

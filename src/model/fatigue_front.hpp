@@ -2,44 +2,51 @@
 
 #include <map>
 #include <memory>
-#include <set>
-#include <utility>
 #include <vector>
 
 #include "crack/cycle_step.hpp"
 #include "model/crack_lengthening.hpp"
+#include "model/load_levels.hpp"
 
 namespace bempd::model {
 
-// Tip with its stress intensity factors at each load factor of the program.
+// Tip with its stress intensity factors under each load of the spectrum.
 struct FrontTip {
   regions::TipValues values;
   double angle = 0;                         // by which it turns as it grows [rad]
-  std::vector<crack::LevelFactors> levels;  // by load factor of the program
+  std::vector<crack::LevelFactors> levels;  // by load
+  std::size_t high = 0, low = 0;            // loads that its records tell of
   const crack::RateLaw* law = nullptr;      // null: it does not grow by cycles
+  int region = 0;
+  double critical = 0;                      // factor at which it breaks here; infinite: not known [Pa m^(1/2)]
 
   crack::TipId id() const { return {values.crack, values.end}; }
 };
 
 using Front = std::vector<FrontTip>;
 
-// Laws of growth by cycles of a model's materials, each created when it is first needed.
-class RateLaws {
+// Reads fronts of scenes: tips with their factors under each load, and the laws by which they grow.
+class FrontReader {
  public:
-  explicit RateLaws(Model& model) : model_(model) {}
-  // `toughness`: K_I at which the tip breaks in the direction of its growth; 0 or infinite if nothing is known of it.
-  const crack::RateLaw* of(int region, double toughness);
+  FrontReader(Model& model, CrackLengthening& lengthening, const LoadLevels& levels)
+      : model_(model), lengthening_(lengthening), levels_(levels) {}
+
+  // Front of a scene with longer cracks; null: of the model's.
+  Front front(const std::vector<regions::TipValues>& tips, LongerCracks* longer);
+  // Factors at which a tip breaks at even shares of a step, from its beginning to its end; `after`: null if it ended.
+  std::vector<double> critical_along(const FrontTip& before, const FrontTip* after, const Point& to) const;
 
  private:
-  Model& model_;
-  // Laws by material and toughness, which varies from place to place.
-  std::map<std::pair<int, double>, std::unique_ptr<crack::RateLaw>> laws_;
-};
+  const crack::RateParameters* parameters_of(int region) const;
+  const crack::RateLaw* law_in(int region);
+  void set_direction(FrontTip& tip) const;
+  void add_net_sections(Front& front, LongerCracks* longer);
 
-// Tips of a scene with their factors at each load factor of a program. If faces close or open between two load factors,
-// the scene is moved to these load factors and back to the highest one; its history does not record that.
-Front front_of(PreparedScene& scene, const std::vector<regions::TipValues>& tips, const crack::CycleProgram& program,
-               const CrackLengthening& lengthening, Model& model, RateLaws& laws);
+  Model& model_;
+  CrackLengthening& lengthening_;
+  const LoadLevels& levels_;
+  std::map<int, std::unique_ptr<crack::RateLaw>> laws_;  // by material
+};
 
 const FrontTip* tip_in(const Front& front, const crack::TipId& tip);
 

@@ -35,7 +35,8 @@ crack::Overload MetOverloads::of(const crack::TipId& tip) const {
 
 std::vector<RememberedOverload> MetOverloads::remembered(const Front& front) const {
   std::vector<RememberedOverload> all;
-  for (const FrontTip& tip : front) all.push_back({tip.id(), tip.values.place, of(tip.id())});
+  for (const FrontTip& tip : front)
+    if (tip.law->retardation()) all.push_back({tip.id(), tip.values.place, of(tip.id())});
   return all;
 }
 

@@ -27,6 +27,7 @@ crack::TipOnStep FatigueRun::standing(std::size_t tip) const {
   one.tip = of.id(), one.law = of.law, one.before = of.levels;
   one.length = length_of_crack(tip);
   one.from = one.to = of.values.place;
+  one.critical = {of.critical};
   one.overload = overloads_.of(one.tip);
   return one;
 }

@@ -33,13 +33,13 @@ FatigueRun::FatigueRun(Model& model, CrackLengthening& lengthening, const Fatigu
     : model_(model),
       lengthening_(lengthening),
       options_(options),
-      program_(options.blocks),
-      laws_(model),
+      levels_(options.blocks),
+      program_(levels_.blocks()),
+      reader_(model, lengthening, levels_),
       step_(options) {}
 
 FatigueReport FatigueRun::run() {
-  lengthening_.go_to(program_.load_factors()[program_.highest()]);
-  if (lengthening_.grows_lines()) require_proportional();
+  if (!levels_.combine_cases()) lengthening_.go_to(levels_.factor(levels_.highest()));
   place_ = program_.place_after(options_.first_cycle);
   report_.cycles = options_.first_cycle;
   find_front();
@@ -57,23 +57,11 @@ void FatigueRun::find_front() {
   const std::vector<regions::TipValues> tips = lengthening_.tips();
   require(!tips.empty(),
           "all tips are frozen, or have stopped before an interface; let one grow again with bempd_set_tip_frozen()");
-  front_ = front_of(lengthening_.scene(), tips, program_, lengthening_, model_, laws_);
+  front_ = reader_.front(tips, nullptr);
   cracks_ = lengthening_.cracks();
-  std::erase_if(front_, [](const FrontTip& tip) { return tip.law == nullptr; });
   require(!front_.empty(),
           "no material with a tip has a law of growth by cycles; give it one with bempd_set_growth_rate()");
   find_rates();
-}
-
-// Faces in lattices are not followed between the load factors of a block. Without constant loads, and without a
-// reversal, those that press on each other are the same at all of them.
-void FatigueRun::require_proportional() {
-  require(program_.load_factors().front() >= 0, "a low load factor is ", program_.load_factors().front(),
-          "; in peridynamic regions growth by cycles takes low load factors >= 0");
-  require(lengthening_.scene().system->constraints().size() == 0 ||
-              lengthening_.scene().evolution->state().displacement.col(0).isZero(0),
-          "there are constant loads, and faces of cracks in peridynamic regions may close under them; let all loads be "
-          "proportional to the load factor, or set contact to none");
 }
 
 // Makes a step; returns false if the run is over. A step is halved if it turns too much, if its cycles are too
@@ -138,7 +126,7 @@ FatigueRun::Trial FatigueRun::trial(std::vector<double> lengths, std::vector<dou
   trial.longer = lengthening_.lengthened(grow);
   std::vector<regions::TipValues> tips = trial.longer.grown.tips;
   std::erase_if(tips, [&](const auto& tip) { return tip_in(front_, {tip.crack, tip.end}) == nullptr; });
-  trial.after = front_of(lengthening_.scene_of(trial.longer), tips, program_, lengthening_, model_, laws_);
+  trial.after = reader_.front(tips, &trial.longer);
   trial.on_step = on_step(trial);
   std::vector<double> ahead;
   for (const FrontTip& tip : front_) ahead.push_back(ahead_[tip.id()]);
@@ -156,7 +144,9 @@ std::vector<crack::TipOnStep> FatigueRun::on_step(const Trial& trial) const {
       if (e.crack == one.tip.crack) one.crack_growth += e.length;
       if (e.tip() == one.tip) one.growth = e.length, one.to = Point(e.x, e.y);
     }
-    if (const FrontTip* after = tip_in(trial.after, one.tip)) one.after = after->levels;
+    const FrontTip* after = tip_in(trial.after, one.tip);
+    if (after) one.after = after->levels;
+    one.critical = reader_.critical_along(front_[t], after, one.to);
     if (const auto last = last_growth_.find(one.tip); last != last_growth_.end())
       one.past_growth = last->second, one.past = last_levels_.at(one.tip);
     all.push_back(std::move(one));
@@ -247,6 +237,7 @@ bool FatigueRun::is_over(const crack::CyclesOnStep& cycles) {
   }
   if (cycles.end == CyclesEnd::none_grows) return !end_by(FatigueEnd::none_grows);
   if (cycles.end == CyclesEnd::critical) return !end_by(FatigueEnd::critical, front_[cycles.tip].id());
+  if (cycles.end == CyclesEnd::net_section) return !end_by(FatigueEnd::net_section, front_[cycles.tip].id());
   return false;
 }
 
@@ -264,7 +255,7 @@ void FatigueRun::record() {
     record.tip = tip.id(), record.cycles = report_.cycles;
     record.length = length_of_crack(t), record.growth = grown_[tip.id()];
     record.place = tip.values.place;
-    const crack::LevelFactors &high = tip.levels[program_.highest()], &low = tip.levels[program_.lowest()];
+    const crack::LevelFactors &high = tip.levels[tip.high], &low = tip.levels[tip.low];
     record.high = high.factors, record.low = low.factors;
     record.highest = high.equivalent, record.lowest = low.equivalent;
     record.rate = rates_[t];

@@ -61,7 +61,6 @@ class FatigueRun {
   bool is_off(const Trial& trial, std::size_t leader, double share) const;
   bool choose_step(const Trial& trial, std::size_t leader, bool must_stand);
   bool accept(Trial trial, std::size_t leader);
-  void require_proportional();
   bool pass(const crack::CyclesOnStep& cycles);
   bool pass_without_growth();
   bool is_over(const crack::CyclesOnStep& cycles);
@@ -71,8 +70,9 @@ class FatigueRun {
   Model& model_;
   CrackLengthening& lengthening_;
   const FatigueOptions& options_;
+  LoadLevels levels_;
   crack::CycleProgram program_;
-  RateLaws laws_;
+  FrontReader reader_;
   Front front_;
   std::vector<scene::Crack> cracks_;      // as they are now
   std::vector<double> rates_;             // of the front, mean over the program

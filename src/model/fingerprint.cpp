@@ -35,6 +35,7 @@ void add(Hash& hash, const scene::Material& material) {
     add_table("resistance by growth", curve->extensions(), curve->shares());
   if (const crack::ResistanceDirections* table = material.resistance.directions.get())
     add_table("resistance by direction", table->angles(), table->shares());
+  if (material.resistance.function) hash.add(std::string_view("resistance by a function"));
 }
 
 void add_place(Hash& hash, const scene::Condition& condition) {

@@ -15,9 +15,11 @@ class LineLengthening final : public CrackLengthening {
   explicit LineLengthening(Model& model);
 
   std::vector<regions::TipValues> tips() override;
+  std::vector<regions::TipValues> loaded_tips() override { return tips(); }
   std::vector<scene::Crack> cracks() const override;
   int region_of(const regions::TipValues& tip, const PreparedScene& scene) const override;
   PreparedScene& scene_of(LongerCracks&) override { return scene(); }
+  void in_scene_of(LongerCracks*, const std::function<void()>& read) override { read(); }
   bool grows_lines() const override { return true; }
   double quantum(const regions::TipValues& tip) const override;
   void go_to(double load_factor) override;

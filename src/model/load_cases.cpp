@@ -10,15 +10,16 @@ namespace bempd::model {
 
 namespace {
 
-// Adds `factor` times the values at the load factor 1 to a sum of constant parts. Both have the same samples or places.
-void add(scene::SampledValues& sum, const scene::SampledValues& values, double factor) {
-  for (std::size_t k = 0; k < sum.constant.size(); ++k)
-    sum.constant[k] += factor * (values.constant[k] + values.proportional[k]);
-}
+// Factors of the constant and of the proportional part of values.
+struct Factors {
+  double constant = 0, proportional = 0;
+};
 
-void add(scene::PlacedValues& sum, const scene::PlacedValues& values, double factor) {
+// Adds values to a sum of constant parts. Both have the same samples or places.
+template <class Kind>
+void add(Kind& sum, const Kind& values, const Factors& by) {
   for (std::size_t k = 0; k < sum.constant.size(); ++k)
-    sum.constant[k] += factor * (values.constant[k] + values.proportional[k]);
+    sum.constant[k] += by.constant * values.constant[k] + by.proportional * values.proportional[k];
 }
 
 // Sum of values of one condition, each times a factor; the first one says the kind if there is any.
@@ -26,7 +27,7 @@ class Sum {
  public:
   explicit Sum(scene::Values zero) : sum_(std::move(zero)) {}
 
-  void add(const scene::Values& values, double factor) {
+  void add(const scene::Values& values, const Factors& factor) {
     const auto* function = std::get_if<scene::BoundaryFunction>(&values);
     if (sum_.index() != values.index() || function) {
       terms_.emplace_back(as_function(values), factor);
@@ -46,7 +47,7 @@ class Sum {
       scene::BoundaryValue value{rest(place, fraction).constant, Point::Zero()};
       for (const auto& [function, factor] : terms) {
         const scene::BoundaryValue own = function(place, fraction);
-        value.constant += factor * (own.constant + own.proportional);
+        value.constant += factor.constant * own.constant + factor.proportional * own.proportional;
       }
       return value;
     });
@@ -61,7 +62,7 @@ class Sum {
   }
 
   scene::Values sum_;
-  std::vector<std::pair<scene::BoundaryFunction, double>> terms_;
+  std::vector<std::pair<scene::BoundaryFunction, Factors>> terms_;
 };
 
 // Values of one kind of conditions under a combination; `part` selects loads or supports of a case.
@@ -72,8 +73,20 @@ std::vector<scene::Values> combined_of(const std::vector<scene::Values>& zeros, 
     Sum sum(zeros[k]);
     for (std::size_t c = 0; c < cases; ++c) {
       const auto [values, factor] = part(c, k);
-      if (values && factor != 0) sum.add(*values, factor);
+      if (values && factor != 0) sum.add(*values, {factor, factor});
     }
+    all.push_back(sum.result());
+  }
+  return all;
+}
+
+// Values at a load factor as constant ones.
+std::vector<scene::Values> at_load_factor(const std::vector<scene::Values>& zeros,
+                                          const std::vector<scene::Values>& values, double load_factor) {
+  std::vector<scene::Values> all;
+  for (std::size_t k = 0; k < zeros.size(); ++k) {
+    Sum sum(zeros[k]);
+    sum.add(values[k], {1, load_factor});
     all.push_back(sum.result());
   }
   return all;
@@ -127,12 +140,23 @@ void LoadCases::with(const std::vector<double>& factors, const std::function<voi
   for (std::size_t c = 0; c < factors.size(); ++c)
     require(std::isfinite(factors[c]), "the factor of load case ", c + 1, " is ", factors[c],
             "; it must be a finite number");
+  with(combined(factors), read);
+}
+
+void LoadCases::at(double load_factor, const std::function<void(PreparedScene&)>& read) {
+  const scene::SceneValues own = model_.scene().values(), zeros = scene::at_rest(own);
+  with(scene::SceneValues{at_load_factor(zeros.supports, own.supports, load_factor),
+                          at_load_factor(zeros.loads, own.loads, load_factor)},
+       read);
+}
+
+void LoadCases::with(const scene::SceneValues& values, const std::function<void(PreparedScene&)>& read) {
   model_.prepare();
   PreparedScene& scene = model_.prepared();
   fracture::CrackEvolution& evolution = *scene.evolution;
   fracture::EvolutionState state = evolution.state();
   fracture::Continuation continuation = evolution.continuation();
-  Model::LoadsBefore loads = model_.replace_loads(model_.conditions_under(combined(factors)), Acting::values);
+  Model::LoadsBefore loads = model_.replace_loads(model_.conditions_under(values), Acting::values);
   const auto go_back = [&] {
     evolution.take_held();
     evolution.restore(std::move(state), std::move(continuation));

@@ -127,6 +127,7 @@ SavedState Model::save(bool with_values) const {
       .acting_values = acting_values(),
       .said = with_values ? std::optional(scene_.values()) : std::nullopt,
       .frozen = std::move(frozen),
+      .overloads = fatigue_.overloads(),
   };
 }
 
@@ -192,6 +193,7 @@ void Model::restore_body(const SavedState& state) {
   prepared_->evolution->restore(std::move(copy), std::move(continuation));
   loads_ = std::move(loads);
   tip_history_ = state.tips;
+  fatigue_.set_overloads(state.overloads);
   ++generation_;
 }
 

@@ -47,6 +47,12 @@ void visit_members(Tip& t, Visit& visit) {
   visit(t.law), visit(t.energy_ratios), visit(t.id), visit(t.state);
   if (visit.format > 15) visit(t.even_ahead), visit(t.grown);
 }
+template <class Met, class Visit>
+requires std::is_same_v<std::remove_const_t<Met>, RememberedOverload>
+void visit_members(Met& m, Visit& visit) {
+  visit(m.tip), visit(m.place.x()), visit(m.place.y());
+  visit(m.overload.end), visit(m.overload.zone), visit(m.overload.highest);
+}
 template <class Face, class Visit>
 requires std::is_same_v<std::remove_const_t<Face>, fracture::GrownFace>
 void visit_members(Face& f, Visit& visit) { visit(f.term), visit(f.normal_x), visit(f.normal_y); }
@@ -275,7 +281,8 @@ std::vector<std::uint8_t> to_bytes(const SavedState& state) {
   writer.raw(magic, sizeof magic);
   writer(byte_order_mark), writer(static_cast<std::uint32_t>(state_format));
   visit_members(state, writer);
-  if (!state.frozen.empty()) writer(state.frozen);
+  if (!state.frozen.empty() || !state.overloads.empty()) writer(state.frozen);
+  if (!state.overloads.empty()) writer(state.overloads);
   return writer.finish();
 }
 
@@ -292,6 +299,7 @@ SavedState from_bytes(const std::uint8_t* bytes, std::size_t size) {
   state.format = reader.format;
   visit_members(state, reader);
   if (reader.left() > sizeof stored) reader(state.frozen);
+  if (reader.left() > sizeof stored) reader(state.overloads);
   require(reader.left() == sizeof stored, "the bytes of the state are damaged: something is left over");
   require_consistent(state);
   return state;

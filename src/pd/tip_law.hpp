@@ -27,6 +27,7 @@ struct TipLaw {
   // Fracture energy by growth and by direction; null where it depends on neither.
   const crack::ResistanceCurve* curve = nullptr;
   const crack::ResistanceDirections* directions = nullptr;
+  const crack::HostResistance* function = nullptr;  // takes the place of all of them
 
   // The law with the toughness at a place, of a tip that has grown by a length.
   TipLaw at(const Point& place, double grown) const {

@@ -26,6 +26,7 @@ struct TipValues {
   double toughness = 0;      // K_I at which it grows straight on; 0: it does not [Pa m^(1/2)]
   double plane_modulus = 0;  // [Pa]
   const crack::ResistanceDirections* directions = nullptr;  // null: the toughness is the same in all directions
+  crack::AskingTip asking{};  // with a function of the host, which gives the toughness at the present loads
 
   // Results of the growth criterion in force (Model::complete()); load factors: +- largest double if it never grows.
   double kink_angle = unknown;                 // from the direction, counter-clockwise, at the present loads [rad]

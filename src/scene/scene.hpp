@@ -112,6 +112,7 @@ class Scene {
 };
 
 // Sets fracture energies of a material by the growth of a tip [m], or by its direction [rad]; all in [J/m^2].
+void set_resistance_function(Scene& scene, int material, crack::HostResistance::Function function);
 void set_resistance_curve(Scene& scene, int material, std::vector<double> extensions, std::vector<double> energies);
 void set_resistance_directions(Scene& scene, int material, std::vector<double> angles, std::vector<double> energies);
 

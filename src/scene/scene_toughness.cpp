@@ -33,16 +33,30 @@ Material& breaking_material(Scene& scene, int id) {
   return scene.mutable_material(id);
 }
 
+Material& material_for_table(Scene& scene, int id) {
+  Material& material = breaking_material(scene, id);
+  require(!material.resistance.function, "material ", id,
+          " has a resistance function, which takes the place of tables; give one of them");
+  return material;
+}
+
 }  // namespace
 
+void set_resistance_function(Scene& scene, int id, crack::HostResistance::Function function) {
+  crack::Resistance& resistance = breaking_material(scene, id).resistance;
+  require(!resistance.curve && !resistance.directions, "material ", id,
+          " has a table of resistance; a function takes the place of tables, so give one of them");
+  resistance.function = std::make_shared<const crack::HostResistance>(std::move(function));
+}
+
 void set_resistance_curve(Scene& scene, int id, std::vector<double> extensions, std::vector<double> energies) {
-  Material& material = breaking_material(scene, id);
+  Material& material = material_for_table(scene, id);
   material.resistance.curve = std::make_shared<const crack::ResistanceCurve>(
       std::move(extensions), shares_of(std::move(energies), material.fracture_energy));
 }
 
 void set_resistance_directions(Scene& scene, int id, std::vector<double> angles, std::vector<double> energies) {
-  Material& material = breaking_material(scene, id);
+  Material& material = material_for_table(scene, id);
   material.resistance.directions = std::make_shared<const crack::ResistanceDirections>(
       std::move(angles), shares_of(std::move(energies), material.fracture_energy));
 }

@@ -29,6 +29,7 @@ class FatigueStop(enum.IntEnum):
     TIP_STOPPED = 6  #: where it cannot grow on, as at an interface
     STEPS = 7  #: the number of steps asked for was made
     REQUESTED = 8  #: by request_stop()
+    NET_SECTION = 9  #: the net section of a tip yields as a whole
 
 
 @dataclasses.dataclass(frozen=True)

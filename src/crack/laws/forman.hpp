@@ -8,12 +8,12 @@ namespace bempd::crack {
 // where K reaches K_c.
 class Forman final : public RateLaw {
  public:
-  Forman(double coefficient, double exponent, double threshold, double critical)
-      : RateLaw(threshold, critical), coefficient_(coefficient), exponent_(exponent) {}
+  Forman(double coefficient, double exponent, double threshold)
+      : RateLaw(threshold), coefficient_(coefficient), exponent_(exponent) {}
 
  private:
   double growth(const TipCycle& cycle) const override {
-    const double left = (1 - cycle.ratio()) * critical() - cycle.range();
+    const double left = (1 - cycle.ratio()) * cycle.critical - cycle.range();
     return coefficient_ * std::pow(cycle.range(), exponent_) / left;
   }
 

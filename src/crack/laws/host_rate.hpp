@@ -11,8 +11,7 @@ class HostRate final : public RateLaw {
  public:
   using Function = std::function<double(const TipCycle&)>;
 
-  HostRate(Function function, double threshold, double critical)
-      : RateLaw(threshold, critical), function_(std::move(function)) {}
+  HostRate(Function function, double threshold) : RateLaw(threshold), function_(std::move(function)) {}
 
  private:
   double growth(const TipCycle& cycle) const override { return function_(cycle); }

@@ -26,15 +26,15 @@ class Nasgro final : public RateLaw {
     }
   };
 
-  Nasgro(double coefficient, double exponent, double p, double q, Closure closure, double threshold, double critical)
-      : RateLaw(threshold, critical), coefficient_(coefficient), exponent_(exponent), p_(p), q_(q), closure_(closure) {}
+  Nasgro(double coefficient, double exponent, double p, double q, Closure closure, double threshold)
+      : RateLaw(threshold), coefficient_(coefficient), exponent_(exponent), p_(p), q_(q), closure_(closure) {}
 
  private:
   double growth(const TipCycle& cycle) const override {
     const double ratio = cycle.ratio();
     const double effective = (1 - closure_.opening(ratio)) / (1 - ratio) * cycle.range();
     const double near_threshold = p_ == 0 ? 1 : std::pow(1 - threshold() / cycle.range(), p_);
-    const double near_fracture = q_ == 0 ? 1 : std::pow(1 - cycle.highest / critical(), q_);
+    const double near_fracture = q_ == 0 ? 1 : std::pow(1 - cycle.highest / cycle.critical, q_);
     return coefficient_ * std::pow(effective, exponent_) * near_threshold / near_fracture;
   }
 

@@ -8,8 +8,8 @@ namespace bempd::crack {
 // da/dN = C [(1 - R)^(gamma - 1) dK]^m. With gamma = 1 the ratio has no effect.
 class ParisWalker final : public RateLaw {
  public:
-  ParisWalker(double coefficient, double exponent, double walker, double threshold, double critical)
-      : RateLaw(threshold, critical), coefficient_(coefficient), exponent_(exponent), walker_(walker) {}
+  ParisWalker(double coefficient, double exponent, double walker, double threshold)
+      : RateLaw(threshold), coefficient_(coefficient), exponent_(exponent), walker_(walker) {}
 
  private:
   double growth(const TipCycle& cycle) const override {

@@ -12,14 +12,12 @@ namespace bempd::crack {
 // How far a tip grows in a cycle, below the load at which it breaks.
 class RateLaw {
  public:
-  // `threshold`: range up to which the tip does not grow; `critical`: highest factor at which it breaks, infinite if
-  // nothing is known of it [Pa m^(1/2)].
-  RateLaw(double threshold, double critical) : threshold_(threshold), critical_(critical) {}
+  // `threshold`: range up to which the tip does not grow [Pa m^(1/2)].
+  explicit RateLaw(double threshold) : threshold_(threshold) {}
   RateLaw(const RateLaw&) = delete;
   RateLaw& operator=(const RateLaw&) = delete;
   virtual ~RateLaw() = default;
 
-  double critical() const { return critical_; }
   // Growth in a cycle [m], or in a unit of time. A tip whose faces are pressed together does not grow.
   double rate(const TipCycle& cycle) const {
     if (!(cycle.highest > 0) || !(cycle.range() > threshold_)) return 0;
@@ -41,7 +39,7 @@ class RateLaw {
   double threshold() const { return threshold_; }
 
  private:
-  double threshold_, critical_;
+  double threshold_;
   std::unique_ptr<Retardation> retardation_;
 };
 

@@ -9,26 +9,21 @@ namespace bempd::crack {
 
 namespace {
 
-std::unique_ptr<RateLaw> make_law(const RateParameters& parameters, double toughness) {
+std::unique_ptr<RateLaw> make_law(const RateParameters& p) {
   using Kind = RateParameters::Kind;
-  const RateParameters& p = parameters;
-  const double critical = p.critical > 0 ? p.critical : toughness;
-  const bool needs_toughness = p.kind == Kind::forman || (p.kind == Kind::nasgro && p.q > 0);
-  require(!needs_toughness || std::isfinite(critical), "the growth law needs the factor at which a tip breaks, and ",
-          "neither critical_intensity nor a fracture_energy of the material is given; give one of them");
   switch (p.kind) {
     case Kind::forman:
-      return std::make_unique<Forman>(p.coefficient, p.exponent, p.threshold, critical);
+      return std::make_unique<Forman>(p.coefficient, p.exponent, p.threshold);
     case Kind::nasgro:
-      return std::make_unique<Nasgro>(p.coefficient, p.exponent, p.p, p.q, p.closure, p.threshold, critical);
+      return std::make_unique<Nasgro>(p.coefficient, p.exponent, p.p, p.q, p.closure, p.threshold);
     case Kind::sustained:
-      return std::make_unique<Sustained>(p.coefficient, p.exponent, p.threshold, critical);
+      return std::make_unique<Sustained>(p.coefficient, p.exponent, p.threshold);
     case Kind::host:
-      return std::make_unique<HostRate>(p.function, p.threshold, critical);
+      return std::make_unique<HostRate>(p.function, p.threshold);
     case Kind::paris_walker:
       break;
   }
-  return std::make_unique<ParisWalker>(p.coefficient, p.exponent, p.walker, p.threshold, critical);
+  return std::make_unique<ParisWalker>(p.coefficient, p.exponent, p.walker, p.threshold);
 }
 
 std::unique_ptr<Retardation> make_retardation(const RateParameters& p, bool plane_strain) {
@@ -46,10 +41,19 @@ std::unique_ptr<Retardation> make_retardation(const RateParameters& p, bool plan
 
 }  // namespace
 
-std::unique_ptr<RateLaw> make_rate_law(const RateParameters& parameters, double toughness, bool plane_strain) {
-  std::unique_ptr<RateLaw> law = make_law(parameters, toughness);
+std::unique_ptr<RateLaw> make_rate_law(const RateParameters& parameters, bool plane_strain) {
+  std::unique_ptr<RateLaw> law = make_law(parameters);
   law->slow_down(make_retardation(parameters, plane_strain));
   return law;
+}
+
+double critical_of(const RateParameters& p, double toughness) {
+  using Kind = RateParameters::Kind;
+  const double critical = p.critical > 0 ? p.critical : toughness;
+  const bool needs_toughness = p.kind == Kind::forman || (p.kind == Kind::nasgro && p.q > 0);
+  require(!needs_toughness || std::isfinite(critical), "the growth law needs the factor at which a tip breaks, and ",
+          "neither critical_intensity nor a fracture_energy of the material is given; give one of them");
+  return critical;
 }
 
 }  // namespace bempd::crack

@@ -25,10 +25,15 @@ struct RateParameters {
   double yield_strength = 0;   // [Pa]
   double zone_constraint = 0;  // 0: by the plane state of the material
   double wheeler_exponent = 0, shutoff_ratio = 0;
+
+  double flow_stress = 0;  // mean stress that a net section bears [Pa]; 0: it is not watched
 };
 
-// The law in a material with this toughness, infinite where nothing is known of it, in plane strain or plane stress.
-// Throws Error (argument) for a law that needs a toughness.
-std::unique_ptr<RateLaw> make_rate_law(const RateParameters& parameters, double toughness, bool plane_strain);
+// The law in plane strain or plane stress.
+std::unique_ptr<RateLaw> make_rate_law(const RateParameters& parameters, bool plane_strain);
+
+// Factor at which a tip breaks where the material has this toughness, infinite where nothing is known of it. Throws Error
+// (argument) for a law that needs to know it.
+double critical_of(const RateParameters& parameters, double toughness);
 
 }  // namespace bempd::crack

@@ -2,6 +2,7 @@
 
 #include <memory>
 
+#include "crack/laws/host_resistance.hpp"
 #include "crack/laws/resistance_curve.hpp"
 #include "crack/laws/resistance_directions.hpp"
 
@@ -11,10 +12,12 @@ namespace bempd::crack {
 struct Resistance {
   std::shared_ptr<const ResistanceCurve> curve;
   std::shared_ptr<const ResistanceDirections> directions;
+  std::shared_ptr<const HostResistance> function;  // takes the place of all numbers
 
-  bool is_constant() const { return !curve && !directions; }
+  bool is_constant() const { return !curve && !directions && !function; }
   bool operator==(const Resistance& other) const {
-    return are_same(curve.get(), other.curve.get()) && are_same(directions.get(), other.directions.get());
+    return are_same(curve.get(), other.curve.get()) && are_same(directions.get(), other.directions.get()) &&
+           function == other.function;
   }
 
  private:

@@ -8,8 +8,8 @@ namespace bempd::crack {
 // unit of time, at its highest load.
 class Sustained final : public RateLaw {
  public:
-  Sustained(double coefficient, double exponent, double threshold, double critical)
-      : RateLaw(-std::numeric_limits<double>::infinity(), critical),
+  Sustained(double coefficient, double exponent, double threshold)
+      : RateLaw(-std::numeric_limits<double>::infinity()),
         coefficient_(coefficient),
         exponent_(exponent),
         least_(threshold) {}

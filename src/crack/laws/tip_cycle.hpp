@@ -1,5 +1,7 @@
 #pragma once
 
+#include <limits>
+
 #include "crack/tip.hpp"
 #include "geometry/point.hpp"
 
@@ -10,6 +12,8 @@ struct TipCycle {
   TipId tip;
   Point high{0, 0}, low{0, 0};     // K_I and K_II at the highest and the lowest load of the cycle [Pa m^(1/2)]
   double highest = 0, lowest = 0;  // equivalent factors there [Pa m^(1/2)]
+  double critical = std::numeric_limits<double>::infinity();  // factor at which the tip breaks; infinite: unknown
+  double t_stress = 0;             // T at the highest load, if the law asks for it [Pa]
   double length = 0;               // of the crack [m]
   Point place{0, 0};               // of the tip [m]
 

@@ -25,6 +25,7 @@ std::vector<crack::Tip> LineEvents::tips() {
     found[k].law = steps_.growth_law(tip, tip.place);
     if (LineSteps::has_ended(tip)) continue;
     const AffineIntensity fit = steps_.intensity_at(tip, state.displacement);
+    if (found[k].law.asking.function) found[k].law.asking.t_stress = steps_.t_stress_at(tip, state.displacement);
     found[k].factors = {{fit.one[0], fit.two[0]}, {fit.one[1], fit.two[1]}};
     found[k].load_rule = crack::LoadRule::fit, found[k].closed = steps_.is_closed(tip, state.displacement);
     found[k].kink_angle = steps_.kink_at(tip, state.displacement, state.load_factor);

@@ -80,8 +80,8 @@ void LineSteps::judge_fit(const std::vector<GrowingTip>& tips, const WilliamsFit
   const GrowingTip& tip = tips[step.tip];
   const pd::TipLaw& law = law_of(tip);
   // A weak direction turns a tip far more sharply than its field does, and the counted lengths of such a turn say
-  // little.
-  if (!laws_.loads_by_energy || law.directions) return;
+  // little. A function of the host needs factors.
+  if (!laws_.loads_by_energy || law.directions || law.function) return;
   const Eigen::Vector2d at(1, step.load_factor);
   const AffineIntensity factors = stress_.as_read(fit.factors(law.horizon));
   const bool is_sheared = std::abs(factors.two.dot(at)) > largest_shear * std::abs(factors.one.dot(at));

@@ -125,12 +125,35 @@ std::optional<double> load_ratio(double dividend, double divisor) {
   return dividend / divisor;
 }
 
-std::optional<LineLoad> load_of_growth(const AffineIntensity& intensity, const AffineIntensity& turning,
-                                       const LineCriterion& criterion) {
+namespace {
+
+std::optional<LineLoad> load_by_numbers(const AffineIntensity& intensity, const AffineIntensity& turning,
+                                        const LineCriterion& criterion) {
   if (!(criterion.law.toughness > 0) || std::isinf(criterion.law.toughness)) return std::nullopt;
   if (criterion.law.criterion == KinkCriterion::energy_release_rate)
     return load_by_energy(intensity, turning, criterion);
   return ByHoopStress(intensity, turning, criterion).load();
+}
+
+}  // namespace
+
+// The fracture energy of a function is found together with the load factor, by repeated substitution.
+std::optional<LineLoad> load_of_growth(const AffineIntensity& intensity, const AffineIntensity& turning,
+                                       LineCriterion& criterion) {
+  if (!criterion.law.asking.function) return load_by_numbers(intensity, turning, criterion);
+  constexpr int most_rounds = 50;
+  constexpr double same = 1e-10;
+  const crack::GrowthLaw asking = criterion.law;
+  const crack::AffineFactors factors{{intensity.one[0], intensity.two[0]}, {intensity.one[1], intensity.two[1]}};
+  criterion.law.asking.function = nullptr;
+  std::optional<LineLoad> load = load_by_numbers(intensity, turning, criterion);
+  for (int round = 0; load && round < most_rounds; ++round) {
+    const double before = load->load_factor;
+    criterion.law = asking.met(factors, before);
+    load = load_by_numbers(intensity, turning, criterion);
+    if (load && std::abs(load->load_factor - before) <= same * std::abs(before)) break;
+  }
+  return load;
 }
 
 }  // namespace bempd::fracture

@@ -27,8 +27,9 @@ struct LineLoad {
 // determines the angle, `intensity` the load factor. The tip turns to the direction of maximum hoop stress, also if the
 // energy release rate decides when it grows. In a material whose fracture energy depends on the direction one criterion
 // decides both.
+// If a function of the host gives the fracture energy, `criterion` gets the toughness at that load factor.
 std::optional<LineLoad> load_of_growth(const AffineIntensity& intensity, const AffineIntensity& turning,
-                                       const LineCriterion& criterion);
+                                       LineCriterion& criterion);
 
 // Ratio of two numbers; empty if the divisor is zero, or so small that the ratio is no load factor.
 std::optional<double> load_ratio(double dividend, double divisor);

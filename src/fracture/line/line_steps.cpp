@@ -96,10 +96,12 @@ std::optional<LineStep> LineSteps::next(const std::vector<GrowingTip>& tips, std
   const AffineIntensity intensity = on_way(by_fit, load_way);
   const AffineIntensity turning =
       has_begun(tip) ? on_way(turning_of(tip, by_fit, displacement, present), load_way) : intensity;
-  const std::optional<LineLoad> load =
-      load_of_growth(intensity, turning, {growth_law(law, tip.direction), correction(tip), present, load_way.control});
+  LineCriterion criterion{growth_law(law, tip, tip.acts_at()), correction(tip), present, load_way.control};
+  if (law.function) criterion.law.asking.t_stress = {fit.t_stress()[0], load_way.ahead(fit.t_stress()[1])};
+  const std::optional<LineLoad> load = load_of_growth(intensity, turning, criterion);
   if (!load) return std::nullopt;
   LineStep step;
+  if (law.function) step.toughness = criterion.law.toughness;
   step.tip = number, step.id = tip.id, step.law = tip.law, step.angle = load->angle,
   step.direction = turned(tip.direction, load->angle);
   step.factors = {{by_fit.one[0], by_fit.two[0]}, {by_fit.one[1], by_fit.two[1]}};
@@ -215,6 +217,7 @@ crack::Extension LineSteps::remember(const LineStep& step, double ratio, double 
   pd::TipLaw law = laws_.laws[static_cast<std::size_t>(step.law)].at(from, grown_before);
   const double share_of_direction = law.directions ? law.directions->share(heading_of(step.direction)) : 1;
   if (law.directions) law.toughness *= std::sqrt(share_of_direction);
+  if (step.toughness > 0) law.toughness = step.toughness;
   // The event's ratio contains the correction by earlier steps, which must not enter the remembered ratios.
   const double before = step.by_energy ? ratio : ratio / correction(tip);
   // The expected energy is the mean of the rates at both ends of the step: the rate changes by up to a half within a
@@ -240,7 +243,8 @@ crack::Extension LineSteps::remember(const LineStep& step, double ratio, double 
       crack::begin_extension(tip.id, from, step.angle, load_factor, step.factors, fracture_energy);
   crack::arrive(extension, tip.place, step.way.length, tip.state);
   const pd::TipLaw there = laws_.laws[static_cast<std::size_t>(step.law)].at(tip.place, tip.grown);
-  const double energy_there = there.toughness * there.toughness / there.modulus * share_of_direction;
+  const double energy_there =
+      law.function ? fracture_energy : there.toughness * there.toughness / there.modulus * share_of_direction;
   const double mean_energy = (fracture_energy + energy_there) / 2;
   extension.surface_energy = mean_energy * law.thickness * step.way.length;
   extension.rate_before = fracture_energy * before * before;

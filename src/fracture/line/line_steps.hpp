@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <limits>
 #include <optional>
 #include <set>
 #include <utility>
@@ -41,6 +42,7 @@ struct LineStep {
   // Whether the load comes from the energy of a trial step. If so: the ratio (see ratio_at) after the step over that
   // before it, and the energy that the step's bonds take [J].
   bool by_energy = false;
+  double toughness = 0;  // at that load factor by a function of the host; 0 without one [Pa m^(1/2)]
   double after_step = 1, taken_energy = 0;
 
   double ratio_at(double at) const { return constant + at * growing; }
@@ -57,10 +59,16 @@ class LineSteps {
   const pd::TipLaw& law_of(const GrowingTip& tip) const { return laws_.laws[static_cast<std::size_t>(tip.law)]; }
   // Law of a tip at a place.
   crack::GrowthLaw growth_law(const GrowingTip& tip, const Point& place) const {
-    return growth_law(law_of(tip).at(place, tip.grown), tip.direction);
+    return growth_law(law_of(tip).at(place, tip.grown), tip, place);
   }
-  crack::GrowthLaw growth_law(const pd::TipLaw& there, const Point& direction) const {
-    return {there.toughness, there.modulus, laws_.criterion, there.directions, heading_of(direction)};
+  crack::GrowthLaw growth_law(const pd::TipLaw& there, const GrowingTip& tip, const Point& place) const {
+    constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+    return {there.toughness,
+            there.modulus,
+            laws_.criterion,
+            there.directions,
+            heading_of(tip.direction),
+            {there.function, tip.id, place, tip.grown, {unknown, unknown}}};
   }
 
   // Sets the tips that the host has frozen.
@@ -102,6 +110,10 @@ class LineSteps {
 
   // Stress intensity factors of a tip as affine functions of the load factor.
   AffineIntensity intensity_at(const GrowingTip& tip, const coupling::Affine& displacement) const;
+  // T of a tip, constant and proportional part [Pa].
+  Point t_stress_at(const GrowingTip& tip, const coupling::Affine& displacement) const {
+    return stress_.fitted(tip, law_of(tip), displacement, body_.pressure_in(tip.id.crack)).t_stress();
+  }
   // Whether the faces of a tip press on each other there.
   bool is_closed(const GrowingTip& tip, const coupling::Affine& displacement) const;
   // Angle by which a tip that grows at a load factor turns, counter-clockwise [rad].

@@ -169,6 +169,10 @@ std::vector<TipValues> BoundaryRegion::tips(const Solution& solution, TipDetail 
   const auto factors = bem::stress_intensities(cracked(), states);
   std::vector<double> along(factors.size(), 0);
   if (detail == TipDetail::everything) along = bem::stresses_along_crack(cracked(), states[2]);
+  const crack::HostResistance* function = material().resistance.function.get();
+  std::array<std::vector<double>, 2> along_by_part;  // for a function of the host
+  for (std::size_t part = 0; function && part < 2; ++part)
+    along_by_part[part] = bem::stresses_along_crack(cracked(), states[part]);
   const LinearBodyForce particular = this->particular(solution.body_force(id()));
   const double modulus = plane_modulus(elasticity());
   std::vector<TipValues> values;
@@ -188,6 +192,12 @@ std::vector<TipValues> BoundaryRegion::tips(const Solution& solution, TipDetail 
     value.toughness =
         crack::toughness_of(material().fracture_energy * toughness().share(tip.place) * grown_share, modulus);
     value.directions = resistance.directions.get();
+    if (function)
+      value.asking = {function,
+                      {value.crack, value.end},
+                      tip.place,
+                      cracks_->grown_of(tip),
+                      {along_by_part[0][t], along_by_part[1][t]}};
     value.plane_modulus = modulus;
     values.push_back(value);
   }

@@ -49,7 +49,7 @@ std::optional<pd::TipLaw> BondedRegion::tip_law(const scene::Options& options) c
       e.state == PlaneState::stress ? e.young_modulus : e.young_modulus / (1 - e.poisson_ratio * e.poisson_ratio);
   const crack::Resistance& resistance = material().resistance;
   return {{spacing(), horizon, e.thickness, modulus, crack::toughness_of(energy, modulus), toughness().if_any(),
-           resistance.curve.get(), resistance.directions.get()}};
+           resistance.curve.get(), resistance.directions.get(), resistance.function.get()}};
 }
 
 void BondedRegion::add_own_bonds(const Preparation& preparation, const Contributions& contributions) {

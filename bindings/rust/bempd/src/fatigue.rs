@@ -58,6 +58,7 @@ pub struct GrowthRate {
     threshold: f64,
     critical_intensity: f64,
     retardation: Option<Retardation>,
+    flow_stress: f64,
 }
 
 impl GrowthRate {
@@ -71,6 +72,7 @@ impl GrowthRate {
             threshold: 0.0,
             critical_intensity: 0.0,
             retardation: None,
+            flow_stress: 0.0,
         }
     }
 
@@ -94,7 +96,13 @@ impl GrowthRate {
         GrowthRate { retardation: Some(retardation), ..self }
     }
 
+    /// Sets the stress at which the net section of a tip yields as a whole, which ends the growth [Pa].
+    pub fn flow_stress(self, flow_stress: f64) -> GrowthRate {
+        GrowthRate { flow_stress, ..self }
+    }
+
     fn fill(&self, rate: &mut sys::bempd_growth_rate) {
+        rate.flow_stress = self.flow_stress;
         rate.coefficient = self.coefficient;
         rate.exponent = self.exponent;
         rate.unit_intensity = self.unit_intensity;
@@ -138,6 +146,17 @@ pub struct Block {
     pub cycles: f64,
 }
 
+/// Cycles between two combinations of load cases; cases beyond the given factors have 0.
+#[derive(Clone, Debug, PartialEq)]
+pub struct CaseBlock {
+    /// Factors of the cases at one end of a cycle [-].
+    pub high: Vec<f64>,
+    /// Factors at the other end [-].
+    pub low: Vec<f64>,
+    /// Cycles; of one block alone any number.
+    pub cycles: f64,
+}
+
 /// What `Model::grow_fatigue` is asked for; 0 stands for no limit.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct FatigueOptions {
@@ -153,6 +172,17 @@ pub struct FatigueOptions {
     pub tolerance: f64,
     /// Longest step over the crack's length.
     pub largest_step: f64,
+}
+
+impl FatigueOptions {
+    fn fill(&self, raw: &mut sys::bempd_fatigue) {
+        raw.first_cycle = self.first_cycle;
+        raw.most_cycles = self.most_cycles;
+        raw.most_length = self.most_length;
+        raw.most_steps = self.most_steps;
+        raw.tolerance = self.tolerance;
+        raw.largest_step = self.largest_step;
+    }
 }
 
 impl Default for FatigueOptions {
@@ -198,14 +228,23 @@ impl Model {
     /// ```
     pub fn grow_fatigue(&mut self, blocks: &[Block], options: &FatigueOptions) -> Result<FatigueReport> {
         let rows: Vec<[f64; 3]> = blocks.iter().map(|block| [block.high, block.low, block.cycles]).collect();
-        let report = self.handle.grow_fatigue(&rows, |raw| {
-            raw.first_cycle = options.first_cycle;
-            raw.most_cycles = options.most_cycles;
-            raw.most_length = options.most_length;
-            raw.most_steps = options.most_steps;
-            raw.tolerance = options.tolerance;
-            raw.largest_step = options.largest_step;
-        })?;
+        let report = self.handle.grow_fatigue(&rows, |raw| options.fill(raw))?;
+        Ok(FatigueReport::from_raw(&report))
+    }
+
+    /// The same between combinations of load cases (`add_load_case`): each block has a factor for each of `cases` cases
+    /// at both ends of its cycles.
+    pub fn grow_fatigue_cases(
+        &mut self,
+        cases: usize,
+        blocks: &[CaseBlock],
+        options: &FatigueOptions,
+    ) -> Result<FatigueReport> {
+        let row = |factors: &[f64]| (0..cases).map(|k| factors.get(k).copied().unwrap_or(0.0)).collect::<Vec<f64>>();
+        let high: Vec<f64> = blocks.iter().flat_map(|block| row(&block.high)).collect();
+        let low: Vec<f64> = blocks.iter().flat_map(|block| row(&block.low)).collect();
+        let cycles: Vec<f64> = blocks.iter().map(|block| block.cycles).collect();
+        let report = self.handle.grow_fatigue_cases(cases, (&high, &low), &cycles, |raw| options.fill(raw))?;
         Ok(FatigueReport::from_raw(&report))
     }
 

@@ -319,6 +319,25 @@ impl Handle {
         Ok(report)
     }
 
+    /// `factors`: high and low factors of all load cases for each block, one block after the other.
+    pub(crate) fn grow_fatigue_cases(
+        &mut self,
+        cases: usize,
+        factors: (&[f64], &[f64]),
+        cycles: &[f64],
+        fill: impl Fn(&mut sys::bempd_fatigue),
+    ) -> Result<sys::bempd_fatigue_report> {
+        let mut options = filled(sys::bempd_fatigue_init)?;
+        fill(&mut options);
+        let mut report = filled(sys::bempd_fatigue_report_init)?;
+        let (blocks, cases) = (cycles.len() as i64, cases as i64);
+        let (high, low) = (factors.0.as_ptr(), factors.1.as_ptr());
+        self.call(|model| unsafe {
+            sys::bempd_grow_fatigue_cases(model, blocks, cases, high, low, cycles.as_ptr(), &options, &mut report)
+        })?;
+        Ok(report)
+    }
+
     pub(crate) fn fatigue_record_count(&self) -> Result<i64> {
         self.output(|model, count| unsafe { sys::bempd_fatigue_record_count(model, count) })
     }

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <functional>
+
+#include "crack/laws/tip_cycle.hpp"
+
+namespace bempd::crack {
+
+// Fracture energy that a tip meets, by a function of the host [J/m^2].
+class HostResistance {
+ public:
+  // The cycle has a load that is held: equal factors at its two ends. Its length is that by which the tip has grown.
+  using Function = std::function<double(const TipCycle&)>;
+
+  explicit HostResistance(Function function) : function_(std::move(function)) {}
+
+  // Throws Error (argument) if the function gives no fracture energy.
+  double energy(const TipCycle& held) const;
+
+ private:
+  Function function_;
+};
+
+// Tip for whose fracture energy a function is asked; null: the material's number holds.
+struct AskingTip {
+  const HostResistance* function = nullptr;
+  TipId id{};
+  Point place{0, 0};
+  double grown = 0;         // in the model [m]
+  Point t_stress{0, 0};     // constant and proportional part of T [Pa]
+};
+
+}  // namespace bempd::crack

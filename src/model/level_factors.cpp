@@ -1,0 +1,121 @@
+#include "model/level_factors.hpp"
+
+#include <algorithm>
+
+#include "model/load_cases.hpp"
+
+namespace bempd::model {
+
+namespace {
+
+const regions::TipValues* tip_like(const regions::TipValues& tip, const std::vector<regions::TipValues>& tips) {
+  const auto found = std::find_if(tips.begin(), tips.end(),
+                                  [&](const auto& one) { return one.crack == tip.crack && one.end == tip.end; });
+  return found == tips.end() ? nullptr : &*found;
+}
+
+// Stress intensity factors by load factor, moving the scene where faces close or open between two of them.
+class FactorsByLoadFactor {
+ public:
+  FactorsByLoadFactor(PreparedScene& scene, const std::vector<regions::TipValues>& tips, const LoadLevels& levels,
+                      FactorsOfTips& factors)
+      : scene_(scene), tips_(tips), levels_(levels), factors_(factors) {}
+
+  void find(bool follow_faces) {
+    const std::size_t highest = levels_.highest();
+    take(highest, levels_.size(), tips_);
+    take(0, highest, tips_);
+    const coupling::Constraints& constraints = scene_.system->constraints();
+    if (constraints.size() == 0 || levels_.size() == 1 || !follow_faces) return;
+    fracture::EvolutionState state = scene_.evolution->state();
+    fracture::Continuation continuation = scene_.evolution->continuation();
+    closed_ = constraints.closed();
+    for (const bool downwards : {true, false}) follow(downwards);
+    scene_.evolution->restore(std::move(state), std::move(continuation));
+  }
+
+ private:
+  // Sets the factors at the load factors with the indices `from` up to, but without, `to`.
+  void take(std::size_t from, std::size_t to, const std::vector<regions::TipValues>& tips) {
+    for (std::size_t level = from; level < to; ++level)
+      for (std::size_t t = 0; t < tips_.size(); ++t)
+        if (const regions::TipValues* tip = tip_like(tips_[t], tips))
+          factors_[t][level].factors = factors_of(*tip).at(levels_.factor(level));
+  }
+
+  // Moves from the highest load factor downwards or upwards, until the faces closed at a load factor are those closed
+  // at the last one. Gaps and contact forces are affine, so the same faces are closed in between as well.
+  void follow(bool downwards) {
+    const std::size_t last = downwards ? 0 : levels_.size() - 1;
+    if (last == levels_.highest()) return;
+    std::vector<char> closed = closed_;
+    for (std::size_t level = levels_.highest(); level != last;) {
+      go_to(last);
+      if (scene_.system->constraints().closed() == closed) return;
+      level = downwards ? level - 1 : level + 1;
+      go_to(level);
+      closed = scene_.system->constraints().closed();
+      const std::vector<regions::TipValues> here = tips();
+      downwards ? take(0, level + 1, here) : take(level, levels_.size(), here);
+    }
+  }
+
+  void go_to(std::size_t level) { move_load(scene_, levels_.factor(level), {}); }
+  std::vector<regions::TipValues> tips() {
+    std::vector<regions::TipValues> found;
+    for (const auto& region : scene_.discretization.regions)
+      for (const regions::TipValues& tip : region->tips(solution_of(scene_), regions::TipDetail::factors))
+        found.push_back(tip);
+    return found;
+  }
+
+  PreparedScene& scene_;
+  const std::vector<regions::TipValues>& tips_;
+  const LoadLevels& levels_;
+  FactorsOfTips& factors_;
+  std::vector<char> closed_;
+};
+
+}  // namespace
+
+FactorsOfTips LevelSolver::factors(const std::vector<regions::TipValues>& tips, bool with_t_stress) {
+  FactorsOfTips found(tips.size(), std::vector<crack::LevelFactors>(levels_.size()));
+  const bool solves = levels_.combine_cases() || lines_change_faces();
+  if (!solves) FactorsByLoadFactor(scene(), tips, levels_, found).find(!lengthening_.grows_lines());
+  if (solves || with_t_stress) take_solved(tips, solves, found);
+  return found;
+}
+
+// Whether faces of crack lines may close or open between the loads. Loads in proportion to load factors >= 0 press the
+// same faces on each other.
+bool LevelSolver::lines_change_faces() {
+  if (!lengthening_.grows_lines() || levels_.size() == 1 || scene().system->constraints().size() == 0) return false;
+  return levels_.factor(levels_.lowest()) < 0 || !scene().evolution->state().displacement.col(0).isZero(0);
+}
+
+void LevelSolver::under_each(const std::function<void(std::size_t level)>& read) {
+  lengthening_.in_scene_of(longer_, [&] {
+    for (std::size_t level = 0; level < levels_.size(); ++level) {
+      const auto there = [&](PreparedScene&) { read(level); };
+      if (levels_.combine_cases()) {
+        model_.load_cases().with(levels_[level].cases, there);
+      } else {
+        model_.load_cases().at(levels_.factor(level), there);
+      }
+    }
+  });
+}
+
+void LevelSolver::take_solved(const std::vector<regions::TipValues>& tips, bool with_factors, FactorsOfTips& found) {
+  under_each([&](std::size_t level) {
+    const std::vector<regions::TipValues> here = lengthening_.loaded_tips();
+    for (std::size_t t = 0; t < tips.size(); ++t) {
+      const regions::TipValues* tip = tip_like(tips[t], here);
+      if (!tip) continue;
+      found[t][level].t_stress = tip->stress_along;
+      if (with_factors) found[t][level].factors = tip->closed ? Point(0, tip->factors.y()) : tip->factors;
+    }
+  });
+}
+
+}  // namespace bempd::model

@@ -1,0 +1,46 @@
+#pragma once
+
+#include <compare>
+#include <cstddef>
+#include <vector>
+
+#include "crack/cycle_program.hpp"
+
+namespace bempd::model {
+
+// Loads on the body at an end of a cycle: its own loads at a load factor, or a combination of load cases.
+struct LoadLevel {
+  double load_factor = 0;
+  std::vector<double> cases{};  // a factor for each of the first cases, by id; empty: the own loads
+
+  auto operator<=>(const LoadLevel&) const = default;
+};
+
+// Cycles between two loads as a host describes them. Either all blocks combine load cases or none does.
+struct LoadBlock {
+  LoadLevel high, low;
+  double cycles = 0;
+};
+
+// Different loads of a spectrum, each with a number, and the blocks by these numbers.
+class LoadLevels {
+ public:
+  explicit LoadLevels(const std::vector<LoadBlock>& blocks);
+
+  std::size_t size() const { return levels_.size(); }
+  const LoadLevel& operator[](std::size_t number) const { return levels_[number]; }
+  const std::vector<crack::Block>& blocks() const { return blocks_; }
+
+  bool combine_cases() const { return !levels_.front().cases.empty(); }
+  // Numbers of the lowest load factor and of the highest one of an upper end, without load cases.
+  std::size_t lowest() const { return 0; }
+  std::size_t highest() const { return highest_; }
+  double factor(std::size_t number) const { return levels_[number].load_factor; }
+
+ private:
+  std::vector<LoadLevel> levels_;  // ascending
+  std::vector<crack::Block> blocks_;
+  std::size_t highest_ = 0;
+};
+
+}  // namespace bempd::model

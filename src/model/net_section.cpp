@@ -1,0 +1,158 @@
+#include "model/net_section.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "geometry/outline.hpp"
+
+namespace bempd::model {
+
+namespace {
+
+// Places for the stress on each piece. Their distances from its ends make the integral exact for stresses with a square
+// root's singularity at either end.
+constexpr int places_on_piece = 16;
+
+// Cracks nearer to the line than this share of its length lie along it.
+constexpr double along = 0.05;
+
+double angle_of(int k) { return (k + 0.5) * std::numbers::pi / places_on_piece; }
+
+// Places, from the tip, at which the line meets edges, ascending.
+std::vector<double> crossings_of(const Edge& line, double half, const std::vector<Edge>& edges) {
+  std::vector<double> found;
+  for (const Edge& edge : edges)
+    for (const Crossing& crossing : meeting_points(line, edge)) found.push_back((2 * crossing.fraction_a - 1) * half);
+  std::sort(found.begin(), found.end());
+  return found;
+}
+
+// Largest value of a function that has one maximum between two places, by golden section search.
+template <class Value>
+double largest_between(double low, double high, const Value& value) {
+  constexpr double golden = 0.6180339887498949;
+  double best = 0;
+  for (int round = 0; round < 40; ++round) {
+    const double a = high - golden * (high - low), b = low + golden * (high - low);
+    const double at_a = value(a), at_b = value(b);
+    best = std::max({best, at_a, at_b});
+    (at_a > at_b ? high : low) = at_a > at_b ? b : a;
+  }
+  return best;
+}
+
+}  // namespace
+
+NetSection::NetSection(const Outline& outline, const std::vector<scene::Crack>& cracks, int crack, const Point& place,
+                       const Point& direction)
+    : place_(place), direction_(direction) {
+  const Box box = bounding_box(outline);
+  const double half = 2 * box.diagonal().norm(), tolerance = geometric_tolerance(box);
+  const Edge line(place - half * direction, place + half * direction);
+  const std::vector<Edge> all = edges_of(outline);
+  const std::vector<Edge> outer(all.begin(), all.begin() + static_cast<std::ptrdiff_t>(outline.loops[0].size()));
+  // The part of the line within the outer loop around the tip.
+  double lowest = -half, highest = half;
+  for (const double at : crossings_of(line, half, outer)) {
+    if (at < -tolerance) lowest = at;
+    if (at > tolerance && highest == half) highest = at;
+  }
+  std::vector<double> cuts{lowest};
+  for (const double at : crossings_of(line, half, all))
+    if (at > lowest && at < highest) cuts.push_back(at);
+  cuts.push_back(highest);
+  for (std::size_t k = 0; k + 1 < cuts.size(); ++k) {
+    if (cuts[k + 1] - cuts[k] <= tolerance) continue;
+    const Point middle = place + 0.5 * (cuts[k] + cuts[k + 1]) * direction;
+    if (locate(all, middle, tolerance) == Location::inside) pieces_.push_back({cuts[k], cuts[k + 1]});
+  }
+  for (std::size_t c = 0; c < cracks.size(); ++c)
+    take_out(cracks[c], static_cast<int>(c) + 1 == crack ? 2 * half : along * (highest - lowest));
+  std::erase_if(pieces_, [&](const Piece& piece) { return piece.to - piece.from <= 1e3 * tolerance; });
+}
+
+void NetSection::take_out(const scene::Crack& crack, double reach) {
+  const Point across(-direction_.y(), direction_.x());
+  for (std::size_t k = 0; k + 1 < crack.points.size(); ++k) {
+    const Point from = crack.points[k] - place_, way = crack.points[k + 1] - crack.points[k];
+    const double beside = across.dot(from), turn = across.dot(way);
+    // Shares of the segment between which it is near to the line.
+    double first = 0, last = 1;
+    if (std::abs(turn) > 1e-12 * way.norm()) {
+      const double a = (-reach - beside) / turn, b = (reach - beside) / turn;
+      first = std::max(first, std::min(a, b)), last = std::min(last, std::max(a, b));
+    } else if (std::abs(beside) > reach) {
+      continue;
+    }
+    if (first >= last) continue;
+    const double a = direction_.dot(from + first * way), b = direction_.dot(from + last * way);
+    take_out(Piece{std::min(a, b), std::max(a, b)});
+  }
+}
+
+void NetSection::take_out(const Piece& part) {
+  std::vector<Piece> left;
+  for (const Piece& piece : pieces_) {
+    if (part.to <= piece.from || part.from >= piece.to) {
+      left.push_back(piece);
+      continue;
+    }
+    if (part.from > piece.from) left.push_back({piece.from, part.from});
+    if (part.to < piece.to) left.push_back({part.to, piece.to});
+  }
+  pieces_ = std::move(left);
+}
+
+std::vector<Point> NetSection::places() const {
+  std::vector<Point> all;
+  for (const Piece& piece : pieces_)
+    for (int k = 0; k < places_on_piece; ++k) {
+      const double at = 0.5 * (piece.from + piece.to) - 0.5 * (piece.to - piece.from) * std::cos(angle_of(k));
+      all.emplace_back(place_ + at * direction_);
+    }
+  return all;
+}
+
+double NetSection::opening_about(double centre) const {
+  double sum = 0;
+  for (const Piece& piece : pieces_) {
+    const double a = piece.from - centre, b = piece.to - centre;
+    sum += 0.5 * (b * std::abs(b) - a * std::abs(a));
+  }
+  return sum;
+}
+
+double NetSection::share(const std::vector<regions::PointValue>& stresses, double flow_stress) const {
+  const Point normal(-direction_.y(), direction_.x());
+  double force = 0, moment = 0, length = 0;  // moment about the tip
+  std::size_t next = 0;
+  for (const Piece& piece : pieces_) {
+    const double half = 0.5 * (piece.to - piece.from);
+    length += 2 * half;
+    for (int k = 0; k < places_on_piece; ++k, ++next) {
+      const Eigen::Vector3d& stress = stresses[next].stress;
+      const double pull = normal.x() * normal.x() * stress[0] + normal.y() * normal.y() * stress[1] +
+                          2 * normal.x() * normal.y() * stress[2];
+      const double weight = half * std::sin(angle_of(k)) * std::numbers::pi / places_on_piece;
+      const double at = 0.5 * (piece.from + piece.to) - half * std::cos(angle_of(k));
+      force += weight * pull, moment += weight * at * pull;
+    }
+  }
+  if (!(length > 0)) return 0;
+  const double size = std::max(pieces_.back().to, -pieces_.front().from);
+  // A rotation about a place at the tangent of an angle: it opens the tip if the place lies behind it, and if it lies
+  // ahead of it with the other sense.
+  const auto ratio = [&](double angle) {
+    const double centre = size * std::tan(angle);
+    const double work = (angle < 0 ? 1 : -1) * (moment - centre * force);
+    return work > 0 ? work / (flow_stress * opening_about(centre)) : work;
+  };
+  constexpr double quarter = std::numbers::pi / 2 - 1e-3;
+  double largest = std::max(0.0, force / (flow_stress * length));
+  largest = std::max(largest, largest_between(-quarter, -1e-9, ratio));
+  return std::max(largest, largest_between(1e-9, quarter, ratio));
+}
+
+}  // namespace bempd::model
