@@ -1,94 +1,106 @@
 """Loads of cracks that grow as lines in lattices over those of boundary elements on the same paths: the table of docs/cracks.md.
 
-usage: benchmarks/run.sh line_loads [--write] [--only WORD] [--horizons M ...]
-    --write: into docs/cracks.md
+usage: benchmarks/run.sh line_loads [--write] [--only WORD ...]
+    --write: into docs/cracks.md; only the rows whose names contain a WORD are measured, the others stay
 
-Each scene is run with crack.load = fit, the stress ahead alone, and with energy, the default. The last line has the time that the
-runs by energy take over that by fits: all runs, and those whose loads are all by fits."""
+Each scene is run with crack.load = fit, the stress ahead alone, and with energy, the default. Rows of a growing crack have its loads,
+its largest load over that of boundary elements on their own path, and the distance of both paths. Times are those of runs by energy
+over those by fits."""
 
 from __future__ import annotations
 
 import argparse
 import pathlib
+from typing import Callable
 
 import bempd
+import first_loads
 import other
 import scenes
 
 HERE = pathlib.Path(__file__).resolve().parent
 PAGE = HERE.parents[1] / "docs" / "cracks.md"
 BEGIN, END = "<!-- line-loads -->", "<!-- end line-loads -->"
-HORIZONS = (4,)
 
 LOADS = ("fit", "energy")
+TIMED = ("straight crack of 40 | 4", "L1 kink, upper edge at 65 | 4", "L4 towards modulus 3, from 13 spacings before | 4")
 
-Results = dict[str, dict[str, list[float]]]
-Spent = dict[str, dict[str, tuple[float, list[bempd.LoadRule]]]]
-
-
-def ratios_of(scene: scenes.Scene, m: int, load: str, spent: Spent) -> list[float]:
-    try:
-        run = scenes.compare(scene, m, load)
-    except bempd.Error as error:
-        print(scene.name, load, "failed:", error)
-        return []
-    spent.setdefault(scene.name, {})[load] = (run.seconds, run.rules)
-    return [ours / known for ours, known in run.loads]
-
-
-def measured(only: str, horizons: list[int]) -> tuple[Results, Spent]:
-    found: Results = {}
-    spent: Spent = {}
-    for scene in scenes.scenes():
-        for m in horizons:
-            name = f"{scene.name} | {m}"
-            if only not in name:
-                continue
-            found[name] = {load: ratios_of(scene, m, load, spent) for load in LOADS}
-            for load in LOADS:
-                print(name, load, " ".join(f"{ratio:.3f}" for ratio in found[name][load]), flush=True)
-    for name, measure in other.MEASURES.items():
-        if only in name:
-            found[name] = {load: measure(load) for load in LOADS}
-            print(name, found[name], flush=True)
-    return found, spent
+Rows = dict[str, dict[str, str]]  # of the table: name and horizon, then by load
 
 
 def words(ratios: list[float]) -> str:
     return " ".join(f"{ratio:.2f}" for ratio in ratios)
 
 
-def table(found: Results) -> list[str]:
-    rows = ["| scene | m | fit | energy |", "|---|---|---|---|"]
-    for name, by_load in found.items():
-        scene, _, m = name.partition(" | ")
-        rows.append(f"| {scene} | {m} | {words(by_load['fit'])} | {words(by_load['energy'])} |")
-    return rows
+def grown(scene: scenes.Scene, m: int, load: str, timed: bool) -> tuple[str, float]:
+    """Cell of a crack that grows, and the time of its run."""
+    try:
+        run = scenes.compare(scene, m, load, timed)
+    except bempd.Error as error:
+        return f"failed: {error}", 0
+    if not run.loads:
+        return "no growth", 0
+    text = words([ours / known for ours, known in run.loads])
+    if len(run.loads) > 1:
+        text += f"; peak {run.peak:.2f}; {run.off:.1f} off"
+    return text, run.seconds
 
 
-def cost(spent: Spent) -> str:
-    whole = {load: sum(by_load[load][0] for by_load in spent.values() if len(by_load) == 2) for load in LOADS}
-    valid = [by_load for by_load in spent.values() if len(by_load) == 2 and set(by_load["energy"][1]) == {bempd.LoadRule.FIT}]
-    text = f"time by energy over that by fits: {whole['energy'] / whole['fit']:.2f}"
-    if valid:
-        text += f"; where all loads are by fits: {sum(one['energy'][0] for one in valid) / sum(one['fit'][0] for one in valid):.2f}"
-    return text
+def measured(only: list[str]) -> tuple[Rows, list[str]]:
+    found: Rows = {}
+    times: list[str] = []
+
+    def add(name: str, of_load: Callable[[str], str]) -> None:
+        found[name] = {load: of_load(load) for load in LOADS}
+        print(name, found[name], flush=True)
+
+    def is_asked(name: str) -> bool:
+        return not only or any(word in name for word in only)
+
+    for scene in scenes.scenes():
+        for m in scene.horizons:
+            name = f"{scene.name} | {m}"
+            if not is_asked(name):
+                continue
+            runs = {load: grown(scene, m, load, name in TIMED) for load in LOADS}
+            add(name, lambda load: runs[load][0])
+            if name in TIMED and runs["fit"][1] > 0:
+                times.append(f"time by energy over that by fits, {scene.name}: {runs['energy'][1] / runs['fit'][1]:.2f}")
+    for name, measure in {**other.MEASURES, **first_loads.measures()}.items():
+        if is_asked(name):
+            add(name, lambda load: words(measure(load)))
+    return found, times
+
+
+def table(found: Rows) -> list[str]:
+    return [f"| {name} | {by_load['fit']} | {by_load['energy']} |" for name, by_load in found.items()]
+
+
+def write(rows: list[str]) -> None:
+    """Rows that were not measured keep what the page has, in its order."""
+    text = PAGE.read_text("utf-8")
+    begin, end = text.index(BEGIN) + len(BEGIN), text.index(END)
+    head = ["| scene | m | fit | energy |", "|---|---|---|---|"]
+    known = [line for line in text[begin:end].strip().splitlines() if line not in head]
+
+    def name(row: str) -> str:
+        return "|".join(row.split("|")[1:3])
+
+    fresh = {name(row): row for row in rows}
+    kept = [fresh.pop(name(row), row) for row in known]
+    PAGE.write_text(text[:begin] + "\n" + "\n".join(head + kept + list(fresh.values())) + "\n" + text[end:], "utf-8")
 
 
 def main() -> None:
     options = argparse.ArgumentParser()
     options.add_argument("--write", action="store_true")
-    options.add_argument("--only", default="")
-    options.add_argument("--horizons", type=int, nargs="+", default=list(HORIZONS))
+    options.add_argument("--only", nargs="+", default=[])
     options = options.parse_args()
-    found, spent = measured(options.only, options.horizons)
+    found, times = measured(options.only)
     rows = table(found)
-    print("\n".join(rows))
-    if spent:
-        print(cost(spent))
+    print("\n".join(rows + times))
     if options.write:
-        text = PAGE.read_text("utf-8")
-        PAGE.write_text(text[:text.index(BEGIN) + len(BEGIN)] + "\n" + "\n".join(rows) + "\n" + text[text.index(END):], "utf-8")
+        write(rows)
 
 
 if __name__ == "__main__":
