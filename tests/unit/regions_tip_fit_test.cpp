@@ -9,6 +9,7 @@
 #include "coupling/equilibrium_system.hpp"
 #include "elasticity/crack_tip_field.hpp"
 #include "elasticity/griffith.hpp"
+#include "fracture/line/deep_points.hpp"
 #include "fracture/line/line_way.hpp"
 #include "fracture/line/tip_stress.hpp"
 #include "geometry/turning.hpp"
@@ -186,6 +187,24 @@ TEST(TipFit, corners_count_by_their_share_of_a_cell) {
               inner / inside);
   EXPECT_NEAR(outer / inside, 1, 0.4);
   EXPECT_NEAR(inner / inside, 1, 0.2);
+}
+
+// Points that stand for an endless lattice lie deep inside, also where a turned lattice has points on its outline: some
+// points beside it have more neighbours than those inside. With these, trial steps counted 4 % too much length.
+TEST(DeepPoints, lie_away_from_outlines_of_turned_lattices) {
+  constexpr int m = 3;
+  const double far = 4.0 * m + 2;
+  for (const double degrees : {0.0, 7.5, 20.0, 33.0, 45.0}) {
+    const Lattice lattice(square(far), {{{-far, 0.5}, {-far + 2, 0.5}}}, m, degrees * std::numbers::pi / 180);
+    const std::vector<int> deep = fracture::deep_points(lattice.system->terms(), lattice.laws).front();
+    double nearest = far;
+    for (const int node : deep)
+      nearest = std::min(nearest, far - lattice.d.positions[static_cast<std::size_t>(node)].cwiseAbs().maxCoeff());
+    std::printf("rows at %g degrees: %zu of %zu points, none nearer to the outline than %.2f\n", degrees, deep.size(),
+                lattice.d.positions.size(), nearest);
+    EXPECT_GT(deep.size(), lattice.d.positions.size() / 10) << degrees;
+    EXPECT_GE(nearest, 2 * m) << degrees;
+  }
 }
 
 TEST(LineWay, goes_on_by_a_spacing_and_arrives_at_faces_and_edges) {

@@ -1,20 +1,23 @@
 #include "fracture/line/deep_points.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "linalg/adjacency.hpp"
+#include "pd/bond_family.hpp"
 
 namespace bempd::fracture {
 
 namespace {
 
-// Points deep inside the lattices of one kind (those in `is_of`).
-std::vector<int> deepest_of(const std::vector<char>& is_of, const linalg::Adjacency& neighbours) {
+// Points deep inside the lattices of one kind (those in `is_of`), which have `full` neighbours. Points beside an
+// outline that does not follow the rows may have more, and do not count.
+std::vector<int> deepest_of(const std::vector<char>& is_of, const linalg::Adjacency& neighbours, std::size_t full) {
   const auto is_own = [&](int node) { return is_of[static_cast<std::size_t>(node)] != 0; };
   std::size_t most = 0;
   const int nodes = static_cast<int>(is_of.size());
   for (int node = 0; node < nodes; ++node)
-    if (is_own(node)) most = std::max(most, neighbours.of(node).size());
+    if (is_own(node)) most = std::max(most, std::min(full, neighbours.of(node).size()));
   std::vector<char> depth(is_of.size(), 0);  // 1: full number of neighbours; 2, 3: likewise theirs, and theirs
   for (int node = 0; node < nodes; ++node)
     depth[static_cast<std::size_t>(node)] = is_own(node) && neighbours.of(node).size() == most ? 1 : 0;
@@ -58,7 +61,9 @@ std::vector<std::vector<int>> deep_points(const coupling::Terms& terms, const pd
     for (std::size_t node = 0; node < nodes; ++node)
       is_of[node] =
           laws.of_node[node] >= 0 && are_alike(laws.laws[static_cast<std::size_t>(laws.of_node[node])], laws.laws[law]);
-    found[law] = deepest_of(is_of, neighbours);
+    const double ratio = laws.laws[law].horizon / laws.laws[law].spacing;
+    const std::size_t full = 2 * pd::bond_family(static_cast<int>(std::lround(ratio))).size();
+    found[law] = deepest_of(is_of, neighbours, full);
   }
   return found;
 }
