@@ -106,8 +106,12 @@ void Scene::grow_by_cycles() {
                  &report)) {
     require_same("bempd_grow_fatigue", before, marks());
   } else {
-    const std::array numbers = {report.cycles, report.growth, report.error};
+    const std::array numbers = {report.cycles, report.growth};
     require_finite("bempd_grow_fatigue", numbers.data(), numbers.size());
+    // The error of cycles is not known before some tip has led two steps.
+    const bool may_be_unknown = report.steps > 0;
+    require_true(std::isnan(report.error) ? may_be_unknown : report.error >= 0 && std::isfinite(report.error),
+                 "bempd_grow_fatigue", "an error that is no number");
     require_true(report.steps <= options.most_steps, "bempd_grow_fatigue", "too many steps");
   }
   std::int64_t count = 0;
