@@ -5,5 +5,5 @@ if(TARGET bempd)
   # A program of its own, so that the thread sanitizer runs it and no other test of this folder.
   bempd_add_host_tests(economy_threads_test economy_threads_test.cpp)
   set_property(TEST economy_threads_test APPEND PROPERTY LABELS threads)
-  bempd_shorten_test(extremes_fracture_test "-LongRuns.*")
+  bempd_long_test(extremes_fracture_test economy_tests "LongRuns.*")
 endif()

@@ -10,7 +10,7 @@ if(TARGET bempd)
   bempd_shorten_test(fracture_sources_test "*tied*")
   # Five factorizations are counted with the permissive backend where one is asked.
   bempd_shorten_test(fracture_increments_test "-*centre_crack*:*many_bonds_at_once*")
-  bempd_long_test(outlined_fracture_test fracture_tests "*bonds_made_for_linear_stress*")
+  bempd_long_test(outlined_fracture_test fracture_tests "*bonds_made_for_linear_stress*:*mouths_anywhere*")
   bempd_thorough_test(outlined_fracture_test fracture_tests outlined_fracture_test)
   bempd_thorough_test(many_cracks_test fracture_tests many_cracks_test)
   if(BEMPD_SCHEME_PAPER)
