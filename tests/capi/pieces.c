@@ -258,8 +258,40 @@ static void what_is_no_piece_is_refused(void) {
   bempd_model_free(plate.model);
 }
 
+/** A crack from elements into a lattice: its mouth lies between two points, so that the elements' ends there are no
+ * nodes of the scene. They are of the piece of their side. */
+static void nodes_at_a_mouth_are_of_the_body(void) {
+  static const double left[] = {0, 0, 10, 0, 10, 12, 0, 12}, right[] = {10, 0, 22, 0, 22, 12, 10, 12};
+  static const double crack[] = {7, 6.5, 14, 6.5};
+  bempd_model* model = NULL;
+  bempd_material steel;
+  int32_t material = 0, elements = 0, lattice = 0, k;
+  int64_t count = 0, nodes = 0;
+  int32_t* pieces;
+  CHECK_OK(NULL, bempd_model_create(&model));
+  CHECK_OK(model, bempd_material_init(&steel, sizeof steel));
+  steel.young_modulus = 1.0;
+  steel.poisson_ratio = 1.0 / 3.0;
+  steel.fracture_energy = 1.0;
+  CHECK_OK(model, bempd_add_material(model, &steel, &material));
+  CHECK_OK(model, bempd_add_bem_region(model, material, 4, left, 2.0, &elements));
+  CHECK_OK(model, bempd_add_pd_region(model, material, 4, right, 1.0, 3, &lattice));
+  CHECK_OK(model, bempd_add_crack(model, 2, crack, NULL));
+  CHECK_OK(model, bempd_fix_edge(model, elements, 4, BEMPD_BOTH, NULL));
+  CHECK_OK(model, bempd_piece_count(model, &count));
+  CHECK(count == 1);
+  CHECK_OK(model, bempd_node_count(model, elements, &nodes));
+  pieces = (int32_t*)malloc((size_t)nodes * sizeof *pieces);
+  if (pieces == NULL) abort();
+  CHECK_OK(model, bempd_copy_node_pieces(model, elements, nodes, pieces));
+  for (k = 0; k < nodes; ++k) CHECK(pieces[k] == 1);
+  free(pieces);
+  bempd_model_free(model);
+}
+
 int main(void) {
   a_torn_plate_is_in_pieces();
+  nodes_at_a_mouth_are_of_the_body();
   a_loose_piece_moves_as_its_edge_does();
   pressed_faces_join_nothing();
   last_bonds_do_not_decide_the_end(0);

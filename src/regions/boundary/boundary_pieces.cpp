@@ -55,6 +55,11 @@ std::vector<coupling::BodyPiece> BoundaryRegion::pieces() const {
 
 std::vector<int> BoundaryRegion::nodes_of_entries() const {
   std::vector<int> nodes = node_of_mesh_node_;
+  // An end of an element at a crack's mouth may be no node of the scene: it gets the number of the element's other end,
+  // which lies on the same side of the crack.
+  for (const BoundaryElement& element : mesh_.elements)
+    for (const int k : {0, 2})
+      if (nodes[element.nodes[k]] < 0) nodes[element.nodes[k]] = nodes[element.nodes[2 - k]];
   // A mid node that is no node of the scene gets the number of the node at the start of its element.
   for (const BoundaryElement& element : mesh_.elements)
     if (nodes[element.nodes[1]] < 0) nodes[element.nodes[1]] = nodes[element.nodes[0]];
