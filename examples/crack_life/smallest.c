@@ -16,27 +16,25 @@ int main(void) {
   bempd_material_init(&aluminium, sizeof aluminium);
   aluminium.young_modulus = 72e9;
   aluminium.poisson_ratio = 0.33;
-  bempd_add_material(model, &aluminium, &id);
-  bempd_add_bem_region(model, id, 4, sheet, 0.03, NULL);
-  bempd_add_crack(model, 2, crack, NULL);
-  bempd_fix_point(model, -0.06, -0.12, BEMPD_BOTH, NULL);
-  bempd_fix_point(model, 0.06, -0.12, BEMPD_Y, NULL);
-  bempd_add_traction(model, 1, 3, 0, 1, BEMPD_Y, 1, NULL, &up, NULL);
-  bempd_add_traction(model, 1, 1, 0, 1, BEMPD_Y, 1, NULL, &down, NULL);
-
   bempd_growth_rate_init(&rate, sizeof rate); /* Paris and Walker, in MPa m^(1/2) and m */
   rate.coefficient = 2e-11;
   rate.exponent = 3;
   rate.unit_intensity = 1e6;
   rate.walker = 0.6;
   rate.critical_intensity = 35;
-  bempd_set_growth_rate(model, id, &rate);
   bempd_fatigue_report_init(&life, sizeof life);
-  if (bempd_grow_fatigue(model, 2, high, low, cycles, NULL, &life) != BEMPD_OK) {
-    printf("%s\n", bempd_last_error(model)); /* tells errors of earlier calls too */
+  if (bempd_add_material(model, &aluminium, &id) ||             /* a status: 0 is good */
+      bempd_add_bem_region(model, id, 4, sheet, 0.03, NULL) ||  /* region 1 */
+      bempd_add_crack(model, 2, crack, NULL) ||                 /* 2 points */
+      bempd_fix_point(model, -0.06, -0.12, BEMPD_BOTH, NULL) || /* lower left corner */
+      bempd_fix_point(model, 0.06, -0.12, BEMPD_Y, NULL) ||     /* lower right corner */
+      bempd_add_traction(model, 1, 3, 0, 1, BEMPD_Y, 1, NULL, &up, NULL) ||
+      bempd_add_traction(model, 1, 1, 0, 1, BEMPD_Y, 1, NULL, &down, NULL) ||
+      bempd_set_growth_rate(model, id, &rate) || /* law of the material */
+      bempd_grow_fatigue(model, 2, high, low, cycles, NULL, &life) || bempd_crack_length(model, 1, &length)) {
+    printf("%s\n", bempd_last_error(model)); /* of the call that failed */
     return 1;
   }
-  bempd_crack_length(model, 1, &length);
   printf("breaks after %.0f cycles, at a length of %.2f mm\n", life.cycles, 1e3 * length);
   bempd_model_free(model);
   return 0;

@@ -17,17 +17,16 @@ int main(void) {
   glass.poisson_ratio = 1.0 / 3;
   glass.thickness = 0.005;
   glass.fracture_energy = 300;
-  bempd_add_material(model, &glass, &id);
-  bempd_add_bem_region(model, id, 4, left, 0.005, NULL);
-  bempd_add_pd_region(model, id, 4, middle, 0.001, 4, NULL); /* spacing, horizon */
-  bempd_add_bem_region(model, id, 4, right, 0.005, NULL);
-  bempd_add_crack(model, 2, crack, NULL);
-  bempd_fix_edge(model, 1, 4, BEMPD_BOTH, NULL);
-  bempd_prescribe_edge(model, 3, 2, 0, 1, BEMPD_X, 1, NULL, &pull, NULL);
-
   bempd_step_report_init(&end, sizeof end);
-  if (bempd_run_to_separation(model, 1e4, &end) != BEMPD_OK) {
-    printf("%s\n", bempd_last_error(model)); /* tells errors of earlier calls too */
+  if (bempd_add_material(model, &glass, &id) ||                    /* 0 is good */
+      bempd_add_bem_region(model, id, 4, left, 0.005, NULL) ||     /* region 1 */
+      bempd_add_pd_region(model, id, 4, middle, 0.001, 4, NULL) || /* region 2 */
+      bempd_add_bem_region(model, id, 4, right, 0.005, NULL) ||    /* region 3 */
+      bempd_add_crack(model, 2, crack, NULL) ||                    /* 2 points */
+      bempd_fix_edge(model, 1, 4, BEMPD_BOTH, NULL) ||             /* left end */
+      bempd_prescribe_edge(model, 3, 2, 0, 1, BEMPD_X, 1, NULL, &pull, NULL) ||
+      bempd_run_to_separation(model, 1e4, &end)) {
+    printf("%s\n", bempd_last_error(model));
     return 1;
   }
   printf("in two at %.2f micrometres: ", end.load_factor);

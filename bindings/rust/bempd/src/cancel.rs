@@ -21,7 +21,7 @@ impl CancelToken {
         self.0.request();
     }
 
-    /// Asks the step that runs to end after the event that it is at and to keep what it has done: it succeeds with
+    /// Asks the step that runs to end and to keep the events that it has done; a long one at hand is given up. It succeeds with
     /// [`StopReason::Requested`](crate::StopReason::Requested). A request made while no step runs is forgotten.
     pub fn stop(&self) {
         self.0.request_stop();
