@@ -199,8 +199,9 @@ static void the_same_bonds_break(const char* way) {
   CHECK_OK(with, bempd_set_sparse_solver(with, answer, &s));
   compare(with, without, 2, 25);
   CHECK(s.requests[BEMPD_SPARSE_FACTORIZE] > 0);
-  CHECK((s.most_kept > 0) == (strcmp(way, "window") == 0));
-  CHECK((s.requests[BEMPD_SPARSE_REDUCE] > 0) == (s.most_kept > 0));
+  /* Windows solve for a few functions of the whole body; without them each event iterates with the old factor. */
+  CHECK(s.most_kept > 0 && s.requests[BEMPD_SPARSE_REDUCE] > 0);
+  CHECK((s.requests[BEMPD_SPARSE_REDUCE] < 25) == (strcmp(way, "window") == 0));
   /* Taken away in the middle of the run. */
   CHECK_OK(with, bempd_set_sparse_solver(with, NULL, NULL));
   CHECK(s.requests[BEMPD_SPARSE_DETACH] == 1 && all_are_forgotten(&s));
@@ -213,7 +214,7 @@ static void the_same_bonds_break(const char* way) {
 
 static void errors_are_those_of_the_call(void) {
   static const int32_t statuses[] = {BEMPD_ERROR_MEMORY, BEMPD_ERROR_IO, BEMPD_ERROR_UNSOLVABLE, BEMPD_ERROR_CANCELLED};
-  static const char* const words[] = {"memory", "fire alarm", "free", "fire alarm"};
+  static const char* const words[] = {"memory", "fire alarm", "indefinite", "fire alarm"};
   int k;
   for (k = 0; k < 4; ++k) {
     coupled_plate plate = coupled_plate_create();
@@ -234,7 +235,7 @@ static void other_errors_are_internal(void) {
   coupled_plate plate = coupled_plate_create();
   solver s;
   memset(&s, 0, sizeof s);
-  s.fails_at = BEMPD_SPARSE_SOLVE;
+  s.fails_at = BEMPD_SPARSE_ANALYSE;
   s.fails_with = BEMPD_ERROR_INTERNAL;
   CHECK_OK(plate.model, bempd_set_sparse_solver(plate.model, answer, &s));
   CHECK_FAILS(plate.model, BEMPD_ERROR_INTERNAL, "fire alarm", bempd_step(plate.model, 0.01, NULL));
