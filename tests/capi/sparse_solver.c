@@ -276,6 +276,30 @@ static void scratch_needs_an_attached_solver(void) {
   bempd_model_free(plate.model);
 }
 
+/** Indices of 64 bits, which large factors need, change no digit of a run. */
+static void wide_indices_change_nothing(void) {
+  const double pull = 1e-6;
+  outcome seen[2] = {{NULL, 0}, {NULL, 0}};
+  int k, event;
+  for (k = 0; k < 2; ++k) {
+    int32_t pulled = 0;
+    bempd_step_report report;
+    bempd_model* model = strip_with_crack(0.0045, 1, NULL, &pull, &pulled);
+    CHECK_OK(model, bempd_set_option_text(model, "test.indices", k == 0 ? "chosen" : "wide"));
+    CHECK_OK(model, bempd_step_report_init(&report, sizeof report));
+    for (event = 0; event < 30; ++event) {
+      CHECK_OK(model, bempd_step_to_next_event(model, 1e4, &report));
+      outcome_append(&seen[k], &report.load_factor, 1);
+      outcome_append_bonds(&seen[k], model, 2);
+    }
+    outcome_append_field(&seen[k], model, 2, BEMPD_DISPLACEMENT);
+    bempd_model_free(model);
+  }
+  CHECK(outcome_same(&seen[0], &seen[1]));
+  outcome_free(&seen[0]);
+  outcome_free(&seen[1]);
+}
+
 int main(void) {
   the_same_bonds_break("window");
   the_same_bonds_break("plain");
@@ -283,5 +307,6 @@ int main(void) {
   other_errors_are_internal();
   comes_before_the_first_step_and_once();
   scratch_needs_an_attached_solver();
+  wide_indices_change_nothing();
   return check_finish();
 }

@@ -215,8 +215,8 @@ int main(int count, char** words) {
   MPI_Comm_size(MPI_COMM_WORLD, &ranks);
   CHECK(strstr(bempd_mpi_build_info(), "MUMPS 5") != NULL && strstr(bempd_mpi_build_info(), "CeCILL-C") != NULL);
   misuse_is_refused();
-  the_same_bonds_break("", 60);
-  the_same_bonds_break(count > 1 ? words[1] : "/tmp", 10);
+  the_same_bonds_break("", 25);
+  the_same_bonds_break(count > 1 ? words[1] : "/tmp", 5);
   freeing_a_model_lets_the_others_go();
   a_refused_attachment_lets_the_others_go();
   errors_come_to_rank_0();

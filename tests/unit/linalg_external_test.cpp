@@ -42,7 +42,8 @@ class DenseSolver final : public ExternalSolver {
   }
   void solve(std::int64_t factor, Eigen::MatrixXd& values) override {
     const Part& part = parts.at(factor);
-    values(part.eliminated, Eigen::all) = part.inverse.solve(Eigen::MatrixXd(values(part.eliminated, Eigen::all)));
+    const Eigen::MatrixXd solutions = part.inverse.solve(Eigen::MatrixXd(values(part.eliminated, Eigen::all)));
+    values(part.eliminated, Eigen::all) = solutions;
     values(part.kept, Eigen::all).setConstant(std::nan(""));
   }
   void reduce(std::int64_t factor, Eigen::MatrixXd& values, Eigen::MatrixXd& kept) override {
@@ -53,7 +54,7 @@ class DenseSolver final : public ExternalSolver {
   }
   void expand(std::int64_t factor, const Eigen::MatrixXd& kept, Eigen::MatrixXd& values) override {
     const Part& part = parts.at(factor);
-    values(part.eliminated, Eigen::all) = part.half - part.inverse.solve(part.coupling * kept);
+    values(part.eliminated, Eigen::all) = part.half - part.inverse.solve(Eigen::MatrixXd(part.coupling * kept));
   }
   void forget(std::int64_t factor) noexcept override { parts.erase(factor); }
 
