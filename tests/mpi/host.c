@@ -42,7 +42,7 @@ static void attach(bempd_model* model) { CHECK_MPI_FAILS(BEMPD_OK, "", bempd_mpi
 
 static void serve(void) { CHECK_MPI_FAILS(BEMPD_OK, "", bempd_mpi_serve(MPI_COMM_WORLD)); }
 
-/** The same bonds as in one process, in core and out of core; then the model goes on alone. */
+/** A model breaks the same bonds as one process does, in core and out of core; then it goes on alone. */
 static void the_same_bonds_break(const char* scratch, int events) {
   if (rank == 0) {
     bempd_model* with = strip();
@@ -187,7 +187,7 @@ static void* steps_elsewhere(void* user) {
   return NULL;
 }
 
-/** With MPI_THREAD_FUNNELED only the thread that initialized MPI calls. */
+/** Other threads than the one that initialized MPI are refused with MPI_THREAD_FUNNELED. */
 static void other_threads_are_refused(int level) {
   if (level >= MPI_THREAD_SERIALIZED) return;
   if (rank == 0) {
