@@ -59,7 +59,7 @@ def page() -> str:
     bempd.options.in_python = lambda text: text  # summaries with the names of C, as this page is for all languages
     groups: dict[str, list[str]] = {}
     titles = {"pd": "Peridynamic regions", "bem": "Boundary elements", "stepping": "Stepping", "crack": "Growth of cracks",
-              "snapshots": "Snapshots", "tips": "Crack tips", "memory": "Memory", "paper": "Scheme paper"}
+              "snapshots": "Snapshots", "tips": "Crack tips", "memory": "Memory", "linalg": "Sparse systems", "paper": "Scheme paper"}
     for option in bempd.describe_options().values():
         family = option.name.split(".")[0] if "." in option.name else ""
         groups.setdefault(titles.get(family, family.capitalize() if family else "General"), []).append(row(option))

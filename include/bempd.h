@@ -1118,7 +1118,7 @@ typedef struct bempd_sparse_task {
 } bempd_sparse_task;
 
 /** @brief Solver from outside. Its errors become those of the call that needed it: UNSOLVABLE for a matrix that is not
- * positive definite, MEMORY, IO; all others are internal.
+ * positive definite, ORDER, CANCELLED, MEMORY, IO; all others are internal.
  * @param[in,out] task the request, with its results
  * @param[in] user the pointer given with the function @return a bempd_status @since 0.4 */
 typedef int32_t (*bempd_sparse_function)(bempd_sparse_task* task, void* user);

@@ -1194,7 +1194,7 @@ module bempd_c
     end function bempd_phase_function
 
     !> Solver from outside. Its errors become those of the call that needed it: UNSOLVABLE for a matrix that is not
-    !> positive definite, MEMORY, IO; all others are internal.
+    !> positive definite, ORDER, CANCELLED, MEMORY, IO; all others are internal.
     !>
     !> task [in,out]: the request, with its results
     !> user [in]: the pointer given with the function

@@ -108,6 +108,8 @@ class HostSolver final : public linalg::ExternalSolver {
             "lattice");
       case BEMPD_ERROR_IO:
         fail(Failure::io, sentence);
+      case BEMPD_ERROR_ORDER:
+        fail(Failure::order, sentence);
       case BEMPD_ERROR_CANCELLED:
         fail(Failure::cancelled, sentence);
       default:

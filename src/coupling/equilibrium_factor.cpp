@@ -62,11 +62,6 @@ void EquilibriumSystem::forget_factor() {
   factor_.forget();
 }
 
-void EquilibriumSystem::release_solver() {
-  forget_factor();
-  factor_.release();
-}
-
 bool EquilibriumSystem::has_current_factor() {
   rebuild_factor();
   return factor_.is_current();

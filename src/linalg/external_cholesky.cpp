@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
+#include <optional>
 #include <utility>
 
 #include "cancellation.hpp"
@@ -135,6 +136,7 @@ class ExternalCholesky final : public SparseCholesky {
   }
 
   Eigen::MatrixXd inverse_block(const std::vector<int>& unknowns) const override {
+    if (std::optional<Eigen::MatrixXd> block = inverse_block_of_kept(unknowns)) return *std::move(block);
     const auto size = static_cast<Eigen::Index>(unknowns.size());
     Eigen::MatrixXd block(size, size);
     for (Eigen::Index first = 0; first < size; first += most_sides_at_once) {
@@ -207,6 +209,21 @@ class ExternalCholesky final : public SparseCholesky {
       if (!(ratio >= smallest_pivot_)) smallest_pivot_ = ratio;  // a NaN wins
     }
     return true;
+  }
+
+  // Block of A^-1 if all its unknowns are kept: then it is one of the Schur complement's inverse.
+  std::optional<Eigen::MatrixXd> inverse_block_of_kept(const std::vector<int>& unknowns) const {
+    std::vector<int> place(order_.size(), -1), places;
+    for (int k = 0; k < plan_.kept; ++k) place[order_[static_cast<std::size_t>(others() + k)]] = k;
+    for (const int unknown : unknowns) {
+      if (place[unknown] < 0) return std::nullopt;
+      places.push_back(place[unknown]);
+    }
+    Eigen::MatrixXd half = Eigen::MatrixXd::Zero(plan_.kept, static_cast<Eigen::Index>(unknowns.size()));
+    for (std::size_t k = 0; k < places.size(); ++k)
+      half(places[k], static_cast<Eigen::Index>(k)) = scale_[unknowns[k]];
+    solve_lower(schur_.lower(), half);
+    return half.transpose() * half;
   }
 
   // Columns of the kept unknowns, in the rows of the others.

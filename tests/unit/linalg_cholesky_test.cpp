@@ -205,6 +205,35 @@ TEST(SparseCholesky, removing_the_last_support_shows_in_the_pivots_and_stays_fin
   EXPECT_GT(factor->smallest_pivot_ratio(), 1e-3);
 }
 
+TEST(SparseCholesky, wide_indices_give_the_same_digits) {
+  const SpringLattice lattice(12, 3, 0.1);
+  const SparseMatrix lower = lower_triangle(lattice.stiffness(lattice.intact()));
+  const auto n = static_cast<int>(lower.rows());
+  const std::unique_ptr<SparseCholesky> narrow = own_cholesky(false), wide = own_cholesky(true);
+  const Eigen::MatrixXd sides = Eigen::Map<const Eigen::MatrixXd>(waves(3 * n).eval().data(), n, 3);
+  for (const int kept : {0, 7}) {
+    std::vector<Eigen::MatrixXd> found[2];
+    for (int k = 0; k < 2; ++k) {
+      SparseCholesky& factor = k == 0 ? *narrow : *wide;
+      factor.set_elimination_order(shuffled(n, 5), kept);
+      ASSERT_TRUE(factor.factorize(lower));
+      Eigen::MatrixXd whole = sides, halves = sides;
+      factor.solve_in_place(whole);
+      factor.solve_forward(halves);
+      Eigen::MatrixXd backward = halves.transpose();
+      factor.solve_backward(backward, kept);
+      found[k] = {whole, halves, backward, factor.trailing_factor(kept), factor.inverse_block({3, 80, n - 1})};
+      EXPECT_TRUE(factor.update(lattice.columns({17, 60}), Change::remove));
+      Eigen::MatrixXd changed = sides;
+      factor.solve_in_place(changed);
+      found[k].insert(found[k].end(), {changed, factor.inverse_block({3, 80, n - 1})});
+      found[k].push_back(Eigen::Vector2d(factor.smallest_pivot_ratio(), double(factor.factor_nonzeros())));
+    }
+    for (std::size_t k = 0; k < found[0].size(); ++k) EXPECT_EQ(found[0][k], found[1][k]) << k;
+    EXPECT_EQ(narrow->elimination_order(), wide->elimination_order());
+  }
+}
+
 TEST(SparseCholesky, objects_on_different_threads_do_not_disturb_each_other) {
   const SpringLattice lattice(20, 3, 1e-2);
   const SparseMatrix lower = lower_triangle(lattice.stiffness(lattice.intact()));

@@ -1851,7 +1851,7 @@ ANALYSE: shape [unknowns], unknown eliminated k-th, from 0; NULL for any order""
     "bempd_sparse_task.message": """receives a sentence about an error; constant until the next request""",
     "bempd_sparse_function": """\
 Solver from outside. Its errors become those of the call that needed it: UNSOLVABLE for a matrix
-that is not positive definite, MEMORY, IO; all others are internal.
+that is not positive definite, ORDER, CANCELLED, MEMORY, IO; all others are internal.
 
 task [in,out]: the request, with its results
 user [in]: the pointer given with the function

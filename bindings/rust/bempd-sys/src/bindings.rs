@@ -1816,7 +1816,7 @@ pub struct bempd_sparse_task {
     pub message: *const ::std::os::raw::c_char,
 }
 /// Solver from outside. Its errors become those of the call that needed it: UNSOLVABLE for a matrix
-/// that is not positive definite, MEMORY, IO; all others are internal.
+/// that is not positive definite, ORDER, CANCELLED, MEMORY, IO; all others are internal.
 ///
 /// * task \[in,out\]: the request, with its results
 /// * user \[in\]: the pointer given with the function
