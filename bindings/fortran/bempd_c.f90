@@ -317,6 +317,10 @@ module bempd_c
   integer(c_int), parameter :: BEMPD_FATIGUE_STEPS = 7
   !> bempd_request_stop() was called.
   integer(c_int), parameter :: BEMPD_FATIGUE_REQUESTED = 8
+  !> The net section of a tip bears no more than the highest load, by the flow_stress of its material's law. The section
+  !> is the straight line through the tip in the direction of its growth, from edge to edge of its region, without holes
+  !> and cracks along it; force and moment are compared with those of its full yielding.
+  integer(c_int), parameter :: BEMPD_FATIGUE_NET_SECTION = 9
 
   !> What a saved state contains.
   !>
@@ -813,6 +817,9 @@ module bempd_c
     real(c_double) :: wheeler_exponent
     !> of BEMPD_RETARDATION_WILLENBORG: overload over load that stops a tip, > 1 [-]
     real(c_double) :: shutoff_ratio
+    !> stress at which the net section of a tip yields as a whole, which ends the growth; default 0: it is not watched
+    !> [Pa]
+    real(c_double) :: flow_stress
   end type bempd_growth_rate
 
   !> Options of bempd_grow_fatigue(). Fill it with bempd_fatigue_init().
@@ -860,7 +867,8 @@ module bempd_c
   end type bempd_fatigue_report
 
   !> A tip after a step of bempd_grow_fatigue(), or as it was at first. High and low are the highest and the lowest load
-  !> factor of all blocks. Fill it with bempd_fatigue_record_init().
+  !> factor of all blocks; with load cases, the combinations under which the factor of this tip is largest and least.
+  !> Fill it with bempd_fatigue_record_init().
   !>
   !> since: 0.3
   type, bind(c) :: bempd_fatigue_record
@@ -1013,6 +1021,44 @@ module bempd_c
   end type bempd_history_entry
 
   abstract interface
+    !> How far a tip grows in a cycle, or the fracture energy that it meets.
+    !>
+    !> As a rate of growth (bempd_growth_rate) it is called many times for each step, also at lengths between those at
+    !> which the body is solved. As a resistance (bempd_set_resistance_function()) it is called for many load factors to
+    !> find the one at which a tip grows. It may call bempd_request_cancel() on the model and nothing else.
+    !>
+    !> crack [in]: id of the crack
+    !> end [in]: a bempd_tip_end
+    !> equivalent [in]: factor of mode I in the direction of growth: of a rate K_max, that at the highest load [Pa
+    !>   m^(1/2)]
+    !> ratio [in]: R = K_min / K_max of a rate; of a resistance 1, a load that is held [-]
+    !> stress_intensity_1 [in]: K_I, of a rate at the highest load [Pa m^(1/2)]
+    !> stress_intensity_2 [in]: K_II there [Pa m^(1/2)]
+    !> t_stress [in]: T there, along the crack; NaN for tips of crack lines that have no room for contours [Pa]
+    !> length [in]: of a rate, length of the crack; of a resistance, by how much this end has grown in the model [m]
+    !> x [in]: place of the tip [m]
+    !> y [in]: place of the tip [m]
+    !> user [in]: the pointer given with the function
+    !> return: growth in a cycle [m], >= 0, or fracture energy [J/m^2], > 0; NaN, infinity and other numbers end the
+    !>   call with BEMPD_ERROR_ARGUMENT
+    !> since: 0.4
+    function bempd_growth_function(crack, end, equivalent, ratio, stress_intensity_1, stress_intensity_2, t_stress, &
+        length, x, y, user) bind(c)
+      import :: c_double, c_int32_t, c_ptr
+      integer(c_int32_t), value :: crack
+      integer(c_int32_t), value :: end
+      real(c_double), value :: equivalent
+      real(c_double), value :: ratio
+      real(c_double), value :: stress_intensity_1
+      real(c_double), value :: stress_intensity_2
+      real(c_double), value :: t_stress
+      real(c_double), value :: length
+      real(c_double), value :: x
+      real(c_double), value :: y
+      type(c_ptr), value :: user
+      real(c_double) :: bempd_growth_function
+    end function bempd_growth_function
+
     !> Values on a boundary given by the host; called while the call that received it runs and when the model is
     !> prepared, once per node or integration point.
     !>
@@ -1086,37 +1132,6 @@ module bempd_c
       type(c_ptr), value :: user
       integer(c_int32_t) :: bempd_phase_function
     end function bempd_phase_function
-
-    !> How far a tip grows in a cycle. It is called many times for each step, also at lengths between those at which the
-    !> body is solved, and may call bempd_request_cancel() on the model and nothing else.
-    !>
-    !> crack [in]: id of the crack
-    !> end [in]: a bempd_tip_end
-    !> highest [in]: K_max, the factor of mode I in the direction of growth at the highest load [Pa m^(1/2)]
-    !> lowest [in]: K_min, the same at the lowest load [Pa m^(1/2)]
-    !> stress_intensity_1 [in]: K_I at the highest load [Pa m^(1/2)]
-    !> stress_intensity_2 [in]: K_II at the highest load [Pa m^(1/2)]
-    !> length [in]: length of the crack [m]
-    !> x [in]: place of the tip [m]
-    !> y [in]: place of the tip [m]
-    !> user [in]: the pointer given with the function
-    !> return: growth [m], >= 0; NaN, infinity and negative numbers end the call with BEMPD_ERROR_ARGUMENT
-    !> since: 0.3
-    function bempd_rate_function(crack, end, highest, lowest, stress_intensity_1, stress_intensity_2, length, x, y, &
-        user) bind(c)
-      import :: c_double, c_int32_t, c_ptr
-      integer(c_int32_t), value :: crack
-      integer(c_int32_t), value :: end
-      real(c_double), value :: highest
-      real(c_double), value :: lowest
-      real(c_double), value :: stress_intensity_1
-      real(c_double), value :: stress_intensity_2
-      real(c_double), value :: length
-      real(c_double), value :: x
-      real(c_double), value :: y
-      type(c_ptr), value :: user
-      real(c_double) :: bempd_rate_function
-    end function bempd_rate_function
   end interface
 
   interface
@@ -1724,6 +1739,30 @@ module bempd_c
       real(c_double), intent(in) :: energies(*)
       integer(c_int) :: bempd_set_resistance_directions
     end function bempd_set_resistance_directions
+
+    !> Give a material a fracture energy by a function of the host.
+    !>
+    !> It takes the place of the material's fracture_energy, and of values of bempd_set_toughness_at(), for tips of
+    !> cracks with boundary elements and of crack lines; bonds keep their critical stretch. A tip grows at the lowest
+    !> load factor at which its energy release rate is the function's value there. A lattice in which cracks grow bond
+    !> by bond is refused. The growth direction follows the option crack.criterion. States do not have the function. A
+    !> material has either tables of resistance or a function. A second call replaces the first.
+    !>
+    !> model [in]: the model, not prepared yet
+    !> material [in]: id of a material with a fracture_energy
+    !> function [in]: called as described there
+    !> user [in]: handed to the function; may be NULL
+    !> return: status
+    !> since: 0.4
+    function bempd_set_resistance_function(model, material, function, user) &
+        bind(c, name="bempd_set_resistance_function")
+      import :: c_funptr, c_int, c_int32_t, c_ptr
+      type(c_ptr), value :: model
+      integer(c_int32_t), value :: material
+      type(c_funptr), value :: function
+      type(c_ptr), value :: user
+      integer(c_int) :: bempd_set_resistance_function
+    end function bempd_set_resistance_function
 
     !> Add an initial crack, a polyline.
     !>
@@ -3877,11 +3916,12 @@ module bempd_c
     !> and the cycles are counted block by block. Steps are so long that the estimated error of their cycles is below
     !> the tolerance, and at most a quarter of the way to the nearest edge, hole or crack.
     !>
-    !> Crack lines grow by whole spacings, so they may pass the length asked for by half of one. In lattices low load
-    !> factors are 0 or more, loads have no constant part where faces can close, and the material has a fracture_energy.
+    !> Crack lines grow by whole spacings, so they may pass the length asked for by half of one. Their material has a
+    !> fracture_energy.
     !>
-    !> Cracks stop at their critical factor; K_c is that of the law, or the toughness of the material. The progress
-    !> callback is called after every step. After a failure, and where a callback cancels, the model is as it was.
+    !> Growth ends at the critical factor of a tip, K_c of the law or the toughness of the material at that place, and
+    !> where a net section yields. The progress callback is called after every step. After a failure, and where a
+    !> callback cancels, the model is as it was.
     !>
     !> model [in]: the model
     !> block_count [in]: number of blocks, >= 1; 1 is a constant amplitude
@@ -3904,6 +3944,38 @@ module bempd_c
       type(c_ptr), value :: report
       integer(c_int) :: bempd_grow_fatigue
     end function bempd_grow_fatigue
+
+    !> Let cracks grow by cycles between combinations of load cases, as bempd_grow_fatigue() does between load factors.
+    !>
+    !> Each end of a cycle is a combination of load cases (bempd_load_case_add()), each times a factor; other loads do
+    !> not act. The body is solved under each combination by itself, with the faces of cracks closed that press on each
+    !> other. A tip grows in the direction that belongs to the combination under which its factor is largest. Within a
+    !> cycle its range is that between the two ends. Steps are events at the model's load factor, which stays where it
+    !> is. It takes cracks with boundary elements.
+    !>
+    !> model [in]: the model
+    !> block_count [in]: number of blocks, >= 1; 1 is a constant amplitude
+    !> case_count [in]: number of factors of a combination; cases beyond have 0
+    !> high [in]: shape [block_count][case_count], factors of the cases at one end of a cycle [-]
+    !> low [in]: shape [block_count][case_count], factors at the other end [-]
+    !> cycles [in]: shape [block_count], cycles of each block, > 0; NULL for one block [-]
+    !> options [in]: NULL for the defaults
+    !> report [in,out]: struct_size in, the rest out; may be NULL
+    !> return: status
+    !> since: 0.4
+    function bempd_grow_fatigue_cases(model, block_count, case_count, high, low, cycles, options, report) &
+        bind(c, name="bempd_grow_fatigue_cases")
+      import :: c_double, c_int, c_int64_t, c_ptr
+      type(c_ptr), value :: model
+      integer(c_int64_t), value :: block_count
+      integer(c_int64_t), value :: case_count
+      real(c_double), intent(in) :: high(*)
+      real(c_double), intent(in) :: low(*)
+      type(c_ptr), value :: cycles
+      type(c_ptr), value :: options
+      type(c_ptr), value :: report
+      integer(c_int) :: bempd_grow_fatigue_cases
+    end function bempd_grow_fatigue_cases
 
     !> Set struct_size and zeros.
     !>

@@ -80,7 +80,8 @@ GrowthRange GrowthLaw::range(const AffineFactors& factors) const {
 }
 
 double GrowthLaw::first_load_factor(const AffineFactors& factors) const {
-  if (!directions && !asking.function) return growth_load_factor(factors.constant, factors.proportional, toughness, criterion);
+  if (!directions && !asking.function)
+    return growth_load_factor(factors.constant, factors.proportional, toughness, criterion);
   if (!(toughness > 0)) return infinity;
   return ratio(factors, 0) >= 1 ? 0 : range(factors).highest;
 }

@@ -104,6 +104,11 @@ bempd_status bempd_set_resistance_curve(bempd_model *model, int32_t material, in
     const double *extensions, const double *energies);
 bempd_status bempd_set_resistance_directions(bempd_model *model, int32_t material, int64_t count,
     const double *angles, const double *energies);
+typedef double (*bempd_growth_function)(int32_t crack, int32_t end, double equivalent, double ratio,
+    double stress_intensity_1, double stress_intensity_2, double t_stress, double length, double x,
+    double y, void *user);
+bempd_status bempd_set_resistance_function(bempd_model *model, int32_t material,
+    bempd_growth_function function, void *user);
 bempd_status bempd_add_crack(bempd_model *model, int64_t point_count, const double *points,
     int32_t *crack);
 bempd_status bempd_remove_region(bempd_model *model, int32_t region);
@@ -526,9 +531,6 @@ typedef enum bempd_rate_kind {
   BEMPD_RATE_SUSTAINED = 4,
   BEMPD_RATE_HOST = 5
 } bempd_rate_kind;
-typedef double (*bempd_rate_function)(int32_t crack, int32_t end, double highest, double lowest,
-    double stress_intensity_1, double stress_intensity_2, double length, double x, double y,
-    void *user);
 typedef enum bempd_retardation {
   BEMPD_RETARDATION_NONE = 0,
   BEMPD_RETARDATION_WHEELER = 1,
@@ -548,7 +550,7 @@ typedef struct bempd_growth_rate {
   double q;
   double closure_alpha;
   double closure_stress;
-  bempd_rate_function function;
+  bempd_growth_function function;
   void *user;
   int32_t retardation;
   int32_t reserved2;
@@ -556,6 +558,7 @@ typedef struct bempd_growth_rate {
   double zone_constraint;
   double wheeler_exponent;
   double shutoff_ratio;
+  double flow_stress;
 } bempd_growth_rate;
 bempd_status bempd_growth_rate_init(bempd_growth_rate *rate, int64_t struct_size);
 bempd_status bempd_set_growth_rate(bempd_model *model, int32_t material,
@@ -578,7 +581,8 @@ typedef enum bempd_fatigue_stop {
   BEMPD_FATIGUE_TIP_ENDED = 5,
   BEMPD_FATIGUE_TIP_STOPPED = 6,
   BEMPD_FATIGUE_STEPS = 7,
-  BEMPD_FATIGUE_REQUESTED = 8
+  BEMPD_FATIGUE_REQUESTED = 8,
+  BEMPD_FATIGUE_NET_SECTION = 9
 } bempd_fatigue_stop;
 typedef struct bempd_fatigue_report {
   int64_t struct_size;
@@ -594,6 +598,9 @@ typedef struct bempd_fatigue_report {
 bempd_status bempd_fatigue_report_init(bempd_fatigue_report *report, int64_t struct_size);
 bempd_status bempd_grow_fatigue(bempd_model *model, int64_t block_count, const double *high,
     const double *low, const double *cycles, const bempd_fatigue *options,
+    bempd_fatigue_report *report);
+bempd_status bempd_grow_fatigue_cases(bempd_model *model, int64_t block_count, int64_t case_count,
+    const double *high, const double *low, const double *cycles, const bempd_fatigue *options,
     bempd_fatigue_report *report);
 typedef struct bempd_fatigue_record {
   int64_t struct_size;
@@ -1120,6 +1127,47 @@ angles [in]: directions from the x axis, counter-clockwise [rad], ascending, wit
 energies [in]: fracture energies G_c [J/m^2], > 0, shape [count]
 return: status
 since: 0.3""",
+    "bempd_growth_function": """\
+How far a tip grows in a cycle, or the fracture energy that it meets.
+
+As a rate of growth (bempd_growth_rate) it is called many times for each step, also at lengths
+between those at which the body is solved. As a resistance (bempd_set_resistance_function()) it is
+called for many load factors to find the one at which a tip grows. It may call
+bempd_request_cancel() on the model and nothing else.
+
+crack [in]: id of the crack
+end [in]: a bempd_tip_end
+equivalent [in]: factor of mode I in the direction of growth: of a rate K_max, that at the highest
+  load [Pa m^(1/2)]
+ratio [in]: R = K_min / K_max of a rate; of a resistance 1, a load that is held [-]
+stress_intensity_1 [in]: K_I, of a rate at the highest load [Pa m^(1/2)]
+stress_intensity_2 [in]: K_II there [Pa m^(1/2)]
+t_stress [in]: T there, along the crack; NaN for tips of crack lines that have no room for contours
+  [Pa]
+length [in]: of a rate, length of the crack; of a resistance, by how much this end has grown in the
+  model [m]
+x [in]: place of the tip [m]
+y [in]: place of the tip [m]
+user [in]: the pointer given with the function
+return: growth in a cycle [m], >= 0, or fracture energy [J/m^2], > 0; NaN, infinity and other
+  numbers end the call with BEMPD_ERROR_ARGUMENT
+since: 0.4""",
+    "bempd_set_resistance_function": """\
+Give a material a fracture energy by a function of the host.
+
+It takes the place of the material's fracture_energy, and of values of bempd_set_toughness_at(), for
+tips of cracks with boundary elements and of crack lines; bonds keep their critical stretch. A tip
+grows at the lowest load factor at which its energy release rate is the function's value there. A
+lattice in which cracks grow bond by bond is refused. The growth direction follows the option
+crack.criterion. States do not have the function. A material has either tables of resistance or a
+function. A second call replaces the first.
+
+model [in]: the model, not prepared yet
+material [in]: id of a material with a fracture_energy
+function [in]: called as described there
+user [in]: handed to the function; may be NULL
+return: status
+since: 0.4""",
     "bempd_add_crack": """\
 Add an initial crack, a polyline.
 
@@ -2824,23 +2872,6 @@ closure f.""",
 Growth in time under a sustained load, as by stress corrosion: da/dt = C K_max^m above the
 threshold. What is called cycles is time then.""",
     "BEMPD_RATE_HOST": """A function of the host.""",
-    "bempd_rate_function": """\
-How far a tip grows in a cycle. It is called many times for each step, also at lengths between those
-at which the body is solved, and may call bempd_request_cancel() on the model and nothing else.
-
-crack [in]: id of the crack
-end [in]: a bempd_tip_end
-highest [in]: K_max, the factor of mode I in the direction of growth at the highest load [Pa
-  m^(1/2)]
-lowest [in]: K_min, the same at the lowest load [Pa m^(1/2)]
-stress_intensity_1 [in]: K_I at the highest load [Pa m^(1/2)]
-stress_intensity_2 [in]: K_II at the highest load [Pa m^(1/2)]
-length [in]: length of the crack [m]
-x [in]: place of the tip [m]
-y [in]: place of the tip [m]
-user [in]: the pointer given with the function
-return: growth [m], >= 0; NaN, infinity and negative numbers end the call with BEMPD_ERROR_ARGUMENT
-since: 0.3""",
     "bempd_retardation": """\
 How growth slows down in the plastic zone of an earlier, higher load. The zone of a load is (K /
 yield_strength)^2 / (pi zone_constraint).
@@ -2887,6 +2918,9 @@ of its plastic zones; default 0: 2 in plane stress, 6 in plane strain [-]""",
     "bempd_growth_rate.wheeler_exponent": """of BEMPD_RETARDATION_WHEELER, > 0 [-]""",
     "bempd_growth_rate.shutoff_ratio": """\
 of BEMPD_RETARDATION_WILLENBORG: overload over load that stops a tip, > 1 [-]""",
+    "bempd_growth_rate.flow_stress": """\
+stress at which the net section of a tip yields as a whole, which ends the growth; default 0: it is
+not watched [Pa]""",
     "bempd_growth_rate_init": """\
 Set struct_size and the defaults.
 
@@ -2941,6 +2975,11 @@ A tip cannot grow on where it is: at an interface, or before a ligament too thin
 warning tells.""",
     "BEMPD_FATIGUE_STEPS": """The number of steps asked for was made.""",
     "BEMPD_FATIGUE_REQUESTED": """bempd_request_stop() was called.""",
+    "BEMPD_FATIGUE_NET_SECTION": """\
+The net section of a tip bears no more than the highest load, by the flow_stress of its material's
+law. The section is the straight line through the tip in the direction of its growth, from edge to
+edge of its region, without holes and cracks along it; force and moment are compared with those of
+its full yielding.""",
     "bempd_fatigue_report": """\
 What bempd_grow_fatigue() did. Fill it with bempd_fatigue_report_init().
 
@@ -2976,13 +3015,12 @@ the factor of a tip is taken as a power of its crack's length, and the cycles ar
 block. Steps are so long that the estimated error of their cycles is below the tolerance, and at
 most a quarter of the way to the nearest edge, hole or crack.
 
-Crack lines grow by whole spacings, so they may pass the length asked for by half of one. In
-lattices low load factors are 0 or more, loads have no constant part where faces can close, and the
+Crack lines grow by whole spacings, so they may pass the length asked for by half of one. Their
 material has a fracture_energy.
 
-Cracks stop at their critical factor; K_c is that of the law, or the toughness of the material. The
-progress callback is called after every step. After a failure, and where a callback cancels, the
-model is as it was.
+Growth ends at the critical factor of a tip, K_c of the law or the toughness of the material at that
+place, and where a net section yields. The progress callback is called after every step. After a
+failure, and where a callback cancels, the model is as it was.
 
 model [in]: the model
 block_count [in]: number of blocks, >= 1; 1 is a constant amplitude
@@ -2993,9 +3031,30 @@ options [in]: NULL for the defaults
 report [in,out]: struct_size in, the rest out; may be NULL
 return: status
 since: 0.3""",
+    "bempd_grow_fatigue_cases": """\
+Let cracks grow by cycles between combinations of load cases, as bempd_grow_fatigue() does between
+load factors.
+
+Each end of a cycle is a combination of load cases (bempd_load_case_add()), each times a factor;
+other loads do not act. The body is solved under each combination by itself, with the faces of
+cracks closed that press on each other. A tip grows in the direction that belongs to the combination
+under which its factor is largest. Within a cycle its range is that between the two ends. Steps are
+events at the model's load factor, which stays where it is. It takes cracks with boundary elements.
+
+model [in]: the model
+block_count [in]: number of blocks, >= 1; 1 is a constant amplitude
+case_count [in]: number of factors of a combination; cases beyond have 0
+high [in]: shape [block_count][case_count], factors of the cases at one end of a cycle [-]
+low [in]: shape [block_count][case_count], factors at the other end [-]
+cycles [in]: shape [block_count], cycles of each block, > 0; NULL for one block [-]
+options [in]: NULL for the defaults
+report [in,out]: struct_size in, the rest out; may be NULL
+return: status
+since: 0.4""",
     "bempd_fatigue_record": """\
 A tip after a step of bempd_grow_fatigue(), or as it was at first. High and low are the highest and
-the lowest load factor of all blocks. Fill it with bempd_fatigue_record_init().
+the lowest load factor of all blocks; with load cases, the combinations under which the factor of
+this tip is largest and least. Fill it with bempd_fatigue_record_init().
 
 since: 0.3""",
     "bempd_fatigue_record.struct_size": """sizeof(bempd_fatigue_record), set by bempd_fatigue_record_init()""",

@@ -689,6 +689,69 @@ extern "C" {
         energies: *const f64,
     ) -> bempd_status;
 }
+/// How far a tip grows in a cycle, or the fracture energy that it meets.
+///
+/// As a rate of growth (bempd_growth_rate) it is called many times for each step, also at lengths
+/// between those at which the body is solved. As a resistance (bempd_set_resistance_function()) it
+/// is called for many load factors to find the one at which a tip grows. It may call
+/// bempd_request_cancel() on the model and nothing else.
+///
+/// * crack \[in\]: id of the crack
+/// * end \[in\]: a bempd_tip_end
+/// * equivalent \[in\]: factor of mode I in the direction of growth: of a rate K_max, that at the
+///   highest load \[Pa m^(1/2)\]
+/// * ratio \[in\]: R = K_min / K_max of a rate; of a resistance 1, a load that is held \[-\]
+/// * stress_intensity_1 \[in\]: K_I, of a rate at the highest load \[Pa m^(1/2)\]
+/// * stress_intensity_2 \[in\]: K_II there \[Pa m^(1/2)\]
+/// * t_stress \[in\]: T there, along the crack; NaN for tips of crack lines that have no room for
+///   contours \[Pa\]
+/// * length \[in\]: of a rate, length of the crack; of a resistance, by how much this end has grown in
+///   the model \[m\]
+/// * x \[in\]: place of the tip \[m\]
+/// * y \[in\]: place of the tip \[m\]
+/// * user \[in\]: the pointer given with the function
+/// * return: growth in a cycle \[m\], \>= 0, or fracture energy \[J/m^2\], \> 0; NaN, infinity and other
+///   numbers end the call with BEMPD_ERROR_ARGUMENT
+/// * since: 0.4
+pub type bempd_growth_function = ::std::option::Option<
+    unsafe extern "C" fn(
+        crack: i32,
+        end: i32,
+        equivalent: f64,
+        ratio: f64,
+        stress_intensity_1: f64,
+        stress_intensity_2: f64,
+        t_stress: f64,
+        length: f64,
+        x: f64,
+        y: f64,
+        user: *mut ::std::os::raw::c_void,
+    ) -> f64,
+>;
+extern "C" {
+    /// Give a material a fracture energy by a function of the host.
+    ///
+    /// It takes the place of the material's fracture_energy, and of values of
+    /// bempd_set_toughness_at(), for tips of cracks with boundary elements and of crack lines;
+    /// bonds keep their critical stretch. A tip grows at the lowest load factor at which its energy
+    /// release rate is the function's value there. A lattice in which cracks grow bond by bond is
+    /// refused. The growth direction follows the option crack.criterion. States do not have the
+    /// function. A material has either tables of resistance or a function. A second call replaces
+    /// the first.
+    ///
+    /// * model \[in\]: the model, not prepared yet
+    /// * material \[in\]: id of a material with a fracture_energy
+    /// * function \[in\]: called as described there
+    /// * user \[in\]: handed to the function; may be NULL
+    /// * return: status
+    /// * since: 0.4
+    pub fn bempd_set_resistance_function(
+        model: *mut bempd_model,
+        material: i32,
+        function: bempd_growth_function,
+        user: *mut ::std::os::raw::c_void,
+    ) -> bempd_status;
+}
 extern "C" {
     /// Add an initial crack, a polyline.
     ///
@@ -3329,38 +3392,6 @@ pub const BEMPD_RATE_HOST: bempd_rate_kind = 5;
 ///
 /// * since: 0.3
 pub type bempd_rate_kind = ::std::os::raw::c_uint;
-/// How far a tip grows in a cycle. It is called many times for each step, also at lengths between
-/// those at which the body is solved, and may call bempd_request_cancel() on the model and nothing
-/// else.
-///
-/// * crack \[in\]: id of the crack
-/// * end \[in\]: a bempd_tip_end
-/// * highest \[in\]: K_max, the factor of mode I in the direction of growth at the highest load \[Pa
-///   m^(1/2)\]
-/// * lowest \[in\]: K_min, the same at the lowest load \[Pa m^(1/2)\]
-/// * stress_intensity_1 \[in\]: K_I at the highest load \[Pa m^(1/2)\]
-/// * stress_intensity_2 \[in\]: K_II at the highest load \[Pa m^(1/2)\]
-/// * length \[in\]: length of the crack \[m\]
-/// * x \[in\]: place of the tip \[m\]
-/// * y \[in\]: place of the tip \[m\]
-/// * user \[in\]: the pointer given with the function
-/// * return: growth \[m\], \>= 0; NaN, infinity and negative numbers end the call with
-///   BEMPD_ERROR_ARGUMENT
-/// * since: 0.3
-pub type bempd_rate_function = ::std::option::Option<
-    unsafe extern "C" fn(
-        crack: i32,
-        end: i32,
-        highest: f64,
-        lowest: f64,
-        stress_intensity_1: f64,
-        stress_intensity_2: f64,
-        length: f64,
-        x: f64,
-        y: f64,
-        user: *mut ::std::os::raw::c_void,
-    ) -> f64,
->;
 /// Earlier loads have no effect.
 pub const BEMPD_RETARDATION_NONE: bempd_retardation = 0;
 /// Wheeler: da/dN times (zone of the cycle / distance to the end of the overload's
@@ -3411,7 +3442,7 @@ pub struct bempd_growth_rate {
     /// of BEMPD_RATE_NASGRO: largest stress over the flow stress, \>= 0, \< 1; default 0 \[-\]
     pub closure_stress: f64,
     /// of BEMPD_RATE_HOST; threshold and critical_intensity hold for it too
-    pub function: bempd_rate_function,
+    pub function: bempd_growth_function,
     /// handed to the function; may be NULL
     pub user: *mut ::std::os::raw::c_void,
     /// a bempd_retardation; default BEMPD_RETARDATION_NONE
@@ -3426,6 +3457,9 @@ pub struct bempd_growth_rate {
     pub wheeler_exponent: f64,
     /// of BEMPD_RETARDATION_WILLENBORG: overload over load that stops a tip, \> 1 \[-\]
     pub shutoff_ratio: f64,
+    /// stress at which the net section of a tip yields as a whole, which ends the growth; default
+    /// 0: it is not watched \[Pa\]
+    pub flow_stress: f64,
 }
 extern "C" {
     /// Set struct_size and the defaults.
@@ -3501,6 +3535,11 @@ pub const BEMPD_FATIGUE_TIP_STOPPED: bempd_fatigue_stop = 6;
 pub const BEMPD_FATIGUE_STEPS: bempd_fatigue_stop = 7;
 /// bempd_request_stop() was called.
 pub const BEMPD_FATIGUE_REQUESTED: bempd_fatigue_stop = 8;
+/// The net section of a tip bears no more than the highest load, by the flow_stress of its
+/// material's law. The section is the straight line through the tip in the direction of its growth,
+/// from edge to edge of its region, without holes and cracks along it; force and moment are
+/// compared with those of its full yielding.
+pub const BEMPD_FATIGUE_NET_SECTION: bempd_fatigue_stop = 9;
 /// Why bempd_grow_fatigue() came back.
 ///
 /// * since: 0.3
@@ -3558,13 +3597,12 @@ extern "C" {
     /// estimated error of their cycles is below the tolerance, and at most a quarter of the way to
     /// the nearest edge, hole or crack.
     ///
-    /// Crack lines grow by whole spacings, so they may pass the length asked for by half of one. In
-    /// lattices low load factors are 0 or more, loads have no constant part where faces can close,
-    /// and the material has a fracture_energy.
+    /// Crack lines grow by whole spacings, so they may pass the length asked for by half of one.
+    /// Their material has a fracture_energy.
     ///
-    /// Cracks stop at their critical factor; K_c is that of the law, or the toughness of the
-    /// material. The progress callback is called after every step. After a failure, and where a
-    /// callback cancels, the model is as it was.
+    /// Growth ends at the critical factor of a tip, K_c of the law or the toughness of the material
+    /// at that place, and where a net section yields. The progress callback is called after every
+    /// step. After a failure, and where a callback cancels, the model is as it was.
     ///
     /// * model \[in\]: the model
     /// * block_count \[in\]: number of blocks, \>= 1; 1 is a constant amplitude
@@ -3585,8 +3623,41 @@ extern "C" {
         report: *mut bempd_fatigue_report,
     ) -> bempd_status;
 }
+extern "C" {
+    /// Let cracks grow by cycles between combinations of load cases, as bempd_grow_fatigue() does
+    /// between load factors.
+    ///
+    /// Each end of a cycle is a combination of load cases (bempd_load_case_add()), each times a
+    /// factor; other loads do not act. The body is solved under each combination by itself, with
+    /// the faces of cracks closed that press on each other. A tip grows in the direction that
+    /// belongs to the combination under which its factor is largest. Within a cycle its range is
+    /// that between the two ends. Steps are events at the model's load factor, which stays where it
+    /// is. It takes cracks with boundary elements.
+    ///
+    /// * model \[in\]: the model
+    /// * block_count \[in\]: number of blocks, \>= 1; 1 is a constant amplitude
+    /// * case_count \[in\]: number of factors of a combination; cases beyond have 0
+    /// * high \[in\]: shape \[block_count\]\[case_count\], factors of the cases at one end of a cycle \[-\]
+    /// * low \[in\]: shape \[block_count\]\[case_count\], factors at the other end \[-\]
+    /// * cycles \[in\]: shape \[block_count\], cycles of each block, \> 0; NULL for one block \[-\]
+    /// * options \[in\]: NULL for the defaults
+    /// * report \[in,out\]: struct_size in, the rest out; may be NULL
+    /// * return: status
+    /// * since: 0.4
+    pub fn bempd_grow_fatigue_cases(
+        model: *mut bempd_model,
+        block_count: i64,
+        case_count: i64,
+        high: *const f64,
+        low: *const f64,
+        cycles: *const f64,
+        options: *const bempd_fatigue,
+        report: *mut bempd_fatigue_report,
+    ) -> bempd_status;
+}
 /// A tip after a step of bempd_grow_fatigue(), or as it was at first. High and low are the highest
-/// and the lowest load factor of all blocks. Fill it with bempd_fatigue_record_init().
+/// and the lowest load factor of all blocks; with load cases, the combinations under which the
+/// factor of this tip is largest and least. Fill it with bempd_fatigue_record_init().
 ///
 /// * since: 0.3
 #[repr(C)]
