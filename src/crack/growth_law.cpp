@@ -59,6 +59,7 @@ GrowthLaw GrowthLaw::met(const Point& factors, double t_stress) const {
   if (!asking.function) return *this;
   GrowthLaw law = *this;
   law.asking.function = nullptr;
+  if (factors.isZero(0)) return law;
   TipCycle held;
   held.tip = asking.id, held.place = asking.place, held.length = asking.grown, held.t_stress = t_stress;
   held.high = held.low = factors;

@@ -92,6 +92,18 @@ def test_life_tells_of_lengths_inspections_and_writes_its_table(tmp_path: pathli
     assert len(rows) == len(life.table) and float(rows[-1]["cycles"]) == life.table["cycles"][-1]
 
 
+def test_curves_are_drawn() -> None:
+    matplotlib = pytest.importorskip("matplotlib")
+    matplotlib.use("Agg")
+    life = plate().grow_fatigue(most_length=0.2)
+    growth, rates = life.plot()
+    steps = np.unique(life.table["step"])
+    assert len(growth.lines) == 1 and len(growth.lines[0].get_xdata()) == len(steps)
+    assert growth.lines[0].get_ydata()[-1] == pytest.approx(0.2)
+    assert len(rates.lines) == 2 and rates.get_xscale() == rates.get_yscale() == "log"
+    assert rates.lines[0].get_ydata() == pytest.approx(1e-11 * (rates.lines[0].get_xdata() / 1e6) ** 3)
+
+
 def test_laws_of_the_user_may_fail() -> None:
     calls = []
 
