@@ -620,10 +620,10 @@ typedef double (*bempd_growth_function)(int32_t crack, int32_t end, double equiv
 /** @brief Give a material a fracture energy by a function of the host.
  *
  * It takes the place of the material's fracture_energy, and of values of bempd_set_toughness_at(), for tips of cracks
- * with boundary elements and of crack lines; bonds keep their critical stretch. A tip grows at the lowest load factor at
- * which its energy release rate is the function's value there. A lattice in which cracks grow bond by bond is refused.
- * The growth direction follows the option crack.criterion. States do not have the function. A material has either
- * tables of resistance or a function. A second call replaces the first.
+ * with boundary elements and of crack lines; bonds keep their critical stretch. A tip grows at the lowest load factor
+ * at which its energy release rate is the function's value there. A lattice in which cracks grow bond by bond is
+ * refused. The growth direction follows the option crack.criterion. States do not have the function. A material has
+ * either tables of resistance or a function. A second call replaces the first.
  * @param[in] model the model, not prepared yet @param[in] material id of a material with a fracture_energy
  * @param[in] function called as described there @param[in] user handed to the function; may be NULL
  * @return status @since 0.4 */
@@ -2093,13 +2093,13 @@ typedef struct bempd_growth_rate {
   double closure_alpha;      /**< of BEMPD_RATE_NASGRO: 1 plane stress to 3 plane strain; default 1 [-] */
   double closure_stress;     /**< of BEMPD_RATE_NASGRO: largest stress over the flow stress, >= 0, < 1; default 0 [-] */
   bempd_growth_function function; /**< of BEMPD_RATE_HOST; threshold and critical_intensity hold for it too */
-  void* user;                   /**< handed to the function; may be NULL */
-  int32_t retardation;          /**< a bempd_retardation; default BEMPD_RETARDATION_NONE */
-  int32_t reserved2;            /**< 0 */
-  double yield_strength;        /**< of a retardation, > 0 [Pa] */
-  double zone_constraint;       /**< of its plastic zones; default 0: 2 in plane stress, 6 in plane strain [-] */
-  double wheeler_exponent;      /**< of BEMPD_RETARDATION_WHEELER, > 0 [-] */
-  double shutoff_ratio;         /**< of BEMPD_RETARDATION_WILLENBORG: overload over load that stops a tip, > 1 [-] */
+  void* user;                     /**< handed to the function; may be NULL */
+  int32_t retardation;            /**< a bempd_retardation; default BEMPD_RETARDATION_NONE */
+  int32_t reserved2;              /**< 0 */
+  double yield_strength;          /**< of a retardation, > 0 [Pa] */
+  double zone_constraint;         /**< of its plastic zones; default 0: 2 in plane stress, 6 in plane strain [-] */
+  double wheeler_exponent;        /**< of BEMPD_RETARDATION_WHEELER, > 0 [-] */
+  double shutoff_ratio;           /**< of BEMPD_RETARDATION_WILLENBORG: overload over load that stops a tip, > 1 [-] */
   double flow_stress; /**< stress at which the net section of a tip yields as a whole, which ends the growth; default 0:
                            it is not watched [Pa] */
 } bempd_growth_rate;
@@ -2149,9 +2149,9 @@ typedef enum bempd_fatigue_stop {
   BEMPD_FATIGUE_STEPS = 7,
   /** bempd_request_stop() was called. */
   BEMPD_FATIGUE_REQUESTED = 8,
-  /** The net section of a tip bears no more than the highest load, by the flow_stress of its material's law. The section
-   * is the straight line through the tip in the direction of its growth, from edge to edge of its region, without holes
-   * and cracks along it; force and moment are compared with those of its full yielding. */
+  /** The net section of a tip bears no more than the highest load, by the flow_stress of its material's law. The
+   * section is the straight line through the tip in the direction of its growth, from edge to edge of its region,
+   * without holes and cracks along it; force and moment are compared with those of its full yielding. */
   BEMPD_FATIGUE_NET_SECTION = 9
 } bempd_fatigue_stop;
 

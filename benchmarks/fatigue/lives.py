@@ -93,6 +93,41 @@ def many_blocks() -> tuple[float, float]:
     return life.cycles, wide_plate_by_closed_form() / mean
 
 
+def two_load_cases() -> tuple[float, float]:
+    """Cycles by blocks of a pull and of a pressure in the crack, which have the same factor in a wide plate; and its mean rate."""
+    model, _, _ = plate(8.0, 8.0, 2.0)
+    crack = model.add_crack([(-0.01, 0), (0.01, 0)])
+    pull = model.add_load_case([1, 2])
+    pressure = model.add_load_case([model.add_crack_pressure(crack, proportional=1e6)])
+    high = [{pull: 1.0, pressure: 0.5}, {pull: 0.8}, {pressure: 0.9}]
+    low = [{}, {pressure: 0.2}, {pull: 0.3}]
+    cycles, ranges = np.array([1e6, 2e6, 4e6]), np.array([1.5, 0.6, 0.6])
+    life = model.grow_fatigue(high, low, cycles, most_length=0.1)
+    mean = float((cycles * ranges**EXPONENT).sum() / cycles.sum())
+    return life.cycles, wide_plate_by_closed_form() / mean
+
+
+FLOW_STRESS = 2e6  # over the pull of 1 MPa
+
+
+def net_section(kind: str) -> tuple[float, float]:
+    """Length of a crack in a square of half width 1 at which what is left yields: by the library, and by limit analysis."""
+    model, steel, _ = plate(1.0, 1.0, 0.25)
+    model.set_growth_rate(steel, coefficient=COEFFICIENT, exponent=EXPONENT, unit_intensity=UNIT, flow_stress=FLOW_STRESS)
+    model.add_crack([(-0.1, 0), (0.1, 0)] if kind == "middle crack" else [(-1, 0), (-0.9, 0)])
+    life = model.grow_fatigue()
+    assert life.stop_reason == bempd.FatigueStop.NET_SECTION
+    if kind == "middle crack":
+        return model.crack_length(1), 2 * (1 - 1e6 / FLOW_STRESS)
+    # Force and moment about the middle of what is left, n^2 + 2 n a / b = 1 with n = pull W / (flow stress b), b = W - a.
+    low, high = 0.1, 1.9
+    for _ in range(60):
+        a = (low + high) / 2
+        n = 1e6 * 2 / (FLOW_STRESS * (2 - a))
+        low, high = (a, high) if n * n + 2 * n * a / (2 - a) < 1 else (low, a)
+    return model.crack_length(1), low
+
+
 # Overloads: factors in MPa m^(1/2), the wide plate pulled by 100 MPa per unit of the load factor.
 YIELD, CONSTRAINT, WHEELER, SHUTOFF, RETARDED_COEFFICIENT, WALKER = 300.0, 2.0, 1.5, 3.0, 1e-11, 0.5
 PROGRAMS = {"an overload in each 5000 cycles": ([2.0, 1.0], [0.0, 0.2], [1.0, 5000.0], 3e5),

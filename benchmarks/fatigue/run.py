@@ -53,6 +53,15 @@ def table() -> list[str]:
     cycles, exact = lives.many_blocks()
     lines.append(f"| spectrum of three short blocks | | {100 * (cycles / exact - 1):+.3f} % | closed form "
                  f"| {time.perf_counter() - begin:.2f} |")
+    begin = time.perf_counter()
+    cycles, exact = lives.two_load_cases()
+    lines.append(f"| spectrum of a pull and a pressure in the crack as load cases | | {100 * (cycles / exact - 1):+.3f} % "
+                 f"| closed form | {time.perf_counter() - begin:.2f} |")
+    for kind in ("middle crack", "edge crack"):
+        begin = time.perf_counter()
+        length, exact = lives.net_section(kind)
+        lines.append(f"| length of a {kind} at which the net section yields | | {100 * (length / exact - 1):+.3f} % "
+                     f"| limit analysis | {time.perf_counter() - begin:.2f} |")
     for kind, name in (("wheeler", "Wheeler"), ("willenborg", "Willenborg")):
         for program in ("an overload in each 5000 cycles", "one overload"):
             begin = time.perf_counter()

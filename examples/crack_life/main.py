@@ -1,6 +1,6 @@
 """Life of a riveted lap: cracks from two rivet holes under a spectrum, a-N curve, inspections, scatter of the material.
 
-usage: main.py [--full | --short] [FOLDER]     --full: 100 materials; --short: 4 and no picture, as a test
+usage: main.py [--full | --short] [FOLDER]     --full: 100 materials; --short: 4, no picture and no film, as a test
 """
 
 from __future__ import annotations
@@ -87,9 +87,11 @@ def main() -> int:
         file.write("life [cycles],steps,error,interval [cycles],materials,mean life [cycles],deviation of log10\n")
         file.write(f"{life.cycles:.6g},{life.steps},{life.error:.2g},{life.interval:.6g},{len(found)},{10 ** logs.mean():.5g},{logs.std(ddof=1):.3f}\n")
     if not given.short:
-        from picture import draw
+        from picture import draw, film
 
         draw(model, life, 10**logs, given.folder)
+        filmed = film(lap(), SPECTRUM, given.folder / "crack_life.gif")
+        print(f"film: {filmed.cycles:.4g} cycles, {filmed.stop_reason.name} at crack {filmed.crack}")
     return len(found.errors)
 
 

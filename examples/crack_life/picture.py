@@ -1,4 +1,4 @@
-"""The lap with its cracks at the end, the a-N curve, and the lives of the materials."""
+"""The lap with its cracks at the end, the a-N curve, and the lives of the materials; a film of the growth."""
 
 from __future__ import annotations
 
@@ -33,3 +33,16 @@ def draw(model: bempd.Model, life: bempd.FatigueLife, lives: np.ndarray, folder:
     scatter.plot(1e-3 * order, (np.arange(len(order)) + 0.5) / len(order), "o", markersize=3)
     scatter.set(xlabel="life [1,000 cycles]", ylabel="share of the materials", title="scatter of C and m")
     figure.savefig(folder / "crack_life.png", dpi=110)
+
+
+def film(model: bempd.Model, spectrum: dict[str, list[float]], path: pathlib.Path) -> bempd.FatigueLife:
+    """The lap in each step of its life, with the stress along the pull."""
+    import bempd.plot as plot
+
+    with plot.Movie(path, model, "stress yy", limits=(0, 400e6), magnification=20, frames_per_second=4) as movie:
+        life = model.grow_fatigue(**spectrum, most_steps=1)
+        movie.add_frame()
+        while life.stop_reason == bempd.FatigueStop.STEPS:
+            life = model.grow_fatigue(**spectrum, most_steps=1, first_cycle=life.cycles)
+            movie.add_frame()
+    return life

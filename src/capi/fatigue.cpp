@@ -26,7 +26,8 @@ void require_blocks(std::int64_t count, const double* high, const double* low, c
 
 double cycles_of(std::int64_t block, const double* cycles) {
   const double number = cycles ? cycles[block] : 1;
-  require(std::isfinite(number) && number > 0, "block ", block + 1, " has ", number, " cycles; it must have more than 0");
+  require(std::isfinite(number) && number > 0, "block ", block + 1, " has ", number,
+          " cycles; it must have more than 0");
   return number;
 }
 

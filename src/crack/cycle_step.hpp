@@ -11,15 +11,15 @@ namespace bempd::crack {
 
 // Factors of a tip at one load of a program.
 struct LevelFactors {
-  Point factors{0, 0};    // K_I and K_II [Pa m^(1/2)]
-  double equivalent = 0;  // factor of mode I in the direction in which the tip grows
+  Point factors{0, 0};     // K_I and K_II [Pa m^(1/2)]
+  double equivalent = 0;   // factor of mode I in the direction in which the tip grows
   double net_section = 0;  // share of what the net section of the tip bears; 0 if that is not watched
   double t_stress = 0;     // T, if the law asks for it [Pa]
 };
 
 // A tip on a step of its crack: factors are known before and after it, at each load of the program. Between the two
-// the logarithm of the equivalent factor is that of a power of the crack's length, bent as through the step before where
-// that is known, and the shares of the modes change evenly.
+// the logarithm of the equivalent factor is that of a power of the crack's length, bent as through the step before
+// where that is known, and the shares of the modes change evenly.
 struct TipOnStep {
   TipId tip;
   const RateLaw* law = nullptr;

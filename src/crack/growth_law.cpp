@@ -59,6 +59,7 @@ GrowthLaw GrowthLaw::met(const Point& factors, double t_stress) const {
   if (!asking.function) return *this;
   GrowthLaw law = *this;
   law.asking.function = nullptr;
+  if (factors.isZero(0)) return law;
   TipCycle held;
   held.tip = asking.id, held.place = asking.place, held.length = asking.grown, held.t_stress = t_stress;
   held.high = held.low = factors;
@@ -80,7 +81,8 @@ GrowthRange GrowthLaw::range(const AffineFactors& factors) const {
 }
 
 double GrowthLaw::first_load_factor(const AffineFactors& factors) const {
-  if (!directions && !asking.function) return growth_load_factor(factors.constant, factors.proportional, toughness, criterion);
+  if (!directions && !asking.function)
+    return growth_load_factor(factors.constant, factors.proportional, toughness, criterion);
   if (!(toughness > 0)) return infinity;
   return ratio(factors, 0) >= 1 ? 0 : range(factors).highest;
 }

@@ -37,9 +37,9 @@ class CrackLengthening {
 
   // Tips that may grow: neither frozen by the host nor stopped. Their factors are functions of the load factor.
   virtual std::vector<regions::TipValues> tips() { return model_.growing_tips(); }
-  // The same with T, under the loads that act at present.
-  virtual std::vector<regions::TipValues> loaded_tips() {
-    return model_.tips_of(*model_.prepared_, regions::TipDetail::everything);
+  // The same under the loads that act at present.
+  virtual std::vector<regions::TipValues> loaded_tips(regions::TipDetail detail) {
+    return model_.tips_of(*model_.prepared_, detail);
   }
   // Cracks as they are now.
   virtual std::vector<scene::Crack> cracks() const { return model_.scene_.cracks(); }

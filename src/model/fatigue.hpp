@@ -52,7 +52,8 @@ struct FatigueReport {
 };
 
 // Record of a tip after a step; step 0 is the initial state. The factors belong to the highest and the lowest load of
-// the program; with load cases, to those loads of it under which the equivalent factor of this tip is largest and least.
+// the program; with load cases, to those loads of it under which the equivalent factor of this tip is largest and
+// least.
 struct FatigueRecord {
   std::int64_t step = 0, event = 0;
   crack::TipId tip{};

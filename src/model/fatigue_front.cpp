@@ -90,7 +90,8 @@ Front FrontReader::front(const std::vector<regions::TipValues>& tips, LongerCrac
 }
 
 void FrontReader::add_net_sections(Front& front, LongerCracks* longer) {
-  const std::vector<scene::Crack> cracks = longer && !lengthening_.grows_lines() ? longer->cracks : lengthening_.cracks();
+  const std::vector<scene::Crack> cracks =
+      longer && !lengthening_.grows_lines() ? longer->cracks : lengthening_.cracks();
   std::vector<std::optional<NetSection>> sections;
   for (const FrontTip& tip : front) {
     sections.emplace_back();
@@ -101,8 +102,8 @@ void FrontReader::add_net_sections(Front& front, LongerCracks* longer) {
   LevelSolver(model_, lengthening_, levels_, longer).under_each([&](std::size_t level) {
     for (std::size_t t = 0; t < front.size(); ++t)
       if (sections[t])
-        front[t].levels[level].net_section = sections[t]->share(
-            model_.results().evaluate(sections[t]->places(), true), parameters_of(front[t].region)->flow_stress);
+        front[t].levels[level].net_section = sections[t]->share(model_.results().evaluate(sections[t]->places(), true),
+                                                                parameters_of(front[t].region)->flow_stress);
   });
 }
 

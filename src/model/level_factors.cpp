@@ -80,22 +80,25 @@ class FactorsByLoadFactor {
 
 FactorsOfTips LevelSolver::factors(const std::vector<regions::TipValues>& tips, bool with_t_stress) {
   FactorsOfTips found(tips.size(), std::vector<crack::LevelFactors>(levels_.size()));
-  const bool solves = levels_.combine_cases() || lines_change_faces();
-  if (!solves) FactorsByLoadFactor(scene(), tips, levels_, found).find(!lengthening_.grows_lines());
-  if (solves || with_t_stress) take_solved(tips, solves, found);
+  if (!levels_.combine_cases()) FactorsByLoadFactor(scene(), tips, levels_, found).find(!lengthening_.grows_lines());
+  std::vector<char> solved(levels_.size());
+  for (std::size_t level = 0; level < levels_.size(); ++level)
+    solved[level] = levels_.combine_cases() || changes_faces(level);
+  take_solved(tips, solved, with_t_stress, found);
   return found;
 }
 
-// Whether faces of crack lines may close or open between the loads. Loads in proportion to load factors >= 0 press the
-// same faces on each other.
-bool LevelSolver::lines_change_faces() {
+// Whether faces of crack lines may close or open on the way to a load. Loads in proportion to load factors >= 0 press
+// the same faces on each other.
+bool LevelSolver::changes_faces(std::size_t level) {
   if (!lengthening_.grows_lines() || levels_.size() == 1 || scene().system->constraints().size() == 0) return false;
-  return levels_.factor(levels_.lowest()) < 0 || !scene().evolution->state().displacement.col(0).isZero(0);
+  return levels_.factor(level) < 0 || !scene().evolution->state().displacement.col(0).isZero(0);
 }
 
-void LevelSolver::under_each(const std::function<void(std::size_t level)>& read) {
+void LevelSolver::under_each(const std::function<void(std::size_t level)>& read, const std::vector<char>& chosen) {
   lengthening_.in_scene_of(longer_, [&] {
     for (std::size_t level = 0; level < levels_.size(); ++level) {
+      if (!chosen.empty() && !chosen[level]) continue;
       const auto there = [&](PreparedScene&) { read(level); };
       if (levels_.combine_cases()) {
         model_.load_cases().with(levels_[level].cases, there);
@@ -106,16 +109,21 @@ void LevelSolver::under_each(const std::function<void(std::size_t level)>& read)
   });
 }
 
-void LevelSolver::take_solved(const std::vector<regions::TipValues>& tips, bool with_factors, FactorsOfTips& found) {
-  under_each([&](std::size_t level) {
-    const std::vector<regions::TipValues> here = lengthening_.loaded_tips();
+void LevelSolver::take_solved(const std::vector<regions::TipValues>& tips, const std::vector<char>& with_factors,
+                              bool with_t_stress, FactorsOfTips& found) {
+  if (!with_t_stress && std::none_of(with_factors.begin(), with_factors.end(), [](char one) { return one != 0; }))
+    return;
+  const auto detail = with_t_stress ? regions::TipDetail::everything : regions::TipDetail::factors;
+  const auto read = [&](std::size_t level) {
+    const std::vector<regions::TipValues> here = lengthening_.loaded_tips(detail);
     for (std::size_t t = 0; t < tips.size(); ++t) {
       const regions::TipValues* tip = tip_like(tips[t], here);
       if (!tip) continue;
-      found[t][level].t_stress = tip->stress_along;
-      if (with_factors) found[t][level].factors = tip->closed ? Point(0, tip->factors.y()) : tip->factors;
+      if (with_t_stress) found[t][level].t_stress = tip->stress_along;
+      if (with_factors[level]) found[t][level].factors = tip->closed ? Point(0, tip->factors.y()) : tip->factors;
     }
-  });
+  };
+  under_each(read, with_t_stress ? std::vector<char>{} : with_factors);
 }
 
 }  // namespace bempd::model

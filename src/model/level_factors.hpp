@@ -23,13 +23,14 @@ class LevelSolver {
 
   // Stress intensity factors, and T on request.
   FactorsOfTips factors(const std::vector<regions::TipValues>& tips, bool with_t_stress);
-  // Calls `read` while the body is in equilibrium under each load.
-  void under_each(const std::function<void(std::size_t level)>& read);
+  // Calls `read` while the body is in equilibrium under each load, or each of those that `chosen` marks.
+  void under_each(const std::function<void(std::size_t level)>& read, const std::vector<char>& chosen = {});
 
  private:
   PreparedScene& scene() { return longer_ ? lengthening_.scene_of(*longer_) : lengthening_.scene(); }
-  bool lines_change_faces();
-  void take_solved(const std::vector<regions::TipValues>& tips, bool with_factors, FactorsOfTips& found);
+  bool changes_faces(std::size_t level);
+  void take_solved(const std::vector<regions::TipValues>& tips, const std::vector<char>& with_factors,
+                   bool with_t_stress, FactorsOfTips& found);
 
   Model& model_;
   CrackLengthening& lengthening_;

@@ -27,8 +27,25 @@ void LineLengthening::return_to_accepted() {
   ++model_.generation_;
 }
 
+namespace {
+
+// Scales the factors of a grown tip to the energy of its next step, if that gives its load: contours of two horizons do
+// not see that the crack turns within them.
+void take_energy(regions::TipValues& tip, const scene::Options& options, double load_factor) {
+  const bool is_told = tip.grown && tip.load_rule == crack::LoadRule::energy && tip.constant_factors.isZero(0) &&
+                       load_factor > 0 && tip.critical_load_factor > 0;
+  if (!is_told) return;
+  const double by_contours = law_of(tip, options).kink(tip.factors).equivalent_factor;
+  const double share = tip.toughness * load_factor / tip.critical_load_factor / by_contours;
+  if (!(by_contours > 0) || !std::isfinite(share)) return;
+  tip.factors *= share, tip.proportional_factors *= share;
+}
+
+}  // namespace
+
 std::vector<regions::TipValues> LineLengthening::tips() {
   std::vector<regions::TipValues> found = model_.tips_of_lines();
+  for (regions::TipValues& tip : found) take_energy(tip, model_.options(), model_.load_factor());
   std::erase_if(found, [&](const regions::TipValues& tip) {
     return model_.is_frozen({tip.crack, tip.end}) || !tip.factors.allFinite();
   });

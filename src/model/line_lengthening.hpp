@@ -15,7 +15,7 @@ class LineLengthening final : public CrackLengthening {
   explicit LineLengthening(Model& model);
 
   std::vector<regions::TipValues> tips() override;
-  std::vector<regions::TipValues> loaded_tips() override { return tips(); }
+  std::vector<regions::TipValues> loaded_tips(regions::TipDetail) override { return tips(); }
   std::vector<scene::Crack> cracks() const override;
   int region_of(const regions::TipValues& tip, const PreparedScene& scene) const override;
   PreparedScene& scene_of(LongerCracks&) override { return scene(); }

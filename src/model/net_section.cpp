@@ -20,11 +20,13 @@ constexpr double along = 0.05;
 
 double angle_of(int k) { return (k + 0.5) * std::numbers::pi / places_on_piece; }
 
-// Places, from the tip, at which the line meets edges, ascending.
-std::vector<double> crossings_of(const Edge& line, double half, const std::vector<Edge>& edges) {
+// Places, from the tip, at which the line meets edges or their ends, ascending.
+std::vector<double> crossings_of(const Edge& line, double half, const std::vector<Edge>& edges, double tolerance) {
   std::vector<double> found;
-  for (const Edge& edge : edges)
+  for (const Edge& edge : edges) {
     for (const Crossing& crossing : meeting_points(line, edge)) found.push_back((2 * crossing.fraction_a - 1) * half);
+    if (distance(line, edge.start) <= tolerance) found.push_back((2 * closest_fraction(line, edge.start) - 1) * half);
+  }
   std::sort(found.begin(), found.end());
   return found;
 }
@@ -55,12 +57,12 @@ NetSection::NetSection(const Outline& outline, const std::vector<scene::Crack>& 
   const std::vector<Edge> outer(all.begin(), all.begin() + static_cast<std::ptrdiff_t>(outline.loops[0].size()));
   // The part of the line within the outer loop around the tip.
   double lowest = -half, highest = half;
-  for (const double at : crossings_of(line, half, outer)) {
+  for (const double at : crossings_of(line, half, outer, tolerance)) {
     if (at < -tolerance) lowest = at;
     if (at > tolerance && highest == half) highest = at;
   }
   std::vector<double> cuts{lowest};
-  for (const double at : crossings_of(line, half, all))
+  for (const double at : crossings_of(line, half, all, tolerance))
     if (at > lowest && at < highest) cuts.push_back(at);
   cuts.push_back(highest);
   for (std::size_t k = 0; k + 1 < cuts.size(); ++k) {

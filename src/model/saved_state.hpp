@@ -37,9 +37,9 @@ struct SavedState {
   std::optional<scene::SceneValues> in_force;
   Acting acting = Acting::values;
   double end_of_way = 0;
-  scene::SceneValues acting_values;        // values that act on the body; functions are not written to bytes
-  std::optional<scene::SceneValues> said;  // by the host, if the state is to bring them back
-  std::vector<int> frozen;                 // crack and end of each tip that the host keeps, together with `said`
+  scene::SceneValues acting_values;           // values that act on the body; functions are not written to bytes
+  std::optional<scene::SceneValues> said;     // by the host, if the state is to bring them back
+  std::vector<int> frozen;                    // crack and end of each tip that the host keeps, together with `said`
   std::vector<RememberedOverload> overloads;  // that tips have met by the end of the last growth by cycles
 };
 

@@ -16,6 +16,8 @@ CLAIMS = json.loads((ROOT / "tests/claims.json").read_text(encoding="utf-8"))["c
 
 def main() -> None:
     centre, hole = lives.centre_crack(), lives.cracks_from_a_hole()
+    coarse = lives.cracks_from_a_hole(tolerance=0.01, largest_step=0.5)
+    cases, sections = lives.two_load_cases(), [lives.net_section(kind) for kind in ("middle crack", "edge crack")]
     orders = [lives.blocks_in_order(order) for order in ([0, 1], [1, 0])]
     retarded = [lives.retarded(kind, program) for kind in ("wheeler", "willenborg")
                 for program in ("an overload in each 5000 cycles", "one overload")]
@@ -26,10 +28,14 @@ def main() -> None:
         "fatigue_hole": abs(100 * (hole.cycles / lives.CRACKS_FROM_A_HOLE_FINE - 1)),
         "fatigue_blocks": max(abs(100 * (growth / exact - 1)) for growth, exact in orders),
         "fatigue_steps": max(centre.steps, hole.steps),
+        "fatigue_cases": abs(100 * (cases[0] / cases[1] - 1)),
+        "fatigue_section": max(abs(100 * (length / exact - 1)) for length, exact in sections),
+        "fatigue_coarse_hole": abs(100 * (coarse.cycles / lives.CRACKS_FROM_A_HOLE_FINE - 1)),
+        "fatigue_coarse_steps": coarse.steps,
         "fatigue_retarded": max(abs(100 * (growth / exact - 1)) for growth, exact in retarded),
         "fatigue_lattice": max(abs(100 * (lives.square_life(scene, 60) / lives.square_life(scene) - 1))
                                for scene in ("edge crack", "centre crack", "two edge cracks")),
-        "resistance_peak": max(abs(100 * (resistance.peak(length) / resistance.PEAKS[length][0] - 1)) for length in (0.25, 0.5)),
+        "resistance_peak": max(abs(100 * (resistance.peak(length) / resistance.PEAKS[length][0] - 1)) for length in resistance.PEAKS),
         "weak_plane": resistance.critical_ratio(),
     }
     failed = False

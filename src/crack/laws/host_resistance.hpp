@@ -26,8 +26,8 @@ struct AskingTip {
   const HostResistance* function = nullptr;
   TipId id{};
   Point place{0, 0};
-  double grown = 0;         // in the model [m]
-  Point t_stress{0, 0};     // constant and proportional part of T [Pa]
+  double grown = 0;      // in the model [m]
+  Point t_stress{0, 0};  // constant and proportional part of T [Pa]
 };
 
 }  // namespace bempd::crack

@@ -32,8 +32,8 @@ struct RateParameters {
 // The law in plane strain or plane stress.
 std::unique_ptr<RateLaw> make_rate_law(const RateParameters& parameters, bool plane_strain);
 
-// Factor at which a tip breaks where the material has this toughness, infinite where nothing is known of it. Throws Error
-// (argument) for a law that needs to know it.
+// Factor at which a tip breaks where the material has this toughness, infinite where nothing is known of it. Throws
+// Error (argument) for a law that needs to know it.
 double critical_of(const RateParameters& parameters, double toughness);
 
 }  // namespace bempd::crack

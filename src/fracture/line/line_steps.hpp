@@ -63,12 +63,9 @@ class LineSteps {
   }
   crack::GrowthLaw growth_law(const pd::TipLaw& there, const GrowingTip& tip, const Point& place) const {
     constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
-    return {there.toughness,
-            there.modulus,
-            laws_.criterion,
-            there.directions,
-            heading_of(tip.direction),
-            {there.function, tip.id, place, tip.grown, {unknown, unknown}}};
+    return {there.toughness,           there.modulus,
+            laws_.criterion,           there.directions,
+            heading_of(tip.direction), {there.function, tip.id, place, tip.grown, {unknown, unknown}}};
   }
 
   // Sets the tips that the host has frozen.

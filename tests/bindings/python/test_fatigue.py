@@ -92,11 +92,23 @@ def test_life_tells_of_lengths_inspections_and_writes_its_table(tmp_path: pathli
     assert len(rows) == len(life.table) and float(rows[-1]["cycles"]) == life.table["cycles"][-1]
 
 
+def test_curves_are_drawn() -> None:
+    matplotlib = pytest.importorskip("matplotlib")
+    matplotlib.use("Agg")
+    life = plate().grow_fatigue(most_length=0.2)
+    growth, rates = life.plot()
+    steps = np.unique(life.table["step"])
+    assert len(growth.lines) == 1 and len(growth.lines[0].get_xdata()) == len(steps)
+    assert growth.lines[0].get_ydata()[-1] == pytest.approx(0.2)
+    assert len(rates.lines) == 2 and rates.get_xscale() == rates.get_yscale() == "log"
+    assert rates.lines[0].get_ydata() == pytest.approx(1e-11 * (rates.lines[0].get_xdata() / 1e6) ** 3)
+
+
 def test_laws_of_the_user_may_fail() -> None:
     calls = []
 
-    def rate(crack: int, end: int, highest: float, lowest: float, first: float, second: float, length: float, x: float,
-             y: float) -> float:
+    def rate(crack: int, end: int, highest: float, ratio: float, first: float, second: float, t_stress: float,
+             length: float, x: float, y: float) -> float:
         calls.append(length)
         if len(calls) > 50:
             raise RuntimeError("no data")
@@ -111,6 +123,53 @@ def test_laws_of_the_user_may_fail() -> None:
         model.set_growth_rate(1, "pariss")
     with pytest.raises(bempd.ArgumentError, match="R = low / high"):
         model.grow_fatigue(1.0, 2.0)
+
+
+def test_resistances_of_the_user_may_fail() -> None:
+    def pulled(resistance: Any) -> bempd.Model:
+        model = bempd.Model(log=None)
+        glass = model.add_material(young_modulus=1.0, poisson_ratio=0.3, fracture_energy=1.0)
+        region = model.add_bem_region(glass, bempd.rectangle(-1, -1, 1, 1), element_length=0.25)
+        model.add_crack([(-0.3, 0), (0.3, 0)])
+        model.fix_edge(region, 1)
+        model.prescribe_edge(region, 3, "y", 1.0)
+        model.set_resistance_function(glass, resistance)
+        return model
+
+    def failing(*_: Any) -> float:
+        raise RuntimeError("no data")
+
+    model = pulled(failing)
+    with pytest.raises(RuntimeError, match="no data"):
+        model.step_to_next_event(1e9)
+    assert model.crack_length(1) == pytest.approx(0.6) and len(model.extensions()) == 0
+    loads = []
+    for factor in (1.0, 4.0):
+        model = pulled(lambda *_, factor=factor: factor)
+        model.step_to_next_event(1e9)
+        loads.append(model.load_factor)
+    assert loads[1] == pytest.approx(2 * loads[0], rel=1e-9)
+
+
+def test_a_spectrum_of_load_cases_has_the_closed_form() -> None:
+    found, exact = lives.two_load_cases()
+    print(f"cycles {found:.6g}, closed form {exact:.6g}, {found / exact - 1:+.1e}")
+    assert found == pytest.approx(exact, rel=1e-3)
+    model = plate()
+    with pytest.raises(bempd.ArgumentError, match="load case 1 does not exist"):
+        model.grow_fatigue({1: 1.0}, {1: 0.0})
+    pull = model.add_load_case([1, 2])
+    with pytest.raises(bempd.ArgumentError, match="both be load factors"):
+        model.grow_fatigue({pull: 1.0}, 0.0)
+    with pytest.raises(bempd.ArgumentError, match="must be a finite number"):
+        model.grow_fatigue({pull: float("nan")}, {pull: 0.0})
+
+
+@pytest.mark.parametrize("kind", ["middle crack", "edge crack"])
+def test_net_sections_end_the_growth(kind: str) -> None:
+    found, exact = lives.net_section(kind)
+    print(f"{kind}: ends at {found:.5f}, closed form {exact:.5f}")
+    assert found == pytest.approx(exact, rel=5e-3)
 
 
 def test_tips_grow_by_lengths() -> None:
@@ -164,8 +223,6 @@ def test_growth_in_a_lattice_is_taken_back_by_an_exception_and_goes_on() -> None
 
 
 def test_what_a_lattice_does_not_take_is_refused() -> None:
-    with pytest.raises(bempd.ArgumentError, match="low load factors >= 0"):
-        lattice_strip().grow_fatigue(1.0, -1.0)
     model = bempd.Model(options={"crack.rule": "bond"}, log=None)
     acrylic = model.add_material(young_modulus=3e9, poisson_ratio=1 / 3, fracture_energy=300)
     region = model.add_pd_region(acrylic, bempd.rectangle(0, 0, 1, 1), spacing=0.05)
@@ -174,6 +231,15 @@ def test_what_a_lattice_does_not_take_is_refused() -> None:
     model.set_growth_rate(acrylic, coefficient=1e-11, exponent=3)
     with pytest.raises(bempd.ArgumentError, match="do not grow as lines"):
         model.grow_fatigue()
+
+
+def test_faces_in_a_lattice_close_at_the_low_load() -> None:
+    """Reversed loads press the crack together: R = 0, and the life is that of pulsating loads."""
+    pulsating, reversed_ = (lattice_strip().grow_fatigue(1.0, low, most_length=0.4) for low in (0.0, -1.0))
+    assert np.abs(reversed_.table["ratio"]).max() < 0.01
+    assert reversed_.cycles_at(0.4) == pytest.approx(pulsating.cycles_at(0.4), rel=0.01)
+    model = lattice_strip(options={"contact": "none"})
+    assert model.grow_fatigue(1.0, -1.0, most_steps=1).table["ratio"][0] == pytest.approx(-1, abs=0.01)
 
 
 @pytest.mark.parametrize("kind", ["wheeler", "willenborg"])

@@ -198,7 +198,38 @@ impl Default for FatigueOptions {
     }
 }
 
+/// Tip of which a closure is asked.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
+pub struct GrowingTip {
+    /// Its crack.
+    pub crack: CrackId,
+    /// End of the crack.
+    pub end: TipEnd,
+    /// Factor of mode I in the direction of growth [Pa m^(1/2)].
+    pub equivalent: f64,
+    /// R = K_min / K_max; 1 under a load that is held.
+    pub ratio: f64,
+    /// K_I and K_II [Pa m^(1/2)].
+    pub stress_intensities: [f64; 2],
+    /// T, along the crack [Pa].
+    pub t_stress: f64,
+    /// By how much this end has grown in the model [m].
+    pub length: f64,
+    /// Place of the tip [m].
+    pub place: [f64; 2],
+}
+
 impl Model {
+    /// Lets a closure give the fracture energy [J/m^2] that a tip in a material meets, in place of its number.
+    pub fn set_resistance_function(
+        &mut self,
+        material: MaterialId,
+        function: impl FnMut(&GrowingTip) -> f64 + Send + 'static,
+    ) -> Result<()> {
+        self.handle.set_resistance_function(material.0, Box::new(function))
+    }
+
     /// Says how far cracks in a material grow in a cycle of the loads. A law of one's own takes `extend_cracks`.
     pub fn set_growth_rate(&mut self, material: MaterialId, rate: &GrowthRate) -> Result<()> {
         self.handle.set_growth_rate(material.0, |raw| rate.fill(raw))

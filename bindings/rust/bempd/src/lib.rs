@@ -57,7 +57,7 @@ pub use cancel::CancelToken;
 pub use conditions::{BoundaryValue, Values};
 pub use edges::{EdgeNode, EdgePlace, NodalValues};
 pub use error::{Error, Result};
-pub use fatigue::{Block, CaseBlock, FatigueOptions, GrowthRate, RateLaw, Retardation};
+pub use fatigue::{Block, CaseBlock, FatigueOptions, GrowingTip, GrowthRate, RateLaw, Retardation};
 pub use ids::{CrackId, LoadCaseId, LoadId, MaterialId, RegionId, SupportId};
 pub use kinds::{
     BondState, Component, Face, FaceComponent, Field, LoadRule, LogLevel, NextEvent, Plane, ProgramColumn,

@@ -10,12 +10,13 @@ use bempd_sys as sys;
 
 use super::cancel::CancelTarget;
 use super::Handle;
-use crate::{BoundaryValue, LogLevel, PhaseProgress, Progress, Result};
+use crate::{BoundaryValue, CrackId, GrowingTip, LogLevel, PhaseProgress, Progress, Result, TipEnd};
 
 pub(crate) type ProgressFunction = Box<dyn FnMut(Progress) -> ControlFlow<()> + Send>;
 pub(crate) type PhaseFunction = Box<dyn FnMut(PhaseProgress) -> ControlFlow<()> + Send>;
 pub(crate) type LogFunction = Box<dyn FnMut(LogLevel, &str) + Send>;
 pub(crate) type BoundaryFunction = Box<dyn FnMut(f64, f64) -> Option<BoundaryValue> + Send>;
+pub(crate) type GrowthFunction = Box<dyn FnMut(&GrowingTip) -> f64 + Send>;
 
 /// The first panic of a closure during a call, until the call has returned.
 #[derive(Default)]
@@ -89,6 +90,7 @@ pub(super) struct Callbacks {
     phases: Option<Kept<PhaseFunction>>,
     log: Option<Kept<LogClosure>>,
     boundary: Vec<Kept<BoundaryFunction>>,
+    growth: Vec<Kept<GrowthFunction>>,
 }
 
 struct LogClosure {
@@ -139,7 +141,42 @@ unsafe extern "C" fn boundary(x: f64, y: f64, constant: *mut f64, proportional: 
     }
 }
 
+#[allow(clippy::too_many_arguments)] // those of the C function
+unsafe extern "C" fn growth(
+    crack: i32,
+    end: i32,
+    equivalent: f64,
+    ratio: f64,
+    stress_intensity_1: f64,
+    stress_intensity_2: f64,
+    t_stress: f64,
+    length: f64,
+    x: f64,
+    y: f64,
+    user: *mut c_void,
+) -> f64 {
+    let tip = GrowingTip {
+        crack: CrackId(crack),
+        end: TipEnd::from_raw(end),
+        equivalent,
+        ratio,
+        stress_intensities: [stress_intensity_1, stress_intensity_2],
+        t_stress,
+        length,
+        place: [x, y],
+    };
+    run(user, |function: &mut GrowthFunction| function(&tip)).unwrap_or(f64::NAN)
+}
+
 impl Handle {
+    pub(crate) fn set_resistance_function(&mut self, material: i32, function: GrowthFunction) -> Result<()> {
+        let kept = Kept::new(function, &self.panic);
+        let user = kept.user();
+        self.callbacks.growth.push(kept);
+        // SAFETY: the closure is kept until the model is freed.
+        self.call(|model| unsafe { sys::bempd_set_resistance_function(model, material, Some(growth), user) })
+    }
+
     pub(crate) fn set_progress(&mut self, function: Option<ProgressFunction>) -> Result<()> {
         let kept = function.map(|function| Kept::new(function, &self.panic));
         match &kept {
