@@ -18,10 +18,11 @@ CrackEvolution::CrackEvolution(coupling::EquilibriumSystem& system, const std::v
   state_.work = body_.energy_at_rest();
 }
 
-void CrackEvolution::grow_lines(pd::TipLaws laws, std::vector<GrowingTip> tips, LineCarrier::Openings openings) {
+void CrackEvolution::grow_lines(pd::TipLaws laws, std::vector<GrowingTip> tips, LineCarrier::Openings openings,
+                                FactorsAround factors) {
   state_.tips = std::move(tips);
   lengths_ = laws.of_crack;
-  sources_.grow_lines(std::move(laws));
+  sources_.grow_lines(std::move(laws), std::move(factors));
   lines_.emplace(*this, std::move(openings));
 }
 

@@ -57,8 +57,10 @@ class CrackEvolution {
                  std::vector<std::vector<int>> reaction_dofs, ContactPlan contact = {});
 
   // Lets cracks grow as lines from these tips, by the laws that they refer to; called before the first step. `openings`
-  // finds the openings of cracks in lattices.
-  void grow_lines(pd::TipLaws laws, std::vector<GrowingTip> tips, LineCarrier::Openings openings);
+  // finds the openings of cracks in lattices, `factors` the stress intensity factors of tips from the field around
+  // them.
+  void grow_lines(pd::TipLaws laws, std::vector<GrowingTip> tips, LineCarrier::Openings openings,
+                  FactorsAround factors);
 
   // Adds the fluid that carries pressures into cracks among bonds; called before the first loads.
   void add_crack_fluid(CrackFluid fluid) { body_.add_crack_fluid(std::move(fluid)); }

@@ -17,9 +17,9 @@ bool EventSources::may_use_window(double target, const SteppingOptions& options)
          !body_.has_fluid() && target >= body_.state().load_factor;
 }
 
-void EventSources::grow_lines(pd::TipLaws laws) {
+void EventSources::grow_lines(pd::TipLaws laws, FactorsAround factors) {
   settle();
-  lines_.emplace(body_, whole_body_, std::move(laws));
+  lines_.emplace(body_, whole_body_, std::move(laws), std::move(factors));
   window_.follow(lines_->steps());
 }
 

@@ -22,7 +22,7 @@ class EventSources {
   EventSources& operator=(const EventSources&) = delete;
 
   // Lets cracks grow as lines from now on, starting from the tips in the body's state.
-  void grow_lines(pd::TipLaws laws);
+  void grow_lines(pd::TipLaws laws, FactorsAround factors);
 
   // Sets the tips that the host has frozen, until the next call.
   void freeze(const std::set<crack::TipId>& tips);

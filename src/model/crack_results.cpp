@@ -74,17 +74,17 @@ void complete(regions::TipValues& tip, const scene::Options& options) {
                            law.directions ? tip.toughness * std::sqrt(law.share_in(0)) : tip.toughness);
 }
 
-regions::BondedBody Model::bonded_body() const {
-  const coupling::EquilibriumSystem& system = *prepared_->system;
+regions::BondedBody Model::bonded_body(const PreparedScene& prepared) const {
+  const coupling::EquilibriumSystem& system = *prepared.system;
   return {scene_,
-          prepared_->discretization,
+          prepared.discretization,
           system.terms(),
           system.present_stiffness(),
           system.intact(),
-          prepared_->cut_bonds,
-          prepared_->in_lattices.cracks,
+          prepared.cut_bonds,
+          prepared.in_lattices.cracks,
           system.constraints(),
-          pressures_of(prepared_->conditions)};
+          pressures_of(prepared.conditions)};
 }
 
 std::vector<regions::TipValues> Model::tips_of(const PreparedScene& prepared, regions::TipDetail detail) const {
@@ -118,7 +118,7 @@ std::vector<regions::TipValues> Model::compute_tips() const {
 
 // Tips found among the broken bonds of the lattices, in growth bond by bond.
 std::vector<regions::TipValues> Model::tips_in_lattices() const {
-  const regions::BondedBody body = bonded_body();
+  const regions::BondedBody body = bonded_body(*prepared_);
   std::vector<regions::TipValues> tips =
       regions::lattice_tips(body, regions::find_lattice_tips(body), solution(), options_);
   for (regions::TipValues& tip : tips) complete(tip, options_);
@@ -134,7 +134,7 @@ std::vector<regions::TipValues> Model::tips_of_lines() const {
     if (tip.id.end == 0) std::reverse(path.begin(), path.end());
     known.push_back({tip.id.crack, tip.id.end, tip.direction, std::move(path), has_extensions(tip.id, extensions())});
   }
-  const regions::BondedBody body = bonded_body();
+  const regions::BondedBody body = bonded_body(*prepared_);
   std::vector<regions::TipValues> tips =
       regions::lattice_tips(body, regions::lattice_tips_at(body, known), solution(), options_);
   for (std::size_t k = 0; k < tips.size(); ++k) {
@@ -165,8 +165,9 @@ std::vector<regions::CrackPicture> Model::crack_pictures() const {
     cracks.insert(cracks.end(), pictures.begin(), pictures.end());
   }
   const std::vector<std::vector<Point>> paths = paths_in_lattices();
-  const auto in_lattices = regions::lattice_crack_pictures(
-      bonded_body(), solution().displacement, [&](const Point& place) { return crack_nearest(place, paths); });
+  const auto in_lattices =
+      regions::lattice_crack_pictures(bonded_body(*prepared_), solution().displacement,
+                                      [&](const Point& place) { return crack_nearest(place, paths); });
   cracks.insert(cracks.end(), in_lattices.begin(), in_lattices.end());
   return cracks;
 }
@@ -216,7 +217,7 @@ std::vector<Point> Model::openings_in_lattices(int crack, const std::vector<doub
   const std::vector<std::vector<Point>> paths = paths_in_lattices();
   const auto number = static_cast<std::size_t>(crack) - 1;
   require(paths[number].size() > 1, "crack ", crack, " was removed; ask for the openings of one that there is");
-  return regions::lattice_openings(bonded_body(), paths, number, fractions, solution().displacement);
+  return regions::lattice_openings(bonded_body(*prepared_), paths, number, fractions, solution().displacement);
 }
 
 int Model::crack_count() const {
@@ -230,15 +231,10 @@ std::vector<PathVertex> Model::crack_path(int crack) const {
   if (crack < 1 || crack > crack_count()) scene_.crack(crack);  // throws
   const auto number = static_cast<std::size_t>(crack) - 1;
   if (crack > described || scene_.cracks()[number].has_begun) return path_of(crack, {}, extensions());
-  const bool in_lattice = prepared_ && prepared_->discretization.cracks[number].cuts_bonds();
-  const scene::Crack& found = in_lattice ? prepared_->in_lattices.cracks[number] : scene_.cracks()[number];
+  if (prepared_ && prepared_->discretization.cracks[number].cuts_bonds()) return path_in(*prepared_, crack);
+  const scene::Crack& found = scene_.cracks()[number];
   if (found.points.empty()) return {};
-  std::vector<Point> given(found.given().begin(), found.given().end());
-  // An end that has grown lies where its cut ended; an end that has not grown lies at its effective tip.
-  const auto has_grown = [&](int end) { return has_extensions({crack, end}, extensions()); };
-  if (in_lattice && !has_grown(0)) given.front() = prepared_->in_lattices.ends[number][0];
-  if (in_lattice && !has_grown(1)) given.back() = prepared_->in_lattices.ends[number][1];
-  return path_of(crack, given, extensions());
+  return path_of(crack, found.given(), extensions());
 }
 
 double Model::crack_length(int crack) const {

@@ -174,9 +174,10 @@ void Model::grow_lines(PreparedScene& p) const {
   laws.of_crack = regions::lengths_of(p.in_lattices);
   laws.weakened = p.in_lattices.weakened;
   p.first_tips = tips.size(), p.tip_laws = laws.laws.size();
-  p.evolution->grow_lines(std::move(laws), std::move(tips), [this](int crack, const std::vector<double>& fractions) {
-    return openings_in_lattices(crack, fractions);
-  });
+  p.evolution->grow_lines(
+      std::move(laws), std::move(tips),
+      [this](int crack, const std::vector<double>& fractions) { return openings_in_lattices(crack, fractions); },
+      [this, &p](const auto& tip, const auto& displacement) { return factors_around(p, tip, displacement); });
 }
 
 fracture::ContactPlan Model::contact_plan(const PreparedScene& p) const {

@@ -201,10 +201,13 @@ class Model {
   // (recording.cpp).
   void run_recording(double target, fracture::Goal goal, const fracture::SteppingOptions& stepping,
                      ElementCarrier& elements, StepResult& result);
-  regions::BondedBody bonded_body() const;
+  regions::BondedBody bonded_body(const PreparedScene& prepared) const;
   std::vector<regions::TipValues> compute_tips() const;
   std::vector<regions::TipValues> tips_in_lattices() const;
   std::vector<regions::TipValues> tips_of_lines() const;
+  std::vector<PathVertex> path_in(const PreparedScene& prepared, int crack) const;
+  std::optional<fracture::TipFactors> factors_around(const PreparedScene& prepared, const fracture::GrowingTip& tip,
+                                                     const coupling::Affine& displacement) const;
   std::vector<Point> openings_in_lattices(int crack, const std::vector<double>& fractions) const;
   std::vector<std::vector<Point>> paths_in_lattices() const;  // none of a crack with elements
   int crack_nearest(const Point& place, const std::vector<std::vector<Point>>& paths) const;

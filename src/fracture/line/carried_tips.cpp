@@ -36,6 +36,7 @@ std::vector<crack::Tip> LineEvents::tips() {
       (upwards ? found[step.tip].range.highest : found[step.tip].range.lowest) = step.load_factor;
       if (!upwards) continue;
       found[step.tip].critical_kink_angle = step.angle, found[step.tip].load_error = step.error;
+      if (step.by_factors) found[step.tip].load_rule = crack::LoadRule::factors, found[step.tip].factors = step.factors;
       if (step.by_energy) found[step.tip].load_rule = crack::LoadRule::energy;
     }
   }

@@ -35,6 +35,9 @@ constexpr double clear_horizons = 2, shortest_crack = 3;
 // beyond this multiple of the smallest load cannot come first.
 constexpr double most_by_fit = 4;
 
+// Largest relative error of factors by sums around a tip that are taken.
+constexpr double largest_error_around = 0.03;
+
 // Relative errors of loads: by a fit that holds, their growth with the residual beyond least_residual, and by the
 // energy.
 constexpr double error_of_fit = 0.02, error_by_residual = 1.8, least_residual = 0.025, error_by_energy = 0.025;
@@ -100,7 +103,10 @@ void LineSteps::judge_fit(const std::vector<GrowingTip>& tips, const WilliamsFit
   const bool is_told = is_sheared ? acts_longer && is_crowded && step.residual < residual_with_shape
                                   : !is_crowded && step.residual < largest_residual(law);
   const bool is_alone = !beside_tip && !faces_press_at(tip) && !stress_.meets_other_material(tip, law, clear);
-  step.fit_holds = laws_.criterion == KinkCriterion::hoop_stress && is_told && is_alone;
+  const bool would_hold = laws_.criterion == KinkCriterion::hoop_stress && is_told && is_alone;
+  step.at_border = is_alone && stress_.lacks_points(tip, law);
+  step.fit_would_hold = would_hold;
+  step.fit_holds = would_hold && !step.at_border;
   if (!is_sheared || !is_alone || is_crowded) return;
   const AffineIntensity whole = fit.factors(law.horizon);
   step.whole_shear = kink_of({whole.one.dot(at), whole.two.dot(at)}, laws_.criterion).equivalent_factor /
@@ -144,10 +150,36 @@ void LineSteps::blend(const LineLoad& by_energy, double error, LineStep& step) c
   step.error = std::sqrt(1 - share) * error;
 }
 
+bool LineSteps::take_factors(const GrowingTip& tip, const coupling::Affine& displacement, const LoadWay& way,
+                             TrialBody& body, LineStep& step) const {
+  const std::optional<TipFactors> found = body.factors_around(tip, displacement);
+  if (!found || !(found->error < largest_error_around)) return false;
+  const pd::TipLaw law = law_of(tip).at(tip.acts_at(), tip.grown);
+  const AffineIntensity intensity = on_way(found->intensity, way);
+  const std::optional<LineLoad> load =
+      load_of_growth(intensity, intensity, {growth_law(law, tip.direction), 1, way.ahead(way.present), way.control});
+  if (!load) return false;
+  const Point direction = turned(tip.direction, load->angle);
+  const LineWay::Step its = way_.next(tip.place, direction, law);
+  if (its.bonds.empty()) return false;
+  const double load_factor = way.ahead(load->load_factor);
+  const double by_fit = step.ratio_at(load_factor) / correction_of(tip);
+  const double by_factors = load->constant + load->load_factor * load->growing;
+  step.by_factors = true, step.error = found->error;
+  step.rate_over_fit = by_fit > 0 ? std::pow(by_factors / by_fit, 2) : 1;
+  step.factors = {{found->intensity.one[0], found->intensity.two[0]},
+                  {found->intensity.one[1], found->intensity.two[1]}};
+  step.load_factor = load_factor, step.constant = load->constant, step.growing = way.ahead(load->growing);
+  step.angle = load->angle, step.direction = direction, step.way = its;
+  return true;
+}
+
 // Replaces the load by the fit by that of a trial step's energy. Cracks under fluid pressure keep the fit: fluid would
 // follow into the step, which the energy does not contain.
 void LineSteps::try_step(const GrowingTip& tip, const coupling::Affine& displacement, const LoadWay& way,
                          TrialBody& body, LineStep& step) const {
+  if (step.at_border && take_factors(tip, displacement, way, body, step)) return;
+  if (step.fit_would_hold) return;
   if (!body_.pressure_in(tip.id.crack).isZero(0) || body_.has_fluid()) return;
   const pd::TipLaw& law = law_of(tip);
   if (step.residual > residual_without_direction && !has_begun(tip)) {

@@ -15,8 +15,8 @@ constexpr double reach_of_resting_tip = 1;
 
 }  // namespace
 
-LineEvents::LineEvents(LoadedBody& body, WholeBodyEvents& whole_body, pd::TipLaws laws)
-    : body_(body), whole_body_(whole_body), steps_(body, std::move(laws)), trials_(body.system()) {}
+LineEvents::LineEvents(LoadedBody& body, WholeBodyEvents& whole_body, pd::TipLaws laws, FactorsAround factors)
+    : body_(body), whole_body_(whole_body), steps_(body, std::move(laws)), trials_(body.system(), std::move(factors)) {}
 
 // Crack that begins at a bond at this load factor. Empty at wide terms, between different materials, and close to a tip
 // that does not grow.

@@ -15,7 +15,7 @@ namespace bempd::fracture {
 // through its middle, across the largest principal stress, with a tip at both ends.
 class LineEvents final : public EventSource {
  public:
-  LineEvents(LoadedBody& body, WholeBodyEvents& whole_body, pd::TipLaws laws);
+  LineEvents(LoadedBody& body, WholeBodyEvents& whole_body, pd::TipLaws laws, FactorsAround factors);
 
   const Event* next(double target, const SteppingOptions& options) override;
   Outcome perform() override;

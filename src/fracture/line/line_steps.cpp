@@ -30,22 +30,11 @@ constexpr double guarded_reach = 3;
 // Distance from an unloading tip, in horizons, within which overloaded bonds do not break.
 constexpr double relaxing_reach = 1;
 
-double correction(const GrowingTip& tip) {
-  const double sum = std::accumulate(tip.energy_ratios.begin(), tip.energy_ratios.end(), steps_taken_exact);
-  return std::sqrt(sum / (steps_taken_exact + static_cast<double>(tip.energy_ratios.size())));
-}
-
 // Critical load factor of a tip over that of the event considered, beyond which the tip's intensity is only rounding,
 // as in a part without stress.
 constexpr double farthest_load = 1e6;
 // Stress closely ahead of a tip over the stress around it below which it counts as zero.
 constexpr double least_stress = 1e-8;
-
-// Stress intensity factors as functions of the load factor times the sign of the load path.
-AffineIntensity on_way(AffineIntensity intensity, const LoadWay& way) {
-  intensity.one[1] *= way.sense(), intensity.two[1] *= way.sense();
-  return intensity;
-}
 
 double distance_to(const std::vector<Edge>& edges, const Point& place) {
   double nearest = std::numeric_limits<double>::infinity();
@@ -54,6 +43,16 @@ double distance_to(const std::vector<Edge>& edges, const Point& place) {
 }
 
 }  // namespace
+
+AffineIntensity LineSteps::on_way(AffineIntensity intensity, const LoadWay& way) {
+  intensity.one[1] *= way.sense(), intensity.two[1] *= way.sense();
+  return intensity;
+}
+
+double LineSteps::correction_of(const GrowingTip& tip) {
+  const double sum = std::accumulate(tip.energy_ratios.begin(), tip.energy_ratios.end(), steps_taken_exact);
+  return std::sqrt(sum / (steps_taken_exact + static_cast<double>(tip.energy_ratios.size())));
+}
 
 LineSteps::LineSteps(LoadedBody& body, pd::TipLaws laws)
     : body_(body),
@@ -96,7 +95,7 @@ std::optional<LineStep> LineSteps::next(const std::vector<GrowingTip>& tips, std
   const AffineIntensity intensity = on_way(by_fit, load_way);
   const AffineIntensity turning =
       has_begun(tip) ? on_way(turning_of(tip, by_fit, displacement, present), load_way) : intensity;
-  LineCriterion criterion{growth_law(law, tip, tip.acts_at()), correction(tip), present, load_way.control};
+  LineCriterion criterion{growth_law(law, tip, tip.acts_at()), correction_of(tip), present, load_way.control};
   if (law.function) criterion.law.asking.t_stress = {fit.t_stress()[0], load_way.ahead(fit.t_stress()[1])};
   const std::optional<LineLoad> load = load_of_growth(intensity, turning, criterion);
   if (!load) return std::nullopt;
@@ -219,17 +218,18 @@ crack::Extension LineSteps::remember(const LineStep& step, double ratio, double 
   if (law.directions) law.toughness *= std::sqrt(share_of_direction);
   if (step.toughness > 0) law.toughness = step.toughness;
   // The event's ratio contains the correction by earlier steps, which must not enter the remembered ratios.
-  const double before = step.by_energy ? ratio : ratio / correction(tip);
+  const double before = step.by_energy || step.by_factors ? ratio : ratio / correction_of(tip);
   // The expected energy is the mean of the rates at both ends of the step: the rate changes by up to a half within a
   // spacing behind a kink or near an edge.
   const bool arrives = step.way.arrives();
   const double after = arrives          ? before
                        : step.by_energy ? before * step.after_step
-                                        : std::max(ratio_after(tip, law, displacement, load_factor), 0.0);
+                                        : std::sqrt(step.rate_over_fit) *
+                                              std::max(ratio_after(tip, law, displacement, load_factor), 0.0);
   const double fracture_energy = law.toughness * law.toughness / law.modulus;
   const double rate = fracture_energy * (before * before + after * after) / 2;
   const double expected = rate * law.thickness * step.way.length;
-  const double released = expected > 0 ? released_energy / expected : 1;
+  const double released = step.by_factors ? step.rate_over_fit : expected > 0 ? released_energy / expected : 1;
   // The energy of the first step depends on where the crack was described to end between the points, so it is not used.
   // A load by an energy says nothing of the fit, whose correction then stays as it is.
   const bool is_first = tip.energy_ratios.empty();

@@ -36,6 +36,11 @@ struct LineStep {
   // load, and the residual of the fit as a share of the stress.
   bool fit_holds = true, is_shut = false;  // shut: its faces press on each other at the tip
   double error = 0, residual = 0;
+  // Whether the fit lacks points beside a border with boundary elements, although it would hold otherwise. Sums around
+  // the tip then give its factors and the load, if it has room for them (`by_factors`). If so: the square of their
+  // ratio to those of the fit.
+  bool at_border = false, fit_would_hold = true, by_factors = false;
+  double rate_over_fit = 1;
   // Equivalent factor of the fit with its K_II as found over that with a smaller K_II (TipStress::as_read()), for a tip
   // that is sheared and alone; 0 for others.
   double whole_shear = 0;
@@ -139,6 +144,10 @@ class LineSteps {
   const TipStress& stress() const { return stress_; }
 
  private:
+  // Stress intensity factors as functions of the load factor times the sign of the load path.
+  static AffineIntensity on_way(AffineIntensity intensity, const LoadWay& way);
+  // Factor by which the energies of the last steps correct the loads of a fit.
+  static double correction_of(const GrowingTip& tip);
   void move(const LineStep& step, std::vector<GrowingTip>& tips) const;
   crack::Extension remember(const LineStep& step, double ratio, double released_energy,
                             const coupling::Affine& displacement, double load_factor,
@@ -156,6 +165,9 @@ class LineSteps {
   // no answer.
   void try_step(const GrowingTip& tip, const coupling::Affine& displacement, const LoadWay& way, TrialBody& body,
                 LineStep& step) const;
+  // Replaces factors, load and direction of the fit by those of sums around the tip; false if it has no room for them.
+  bool take_factors(const GrowingTip& tip, const coupling::Affine& displacement, const LoadWay& way, TrialBody& body,
+                    LineStep& step) const;
   void blend(const LineLoad& by_energy, double error, LineStep& step) const;
   AffineIntensity turning_of(const GrowingTip& tip, const AffineIntensity& by_fit, const coupling::Affine& displacement,
                              double present) const;

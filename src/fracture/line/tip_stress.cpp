@@ -211,6 +211,13 @@ bool TipStress::meets_other_material(const GrowingTip& tip, const pd::TipLaw& la
   });
 }
 
+bool TipStress::lacks_points(const GrowingTip& tip, const pd::TipLaw& law) const {
+  return std::ranges::any_of(near_.about(tip.place, outer_reach * law.horizon), [&](int node) {
+    return joints_.are_beside(node) &&
+           (positions_[static_cast<std::size_t>(node)] - tip.place).norm() < outer_reach * law.horizon;
+  });
+}
+
 std::vector<TipStress::Station> TipStress::stations_closely_ahead(const GrowingTip& tip, const pd::TipLaw& law) const {
   return stations(tip, law, {0, near_reach}, near_cosine, sight_of(tip, law));
 }

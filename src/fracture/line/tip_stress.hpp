@@ -50,6 +50,8 @@ class TipStress {
   // (second function) points of another material.
   bool is_crowded(const GrowingTip& tip, const pd::TipLaw& law, double reach) const;
   bool meets_other_material(const GrowingTip& tip, const pd::TipLaw& law, double reach) const;
+  // Whether the fit lacks points because a border with boundary elements of the same material is near.
+  bool lacks_points(const GrowingTip& tip, const pd::TipLaw& law) const;
 
   const NearPoints& near() const { return near_; }
   double nearest_outline(const Point& place, double at_most) const;

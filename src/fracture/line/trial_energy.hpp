@@ -1,16 +1,28 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <functional>
 #include <optional>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "coupling/affine.hpp"
 #include "coupling/equilibrium_system.hpp"
+#include "fracture/line/growing_tip.hpp"
+#include "fracture/line/williams_fit.hpp"
 
 namespace bempd::fracture {
 
-// Body for trial steps: it gives the flexibility along some of its terms.
+// Stress intensity factors of a tip by path-independent sums around it, with their relative error.
+struct TipFactors {
+  AffineIntensity intensity;
+  double error = 0;
+};
+// Finds them for displacements; empty if the tip has no room for such sums.
+using FactorsAround = std::function<std::optional<TipFactors>(const GrowingTip&, const coupling::Affine& displacement)>;
+
+// Body for trial steps: it gives the flexibility along some of its terms, and the factors of tips.
 class TrialBody {
  public:
   TrialBody() = default;
@@ -21,14 +33,19 @@ class TrialBody {
   // Flexibility F = B^T K^-1 B along some intact terms (coupling/term_flexibility.hpp); empty if a part of the body
   // could move freely.
   virtual std::optional<Eigen::MatrixXd> flexibility(std::span<const int> terms) = 0;
+  virtual std::optional<TipFactors> factors_around(const GrowingTip& tip, const coupling::Affine& displacement) = 0;
 };
 
 // Whole body for trial steps. Recent answers are kept as long as the body's matrix does not change.
 class WholeBodyTrials final : public TrialBody {
  public:
-  explicit WholeBodyTrials(coupling::EquilibriumSystem& system) : system_(system) {}
+  WholeBodyTrials(coupling::EquilibriumSystem& system, FactorsAround factors)
+      : system_(system), factors_(std::move(factors)) {}
 
   std::optional<Eigen::MatrixXd> flexibility(std::span<const int> terms) override;
+  std::optional<TipFactors> factors_around(const GrowingTip& tip, const coupling::Affine& displacement) override {
+    return factors_ ? factors_(tip, displacement) : std::nullopt;
+  }
 
   // Computes answers with a separate factor from now on if `apart`: an open window has changed terms, and the system's
   // factor belongs to the previous matrix.
@@ -41,6 +58,7 @@ class WholeBodyTrials final : public TrialBody {
   };
 
   coupling::EquilibriumSystem& system_;
+  FactorsAround factors_;
   bool is_apart_ = false;
   std::int64_t matrix_known_ = -1;  // the state of the matrix by what its solver has counted
   std::vector<Answer> answers_;

@@ -1,0 +1,62 @@
+#include <algorithm>
+#include <cmath>
+
+#include "coupling/affine.hpp"
+#include "model/model.hpp"
+#include "regions/tips/lattice_tips.hpp"
+
+// Stress intensity factors of crack lines by sums around their tips, for the run itself.
+namespace bempd::model {
+
+namespace {
+
+// Largest radius of the sums, in horizons. Larger ones take longer and give the same within 0.1 %.
+constexpr double most_horizons = 4;
+
+}  // namespace
+
+// Path of a crack that cuts bonds. An end that has grown lies where its cut ended; an end that has not grown lies at
+// its effective tip.
+std::vector<PathVertex> Model::path_in(const PreparedScene& prepared, int crack) const {
+  const std::span<const fracture::CrackExtension> extensions = prepared.evolution->progress().extensions;
+  const auto number = static_cast<std::size_t>(crack) - 1;
+  const bool is_described = number < scene_.cracks().size() && !scene_.cracks()[number].has_begun;
+  if (!is_described) return path_of(crack, {}, extensions);
+  const scene::Crack& found = prepared.in_lattices.cracks[number];
+  if (found.points.empty()) return {};
+  std::vector<Point> given(found.given().begin(), found.given().end());
+  for (const int end : {0, 1}) {
+    const bool has_grown =
+        std::ranges::any_of(extensions, [&](const auto& e) { return e.crack == crack && e.end == end; });
+    if (!has_grown)
+      (end == 0 ? given.front() : given.back()) = prepared.in_lattices.ends[number][static_cast<std::size_t>(end)];
+  }
+  return path_of(crack, given, extensions);
+}
+
+std::optional<fracture::TipFactors> Model::factors_around(const PreparedScene& prepared,
+                                                          const fracture::GrowingTip& tip,
+                                                          const coupling::Affine& displacement) const {
+  std::vector<Point> path = places_of(path_in(prepared, tip.id.crack));
+  if (tip.id.end == 0) std::reverse(path.begin(), path.end());
+  if (path.size() < 2) return std::nullopt;
+  const double load_factor = prepared.evolution->progress().load_factor;
+  const Eigen::VectorXd total = coupling::evaluate(displacement, load_factor);
+  const regions::Solution solution{.displacement = total,
+                                   .bonds = prepared.system->terms(),
+                                   .intact = prepared.system->intact(),
+                                   .body_forces = {},
+                                   .parts = &displacement,
+                                   .load_factor = load_factor};
+  const regions::BondedBody body = bonded_body(prepared);
+  const regions::KnownTip known{tip.id.crack, tip.id.end, tip.direction, std::move(path), tip.grown > 0};
+  const regions::TipValues found =
+      regions::lattice_tips(body, regions::lattice_tips_at(body, {known}), solution, options_, most_horizons).front();
+  if (found.contours == 0 || found.closed) return std::nullopt;
+  const Point &constant = found.constant_factors, &proportional = found.proportional_factors;
+  if (!constant.allFinite() || !proportional.allFinite()) return std::nullopt;
+  return fracture::TipFactors{{{constant.x(), proportional.x()}, {constant.y(), proportional.y()}},
+                              found.error / found.factors.norm()};
+}
+
+}  // namespace bempd::model
