@@ -128,24 +128,7 @@ void LoadCases::with(const std::vector<double>& factors, const std::function<voi
     require(std::isfinite(factors[c]), "the factor of load case ", c + 1, " is ", factors[c],
             "; it must be a finite number");
   model_.prepare();
-  PreparedScene& scene = model_.prepared();
-  fracture::CrackEvolution& evolution = *scene.evolution;
-  fracture::EvolutionState state = evolution.state();
-  fracture::Continuation continuation = evolution.continuation();
-  Model::LoadsBefore loads = model_.replace_loads(model_.conditions_under(combined(factors)), Acting::values);
-  const auto go_back = [&] {
-    evolution.take_held();
-    evolution.restore(std::move(state), std::move(continuation));
-    model_.go_back_to(std::move(loads));
-  };
-  try {
-    evolution.find_equilibrium();
-    read(scene);
-  } catch (...) {
-    go_back();
-    throw;
-  }
-  go_back();
+  model_.under(combined(factors), read);
 }
 
 const LoadCases::Solved& LoadCases::under(const std::vector<double>& factors) {

@@ -4,7 +4,10 @@
 #include <cmath>
 
 #include "error.hpp"
+#include "geometry/coarse_sizes.hpp"
+#include "geometry/halving.hpp"
 #include "geometry/segment.hpp"
+#include "regions/boundary/boundary_description.hpp"
 #include "regions/boundary/corner_grading.hpp"
 #include "regions/boundary/grid_borders.hpp"
 #include "regions/outlined/outlined_region.hpp"
@@ -137,6 +140,7 @@ SingularEnds near_cracks(const Preparation& p, int region, const Panel& panel, S
 // Grades elements towards corners and ends of supports at which stress is singular.
 void grade_corners(const Preparation& p, int region, BoundaryPanels& panels) {
   const scene::Region& described = p.scene.region(region);
+  const int levels = is_body(described) ? grading_for(p.options.number("error.wanted")) : usual_grading;
   std::size_t first = 0;
   for (auto& loop : panels.loops) {
     std::vector<BoundaryPiece> pieces;
@@ -148,10 +152,23 @@ void grade_corners(const Preparation& p, int region, BoundaryPanels& panels) {
       if (pieces[k].held == Held::interface) continue;
       const bool is_chosen = described.has_own_mesh(panels.sources[first + k].edge);
       const SingularEnds ends = is_chosen ? near_cracks(p, region, loop[k], singular[k]) : singular[k];
-      loop[k].stations = refined_towards(ends, loop[k].stations);
+      loop[k].stations = refined_towards(ends, loop[k].stations, levels);
     }
     first += loop.size();
   }
+}
+
+// Gives the free edges of a body its coarsest elements.
+void choose_sizes(const scene::Region& described, BoundaryPanels& panels) {
+  const CoarseSizes sizes(panels.loops);
+  int number = 0;
+  for (auto& loop : panels.loops)
+    for (Panel& panel : loop) {
+      const PanelSource& source = panels.sources[static_cast<std::size_t>(number)];
+      if (source.border == Border::free && !described.has_own_mesh(source.edge))
+        panel.stations = sizes.stations(number);
+      ++number;
+    }
 }
 
 // Element ends on a piece of an edge, as fractions of the piece.
@@ -240,8 +257,24 @@ BoundaryPanels mesh_edges(const Preparation& preparation, const MeshingRules& ru
     result.loops.emplace_back();
     for (std::size_t k = 0; k < loop.size(); ++k) mesh_edge(preparation, rules, region, ++edge, mouths, result);
   }
+  if (const scene::Region& described = preparation.scene.region(region); is_body(described))
+    choose_sizes(described, result);
   if (rules.grade_corners) grade_corners(preparation, region, result);
   return result;
+}
+
+void halve_elements(const Preparation& preparation, int region, BoundaryPanels& panels) {
+  const scene::Scene& scene = preparation.scene;
+  const int own = halvings_of(scene.region(region));
+  std::size_t number = 0;
+  for (auto& loop : panels.loops)
+    for (Panel& panel : loop) {
+      const PanelSource& source = panels.sources[number++];
+      if (source.border == Border::grid && !source.tied) continue;
+      const bool is_shared = source.border == Border::elements;
+      const int other = is_shared ? halvings_of(scene.region(source.other_region)) : own;
+      panel.stations = halved(std::move(panel.stations), std::max(own, other));
+    }
 }
 
 }  // namespace bempd::regions

@@ -1,5 +1,6 @@
 #include "regions/boundary/corner_grading.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -7,10 +8,9 @@ namespace bempd::regions {
 
 namespace {
 
-// Division of an element at a singular end: number of divisions, and the distance of each new element end from the
-// singular end over that of the previous one. The error of displacements drops to 2e-3 of its value or less, because it
-// falls at least like the size of the last element (crack tips).
-constexpr int levels = 5;
+// Division of an element at a singular end: the distance of each new element end from the singular end over that of the
+// previous one. With `usual_grading` divisions the error of displacements drops to 2e-3 of its value or less, because
+// it falls at least like the size of the last element (crack tips).
 constexpr double ratio = 0.3;
 
 // Largest angle of a corner [rad] without a stress singularity, for the conditions on its two sides. A support that
@@ -42,7 +42,12 @@ std::vector<SingularEnds> singular_ends(const std::vector<BoundaryPiece>& loop) 
   return ends;
 }
 
-std::vector<double> refined_towards(const SingularEnds& singular, const std::vector<double>& stations) {
+int grading_for(double wanted) {
+  constexpr double share = 0.25;  // of the error wanted
+  return std::max(1, static_cast<int>(std::ceil(std::log(share * wanted) / std::log(ratio))));
+}
+
+std::vector<double> refined_towards(const SingularEnds& singular, const std::vector<double>& stations, int levels) {
   std::vector<double> all = stations;
   // A single element with two singular ends is halved first, so that each half is divided towards one end.
   if (singular.start && singular.end && all.size() == 2) all = {0, 0.5, 1};

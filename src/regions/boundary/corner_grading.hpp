@@ -14,6 +14,8 @@ struct BoundaryPiece {
   Held held;
 };
 
+inline constexpr int usual_grading = 5;
+
 struct SingularEnds {
   bool start = false, end = false;
 };
@@ -24,7 +26,11 @@ struct SingularEnds {
 std::vector<SingularEnds> singular_ends(const std::vector<BoundaryPiece>& loop);
 
 // Element ends `stations` (fractions of the piece) with the elements at singular ends divided repeatedly towards these
-// ends.
-std::vector<double> refined_towards(const SingularEnds& singular, const std::vector<double>& stations);
+// ends, `levels` times.
+std::vector<double> refined_towards(const SingularEnds& singular, const std::vector<double>& stations,
+                                    int levels = usual_grading);
+// Number of divisions after which the error of displacements due to a singular end is below `wanted`, relative to the
+// largest.
+int grading_for(double wanted);
 
 }  // namespace bempd::regions
