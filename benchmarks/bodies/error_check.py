@@ -48,9 +48,12 @@ def check(seed: int) -> dict[str, Any]:
     model, body = RandomBody(seed).build(wanted)
     found = answers(model, body)
     plan, estimate = model.plan(), model.error_estimate()
-    finer, same = RandomBody(seed).build(max(1e-6, wanted / 100), **{"budget.seconds": 20})
+    finer, same = RandomBody(seed).build(min(1e-5, wanted / 300), **{"budget.seconds": 8})
     exact = answers(finer, same)
     true = true_errors(found, exact)
+    left = finer.plan()
+    if max(left.displacement_error, left.reaction_error, left.intensity_error) > 0.2 * max(true.values()):
+        raise bempd.ConvergenceError(f"the finer mesh is not fine enough: {left} {true} {plan}")
     return {"seed": seed, "wanted": wanted, "elements": plan.boundary_elements, "seconds": plan.seconds + plan.seconds_spent,
             "finer": finer.plan().boundary_elements,
             "true": true,

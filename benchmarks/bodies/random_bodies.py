@@ -100,7 +100,7 @@ class RandomBody:
             model.fix_edge(body, held)
         else:
             model.fix_edge(body, held, "x")
-            model.fix_point(corners[0], "y")
+            model.fix_edge(body, 1, "y")
         for _ in range(choose.randrange(1, 3)):
             edge = choose.randrange(1, edges)
             kind = choose.choice(("traction", "traction", "part", "linear", "pull", "pressure", "weight"))

@@ -21,6 +21,11 @@ namespace {
 // Least and largest ratio of the times of two meshes, the second with half as long elements.
 constexpr double least_ratio = 2, largest_ratio = 8;
 
+// Scenes with at most so many elements are solved with halved elements to tell errors: that is quick, and needs no
+// order of convergence. The error is the difference times 8/7 for the order 3, times 2 for the order 1.
+constexpr std::int64_t few_elements = 100;
+constexpr double caution_of_halved = 1.5;
+
 // Meshes with more halvings than this would only be needed for errors within rounding.
 constexpr int most_halvings = 8;
 
@@ -61,6 +66,12 @@ double between_criteria(const std::vector<regions::TipValues>& tips) {
   const double first = load_by(KinkCriterion::hoop_stress), second = load_by(KinkCriterion::energy_release_rate);
   return std::isfinite(first) && std::isfinite(second) ? std::abs(first - second) / std::abs(first) : 0;
 }
+
+const scene::OptionGroup hooks(scene::OptionPlace::test_hooks, [] {
+  return std::vector<scene::OptionDescription>{
+      scene::number_option("test.halvings", "Times that the elements of bodies are halved; -1: as error.wanted asks.",
+                           -1, -1, most_halvings, true)};
+});
 
 }  // namespace
 
@@ -153,6 +164,12 @@ MeshCost Accuracy::predicted(int more) const {
   return cost;
 }
 
+// Whether the results are too far off.
+bool Accuracy::wants_more() const {
+  const int given = model_.options().whole_number("test.halvings");
+  return given < 0 ? estimate().largest() > wanted() : levels_.back().cost.halvings < given;
+}
+
 // Whether time and memory allow the next mesh.
 bool Accuracy::may_refine() const {
   if (levels_.size() > most_halvings) return false;
@@ -169,12 +186,8 @@ MeshPlan Accuracy::plan_of(const MeshCost& cost, bool is_solved) const {
   plan.cost = cost;
   for (const Level& level : levels_) plan.seconds_spent += level.cost.seconds;
   if (is_solved) plan.seconds_spent -= cost.seconds;
-  plan.errors = estimate();
   const double more = cost.halvings - levels_.back().cost.halvings;
-  const double reduction = std::pow(expected_reduction(differences()), more);
-  for (const auto kind :
-       {&MeshErrors::displacement, &MeshErrors::reaction, &MeshErrors::intensity, &MeshErrors::growth_load})
-    plan.errors.*kind /= reduction;
+  plan.errors = std::pow(expected_reduction(differences()), -more) * estimate();
   plan.growth_load = levels_.back().answers.growth_load;
   plan.first = levels_.back().answers.first;
   plan.meets_wish = plan.errors.largest() <= wanted();
@@ -197,7 +210,7 @@ const MeshPlan& Accuracy::plan() {
 
 void Accuracy::prepare() {
   while (levels_.size() < 2 || mark_ != mark()) solve_next();
-  while (estimate().largest() > wanted() && may_refine()) solve_next();
+  while (wants_more() && may_refine()) solve_next();
   chosen_ = plan_of(levels_.back().cost, true);
   regions::refine(model_.scene_, {levels_.back().cost.halvings, 0});
   model_.prepared_ = std::move(finest_);
@@ -220,25 +233,34 @@ ErrorSources Accuracy::errors_now() {
          "bonds have broken or a part has come off, and the scene cannot be solved with longer elements "
          "from there; ask before that");
   const double load_factor = model_.load_factor();
-  const int own = chosen_ ? chosen_->cost.halvings : 0;
-  std::vector<MeshAnswers> meshes;
-  std::vector<double> seconds{0, 0};
-  for (const int merged : {-2, -1}) {
-    const Stopwatch watch(seconds[meshes.size()]);
-    meshes.push_back(answers_with({own, merged}, model_.acting_values(), load_factor, nullptr));
-  }
+  const std::size_t supports = model_.scene().supports().size();
+  const double tolerance = scene.discretization.tolerance;
   std::vector<regions::TipValues> tips = model_.tips_of(scene, regions::TipDetail::factors);
   ErrorSources errors;
   errors.model = between_criteria(tips);
-  for (regions::TipValues& tip : tips) tip.critical_load_factor -= load_factor;
-  meshes.push_back(read_answers(scene, model_.scene().supports().size(), std::move(tips), load_factor));
-  const double tolerance = scene.discretization.tolerance;
-  errors.boundary =
-      estimated({difference(meshes[1], meshes[0], tolerance), difference(meshes[2], meshes[1], tolerance)});
   errors.has_lattices = scene.discretization.statistics().material_points > 0;
-  const double ratio = std::clamp(seconds[1] / seconds[0], least_ratio, largest_ratio);
-  errors.halving_seconds = ratio * ratio * seconds[1];
   errors.halving_bytes = bytes_of(scene, 2);
+  for (regions::TipValues& tip : tips) tip.critical_load_factor -= load_factor;
+  const MeshAnswers present = read_answers(scene, supports, std::move(tips), load_factor);
+  const int own = chosen_ ? chosen_->cost.halvings : 0;
+  const auto with = [&](int halvings, double& seconds) {
+    const Stopwatch watch(seconds);
+    return answers_with({own, halvings}, model_.acting_values(), load_factor, nullptr);
+  };
+  if (scene.discretization.statistics().boundary_elements <= few_elements) {
+    const MeshAnswers finer = with(1, errors.halving_seconds);
+    errors.boundary = caution_of_halved * difference(finer, present, tolerance);
+    return errors;
+  }
+  double seconds_of_coarsest = 0, seconds_of_coarser = 0;
+  std::vector<MeshErrors> differences;
+  const MeshAnswers coarser = with(-1, seconds_of_coarser);
+  // The coarsest mesh of a body has no coarser one that would tell an order.
+  if (!chosen_ || own > 1) differences.push_back(difference(coarser, with(-2, seconds_of_coarsest), tolerance));
+  differences.push_back(difference(present, coarser, tolerance));
+  errors.boundary = estimated(differences);
+  const double ratio = seconds_of_coarsest > 0 ? seconds_of_coarser / seconds_of_coarsest : largest_ratio;
+  errors.halving_seconds = seconds_of_coarser * std::pow(std::clamp(ratio, least_ratio, largest_ratio), 2);
   return errors;
 }
 

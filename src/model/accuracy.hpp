@@ -71,6 +71,7 @@ class Accuracy {
   MeshCost predicted(int more) const;
   MeshErrors estimate() const;
   std::vector<MeshErrors> differences() const;
+  bool wants_more() const;
   bool may_refine() const;
   MeshAnswers answers_with(const regions::Refinement& refinement, const scene::SceneValues& values, double load_factor,
                            Level* level);

@@ -11,16 +11,20 @@ namespace {
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
-// Order of convergence: the one measured, within limits, or the usual one where two meshes do not tell it.
-constexpr double least_order = 1, largest_order = 3, usual_order = 2;
+// Order of convergence: the one measured, within limits, or the usual one where there are two meshes only, which do not
+// tell it. Quadratic elements have the order 3 once they resolve the field. With the usual orders the estimates are the
+// difference over 2.6, and over 4 for stress intensity factors; measured differences of the two coarsest meshes of
+// random bodies are 2.6 to 7.4 times the error, and 4.1 to 70 times.
+constexpr double least_order = 0.5, largest_order = 2.7, usual_order = 2.3, usual_order_of_intensity = 2.8;
 
 // Factor on estimates, so that they are seldom below the error.
 constexpr double caution = 1.5;
 
 double order_of(const std::vector<MeshErrors>& differences, double MeshErrors::*kind) {
-  if (differences.size() < 2) return usual_order;
+  const double usual = kind == &MeshErrors::intensity ? usual_order_of_intensity : usual_order;
+  if (differences.size() < 2) return usual;
   const double last = differences.back().*kind, before = differences[differences.size() - 2].*kind;
-  if (!(last > 0) || !(before > 0) || !std::isfinite(before)) return usual_order;
+  if (!(last > 0) || !(before > 0) || !std::isfinite(before)) return usual;
   return std::clamp(std::log2(before / last), least_order, largest_order);
 }
 
@@ -103,6 +107,12 @@ MeshErrors difference(const MeshAnswers& fine, const MeshAnswers& coarse, double
                     intensity_error(fine, coarse), 0};
   if (std::isfinite(fine.growth_load))
     errors.growth_load = relative(std::abs(fine.growth_load - coarse.growth_load), std::abs(fine.growth_load));
+  return errors;
+}
+
+MeshErrors operator*(double factor, MeshErrors errors) {
+  for (double* error : {&errors.displacement, &errors.reaction, &errors.intensity, &errors.growth_load})
+    *error *= factor;
   return errors;
 }
 

@@ -34,6 +34,8 @@ MeshAnswers read_answers(const PreparedScene& scene, std::size_t supports, std::
 // Differences of results between a mesh and a coarser one.
 MeshErrors difference(const MeshAnswers& fine, const MeshAnswers& coarse, double tolerance);
 
+MeshErrors operator*(double factor, MeshErrors errors);
+
 // Estimated errors of the finest mesh, from the differences of successive meshes, the last of which is that of the
 // finest; each mesh has elements half as long as those of the one before.
 MeshErrors estimated(const std::vector<MeshErrors>& differences);
