@@ -14,6 +14,7 @@
 #   benchmarks/run.sh fatigue         lives of cracks under cycles against closed forms, into docs/fatigue.md with --write
 #   benchmarks/run.sh line_loads      loads of lines against boundary elements on the same paths, into docs/cracks.md with --write
 #   benchmarks/run.sh subdomains      large bodies of boundary elements, whole and cut, into docs/scaling.md with --write
+#   benchmarks/run.sh bodies          bodies: errors wanted, told and true, promises, cost over size, into docs/bodies.md with --write
 #   --with-peers, last, installs the peers first: FreeFem++, dolfinx and CalculiX; LAMMPS and dolfinx; or dolfinx
 set -euo pipefail
 export BEMPD_TEST_HOOKS=1  # some compare with ways that the library does not choose by itself
@@ -36,7 +37,8 @@ case "$name" in
   line_loads) programs=() peers=() ;;
   fatigue) programs=() peers=() ;;
   subdomains) programs=() peers=() ;;
-  *) sed -n '2,17s/^# *//p' "$0" >&2; exit 2 ;;
+  bodies) programs=() peers=() ;;
+  *) sed -n '2,18s/^# *//p' "$0" >&2; exit 2 ;;
 esac
 shift
 if [ "${*: -1}" = --with-peers ]; then set -- "${@:1:$#-1}"; else peers=(); fi

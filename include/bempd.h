@@ -65,6 +65,14 @@
  *   bempd_material_init             prepares the struct of bempd_add_material()
  *   bempd_add_material              adds a material
  *
+ * Bodies
+ *   bempd_add_body                  a polygon whose elements the library chooses
+ *   bempd_add_body_with_arcs        the same with edges that are arcs
+ *   bempd_body_plan_init            prepares the struct of bempd_plan()
+ *   bempd_plan                      elements, unknowns, memory, time and errors before preparing
+ *   bempd_errors_init               prepares the struct of bempd_error_estimate()
+ *   bempd_error_estimate            errors of the present results by source
+ *
  * Regions and cracks
  *   bempd_add_bem_region            a polygon of boundary elements
  *   bempd_add_bem_region_with_arcs  the same with edges that are arcs
@@ -398,6 +406,107 @@ BEMPD_API bempd_status bempd_material_init(bempd_material* material, int64_t str
 /** @brief Add a material. @param[in] model the model @param[in] material copied @param[out] id its id; may be NULL
  * @return status @since 0.1 */
 BEMPD_API bempd_status bempd_add_material(bempd_model* model, const bempd_material* material, int32_t* id);
+
+/* ------------------------------------------------------------------------------------------ Bodies */
+
+/** @brief Add a body: a polygon whose boundary elements the library chooses, its edges straight at first.
+ *
+ * A body is a region: ids and edge numbers are those of bempd_add_bem_region(), and all functions for regions of
+ * boundary elements take it, for holes, arcs, smooth edges, cracks, supports, loads, fields and reactions. When the
+ * model is prepared, the scene is solved with shorter and shorter elements until the difference of the results says
+ * that errors are below the option error.wanted; bempd_error_estimate() tells them. Elements are graded by themselves
+ * towards corners, narrow parts, cracks and ends of supports and loads. bempd_set_edge_mesh() says the longest elements
+ * that an edge has at first. Bodies and regions with given elements may be in one scene.
+ * @param[in] model the model @param[in] material id of a material @param[in] vertex_count number of vertices, >= 3
+ * @param[in] vertices shape [vertex_count][2], counter-clockwise [m]
+ * @param[out] body its id, that of a region; may be NULL @return status @since 0.4 */
+BEMPD_API bempd_status bempd_add_body(bempd_model* model, int32_t material, int64_t vertex_count,
+                                      const double* vertices, int32_t* body);
+
+/** @brief Add a body as bempd_add_body() does, with edges that may be circular arcs from the start.
+ * @param[in] model the model @param[in] material id of a material @param[in] vertex_count number of vertices, >= 3
+ * @param[in] vertices shape [vertex_count][2], counter-clockwise [m]
+ * @param[in] bulges shape [vertex_count], as in bempd_add_bem_region_with_arcs(); NULL for straight edges [-]
+ * @param[out] body its id, that of a region; may be NULL @return status @since 0.4 */
+BEMPD_API bempd_status bempd_add_body_with_arcs(bempd_model* model, int32_t material, int64_t vertex_count,
+                                                const double* vertices, const double* bulges, int32_t* body);
+
+/** @brief What preparing a scene with bodies takes, and the errors it will have. Errors are those of displacements,
+ * reactions and stress intensity factors that come from the boundary elements, each relative to the largest of its
+ * kind in the scene, at the load factor 1. Fill it with bempd_body_plan_init(). @since 0.4 */
+typedef struct bempd_body_plan {
+  int64_t struct_size;       /**< sizeof(bempd_body_plan), set by bempd_body_plan_init() */
+  int64_t boundary_elements; /**< of all regions and cracks */
+  int64_t unknowns;          /**< displacement components of all nodes */
+  int64_t material_points;   /**< of peridynamic regions */
+  int64_t bonds;             /**< of peridynamic regions */
+  double memory;             /**< largest memory of preparing, without the sparse factor [B] */
+  double seconds;            /**< time of preparing with this mesh and of the first solution [s] */
+  double seconds_spent;      /**< time that coarser meshes took until now [s] */
+  double error_wanted;       /**< option error.wanted [-] */
+  double displacement_error; /**< [-] */
+  double reaction_error;     /**< [-] */
+  double intensity_error;    /**< of stress intensity factors; 0 without cracks [-] */
+  double growth_load_error;  /**< of growth_load_factor, relative; 0 if nothing grows [-] */
+  double growth_load_factor; /**< load factor at which a crack first grows; the largest double if none does [-] */
+  int32_t growth_crack;      /**< crack that grows then, or 0 */
+  int32_t growth_end;        /**< its end, a bempd_tip_end, or 0 */
+  int32_t meets_wish;        /**< 1 if the errors are at most error_wanted */
+  int32_t is_solved;         /**< 1 if this mesh has been solved; 0 for numbers extrapolated from coarser ones */
+} bempd_body_plan;
+
+/** @brief Set struct_size and zeros. @param[out] plan the struct to fill
+ * @param[in] struct_size sizeof(bempd_body_plan) as the caller was compiled: older programs keep working
+ * @return status @since 0.4 */
+BEMPD_API bempd_status bempd_body_plan_init(bempd_body_plan* plan, int64_t struct_size);
+
+/** @brief Plan the elements of bodies before anything expensive is solved: only meshes are solved whose elements are
+ * twice as long as those of the plan, or longer. The model is not prepared by it, and the scene may still change. Of a
+ * prepared model it tells what has come.
+ * @param[in] model a model with a body @param[in,out] plan struct_size in, the rest out @return status @since 0.4 */
+BEMPD_API bempd_status bempd_plan(bempd_model* model, bempd_body_plan* plan);
+
+/** @brief Where errors come from. @since 0.4 */
+typedef enum bempd_error_source {
+  BEMPD_ERROR_SOURCE_BOUNDARY = 1, /**< lengths of boundary elements */
+  BEMPD_ERROR_SOURCE_LATTICE = 2,  /**< spacing of lattices */
+  BEMPD_ERROR_SOURCE_PATCH = 3,    /**< borders between lattices and boundary elements in bodies */
+  BEMPD_ERROR_SOURCE_MODEL = 4     /**< growth criterion */
+} bempd_error_source;
+
+/** @brief Errors of the present results by source, relative as in bempd_body_plan. The sources are never added. Fill it
+ * with bempd_errors_init(). @since 0.4 */
+typedef struct bempd_errors {
+  int64_t struct_size;     /**< sizeof(bempd_errors), set by bempd_errors_init() */
+  double wanted;           /**< option error.wanted [-] */
+  double displacement;     /**< of displacements, from boundary elements [-] */
+  double reaction;         /**< of reactions, from boundary elements [-] */
+  double stress_intensity; /**< of stress intensity factors at tips with elements, from boundary elements [-] */
+  double growth_load;      /**< of the load factor at which a crack with elements grows next, from boundary elements;
+                                relative to that load factor, 0 if none grows [-] */
+  double lattice;          /**< from lattices; 0 without lattices, NaN with them: it is not estimated [-] */
+  double patch;            /**< from lattices in bodies; 0 without them [-] */
+  double model;            /**< relative difference of the next load of growth between the choices of the option
+                                crack.criterion; 0 without cracks that grow [-] */
+  int32_t dominating;      /**< a bempd_error_source: the largest of those that are known */
+  int32_t reserved;        /**< 0 */
+  double halving_seconds;  /**< time of preparing that half as long boundary elements would take [s] */
+  double halving_memory;   /**< memory that they would take [B] */
+} bempd_errors;
+
+/** @brief Set struct_size and zeros. @param[out] errors the struct to fill
+ * @param[in] struct_size sizeof(bempd_errors) as the caller was compiled: older programs keep working
+ * @return status @since 0.4 */
+BEMPD_API bempd_status bempd_errors_init(bempd_errors* errors, int64_t struct_size);
+
+/** @brief Estimate the errors of the present results, at the present loads and cracks, of bodies and of regions with
+ * given elements alike.
+ *
+ * The scene is solved with its elements merged in pairs and in fours, and the differences are extrapolated; this takes
+ * about a fifth of the time of preparing. Not possible once bonds have broken or a part has come off, which is an order
+ * error.
+ * @param[in] model the model @param[in,out] errors struct_size in, the rest out @return status @since 0.4 */
+BEMPD_API bempd_status bempd_error_estimate(bempd_model* model, bempd_errors* errors);
 
 /* ------------------------------------------------------------------------------ Regions and cracks */
 

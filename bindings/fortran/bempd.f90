@@ -32,7 +32,8 @@ module bempd
     BEMPD_CRACK_END, BEMPD_TIP_ELEMENTS, BEMPD_TIP_CONTOURS, BEMPD_TIP_STRESS, bempd_path_vertex, &
     BEMPD_LOAD_UNKNOWN, BEMPD_LOAD_FACTORS, BEMPD_LOAD_FIT, BEMPD_LOAD_ENERGY, &
     BEMPD_TIP_GROWS, BEMPD_TIP_AT_EDGE, BEMPD_TIP_AT_HOLE, BEMPD_TIP_AT_CRACK, BEMPD_TIP_AT_INTERFACE, BEMPD_TIP_SEPARATED, &
-    bempd_step_report, bempd_statistics, &
+    bempd_step_report, bempd_statistics, bempd_body_plan, bempd_errors, &
+    BEMPD_ERROR_SOURCE_BOUNDARY, BEMPD_ERROR_SOURCE_LATTICE, BEMPD_ERROR_SOURCE_PATCH, BEMPD_ERROR_SOURCE_MODEL, &
     bempd_history_entry, bempd_crack_tip, bempd_growth, bempd_crack_extension, bempd_growth_rate, bempd_fatigue, &
     bempd_fatigue_report, bempd_fatigue_record, bempd_growth_rate_init, bempd_fatigue_init, BEMPD_RATE_PARIS, &
     BEMPD_RATE_FORMAN, BEMPD_RATE_NASGRO, BEMPD_RATE_SUSTAINED, BEMPD_RATE_HOST, BEMPD_FATIGUE_CYCLES, &
@@ -53,6 +54,7 @@ module bempd
     generic :: set_option => set_option_number, set_option_text
     generic :: get_option => get_option_number, get_option_text
     generic :: assignment(=) => refuse_copy
+    procedure :: add_body, plan, error_estimate
     procedure :: add_material, add_bem_region, add_pd_region, add_hole, add_circular_hole, add_crack
     procedure :: add_bem_disc, set_edge_arc, set_edge_arc_about, set_edges_smooth, set_edge_mesh, set_toughness_at
     procedure :: set_resistance_curve, set_resistance_directions
@@ -100,7 +102,8 @@ module bempd
   end type bempd_option
 
   private :: create, free, last_error, c_handle, set_option_number, set_option_text, get_option_number, &
-    get_option_text, refuse_copy, add_material, add_bem_region, add_pd_region, add_hole, add_circular_hole, add_crack, &
+    get_option_text, refuse_copy, add_body, plan, error_estimate, add_material, add_bem_region, &
+    add_pd_region, add_hole, add_circular_hole, add_crack, &
     add_bem_disc, set_edge_arc, set_edge_arc_about, set_edges_smooth, set_edge_mesh, &
     set_toughness_at, set_resistance_curve, set_resistance_directions, &
     edge_reaction, evaluate_in, singularities, stress_orders, &
@@ -183,6 +186,16 @@ module bempd
       integer, intent(out), optional :: stat
       character(*), intent(inout), optional :: errmsg
     end subroutine add_material
+    !> A polygon whose boundary elements the library chooses.
+    module subroutine add_body(self, material, vertices, body, stat, errmsg, bulges)
+      class(bempd_model), intent(inout) :: self
+      integer(c_int32_t), intent(in) :: material
+      real(c_double), intent(in) :: vertices(:, :)
+      integer(c_int32_t), intent(out), optional :: body
+      integer, intent(out), optional :: stat
+      character(*), intent(inout), optional :: errmsg
+      real(c_double), intent(in), optional :: bulges(:)
+    end subroutine add_body
     module subroutine add_bem_region(self, material, vertices, element_length, region, stat, errmsg, bulges)
       class(bempd_model), intent(inout) :: self
       integer(c_int32_t), intent(in) :: material
@@ -857,6 +870,20 @@ module bempd
       integer, intent(out), optional :: stat
       character(*), intent(inout), optional :: errmsg
     end subroutine are_connected
+    !> Elements, unknowns, memory, time and errors of a scene with bodies, before anything expensive is solved.
+    module subroutine plan(self, found, stat, errmsg)
+      class(bempd_model), intent(inout) :: self
+      type(bempd_body_plan), intent(out) :: found
+      integer, intent(out), optional :: stat
+      character(*), intent(inout), optional :: errmsg
+    end subroutine plan
+    !> Errors of the present results by source.
+    module subroutine error_estimate(self, errors, stat, errmsg)
+      class(bempd_model), intent(inout) :: self
+      type(bempd_errors), intent(out) :: errors
+      integer, intent(out), optional :: stat
+      character(*), intent(inout), optional :: errmsg
+    end subroutine error_estimate
     module subroutine get_statistics(self, statistics, stat, errmsg)
       class(bempd_model), intent(inout) :: self
       type(bempd_statistics), intent(out) :: statistics

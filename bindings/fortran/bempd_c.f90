@@ -48,6 +48,19 @@ module bempd_c
   integer(c_int), parameter :: BEMPD_PLANE_STRESS = 1
   integer(c_int), parameter :: BEMPD_PLANE_STRAIN = 2
 
+  !> Where errors come from.
+  !>
+  !> since: 0.4
+  integer, parameter :: bempd_error_source = c_int
+  !> lengths of boundary elements
+  integer(c_int), parameter :: BEMPD_ERROR_SOURCE_BOUNDARY = 1
+  !> spacing of lattices
+  integer(c_int), parameter :: BEMPD_ERROR_SOURCE_LATTICE = 2
+  !> borders between lattices and boundary elements in bodies
+  integer(c_int), parameter :: BEMPD_ERROR_SOURCE_PATCH = 3
+  !> growth criterion
+  integer(c_int), parameter :: BEMPD_ERROR_SOURCE_MODEL = 4
+
   !> Sense of turning.
   !>
   !> since: 0.3
@@ -395,6 +408,85 @@ module bempd_c
     !> since: 0.3
     real(c_double) :: thermal_expansion
   end type bempd_material
+
+  !> What preparing a scene with bodies takes, and the errors it will have. Errors are those of displacements, reactions
+  !> and stress intensity factors that come from the boundary elements, each relative to the largest of its kind in the
+  !> scene, at the load factor 1. Fill it with bempd_body_plan_init().
+  !>
+  !> since: 0.4
+  type, bind(c) :: bempd_body_plan
+    !> sizeof(bempd_body_plan), set by bempd_body_plan_init()
+    integer(c_int64_t) :: struct_size
+    !> of all regions and cracks
+    integer(c_int64_t) :: boundary_elements
+    !> displacement components of all nodes
+    integer(c_int64_t) :: unknowns
+    !> of peridynamic regions
+    integer(c_int64_t) :: material_points
+    !> of peridynamic regions
+    integer(c_int64_t) :: bonds
+    !> largest memory of preparing, without the sparse factor [B]
+    real(c_double) :: memory
+    !> time of preparing with this mesh and of the first solution [s]
+    real(c_double) :: seconds
+    !> time that coarser meshes took until now [s]
+    real(c_double) :: seconds_spent
+    !> option error.wanted [-]
+    real(c_double) :: error_wanted
+    !> [-]
+    real(c_double) :: displacement_error
+    !> [-]
+    real(c_double) :: reaction_error
+    !> of stress intensity factors; 0 without cracks [-]
+    real(c_double) :: intensity_error
+    !> of growth_load_factor, relative; 0 if nothing grows [-]
+    real(c_double) :: growth_load_error
+    !> load factor at which a crack first grows; the largest double if none does [-]
+    real(c_double) :: growth_load_factor
+    !> crack that grows then, or 0
+    integer(c_int32_t) :: growth_crack
+    !> its end, a bempd_tip_end, or 0
+    integer(c_int32_t) :: growth_end
+    !> 1 if the errors are at most error_wanted
+    integer(c_int32_t) :: meets_wish
+    !> 1 if this mesh has been solved; 0 for numbers extrapolated from coarser ones
+    integer(c_int32_t) :: is_solved
+  end type bempd_body_plan
+
+  !> Errors of the present results by source, relative as in bempd_body_plan. The sources are never added. Fill it with
+  !> bempd_errors_init().
+  !>
+  !> since: 0.4
+  type, bind(c) :: bempd_errors
+    !> sizeof(bempd_errors), set by bempd_errors_init()
+    integer(c_int64_t) :: struct_size
+    !> option error.wanted [-]
+    real(c_double) :: wanted
+    !> of displacements, from boundary elements [-]
+    real(c_double) :: displacement
+    !> of reactions, from boundary elements [-]
+    real(c_double) :: reaction
+    !> of stress intensity factors at tips with elements, from boundary elements [-]
+    real(c_double) :: stress_intensity
+    !> of the load factor at which a crack with elements grows next, from boundary elements; relative to that load
+    !> factor, 0 if none grows [-]
+    real(c_double) :: growth_load
+    !> from lattices; 0 without lattices, NaN with them: it is not estimated [-]
+    real(c_double) :: lattice
+    !> from lattices in bodies; 0 without them [-]
+    real(c_double) :: patch
+    !> relative difference of the next load of growth between the choices of the option crack.criterion; 0 without
+    !> cracks that grow [-]
+    real(c_double) :: model
+    !> a bempd_error_source: the largest of those that are known
+    integer(c_int32_t) :: dominating
+    !> 0
+    integer(c_int32_t) :: reserved
+    !> time of preparing that half as long boundary elements would take [s]
+    real(c_double) :: halving_seconds
+    !> memory that they would take [B]
+    real(c_double) :: halving_memory
+  end type bempd_errors
 
   !> Values along a part of an edge or a crack; bempd_edge_values_init() sets zeros and components = 1.
   !>
@@ -1324,6 +1416,113 @@ module bempd_c
       type(c_ptr), value :: id
       integer(c_int) :: bempd_add_material
     end function bempd_add_material
+
+    !> Add a body: a polygon whose boundary elements the library chooses, its edges straight at first.
+    !>
+    !> A body is a region: ids and edge numbers are those of bempd_add_bem_region(), and all functions for regions of
+    !> boundary elements take it, for holes, arcs, smooth edges, cracks, supports, loads, fields and reactions. When the
+    !> model is prepared, the scene is solved with shorter and shorter elements until the difference of the results says
+    !> that errors are below the option error.wanted; bempd_error_estimate() tells them. Elements are graded by
+    !> themselves towards corners, narrow parts, cracks and ends of supports and loads. bempd_set_edge_mesh() says the
+    !> longest elements that an edge has at first. Bodies and regions with given elements may be in one scene.
+    !>
+    !> model [in]: the model
+    !> material [in]: id of a material
+    !> vertex_count [in]: number of vertices, >= 3
+    !> vertices [in]: shape [vertex_count][2], counter-clockwise [m]
+    !> body [out]: its id, that of a region; may be NULL
+    !> return: status
+    !> since: 0.4
+    function bempd_add_body(model, material, vertex_count, vertices, body) bind(c, name="bempd_add_body")
+      import :: c_double, c_int, c_int32_t, c_int64_t, c_ptr
+      type(c_ptr), value :: model
+      integer(c_int32_t), value :: material
+      integer(c_int64_t), value :: vertex_count
+      real(c_double), intent(in) :: vertices(2, *)
+      type(c_ptr), value :: body
+      integer(c_int) :: bempd_add_body
+    end function bempd_add_body
+
+    !> Add a body as bempd_add_body() does, with edges that may be circular arcs from the start.
+    !>
+    !> model [in]: the model
+    !> material [in]: id of a material
+    !> vertex_count [in]: number of vertices, >= 3
+    !> vertices [in]: shape [vertex_count][2], counter-clockwise [m]
+    !> bulges [in]: shape [vertex_count], as in bempd_add_bem_region_with_arcs(); NULL for straight edges [-]
+    !> body [out]: its id, that of a region; may be NULL
+    !> return: status
+    !> since: 0.4
+    function bempd_add_body_with_arcs(model, material, vertex_count, vertices, bulges, body) &
+        bind(c, name="bempd_add_body_with_arcs")
+      import :: c_double, c_int, c_int32_t, c_int64_t, c_ptr
+      type(c_ptr), value :: model
+      integer(c_int32_t), value :: material
+      integer(c_int64_t), value :: vertex_count
+      real(c_double), intent(in) :: vertices(2, *)
+      type(c_ptr), value :: bulges
+      type(c_ptr), value :: body
+      integer(c_int) :: bempd_add_body_with_arcs
+    end function bempd_add_body_with_arcs
+
+    !> Set struct_size and zeros.
+    !>
+    !> plan [out]: the struct to fill
+    !> struct_size [in]: sizeof(bempd_body_plan) as the caller was compiled: older programs keep working
+    !> return: status
+    !> since: 0.4
+    function bempd_body_plan_init(plan, struct_size) bind(c, name="bempd_body_plan_init")
+      import :: bempd_body_plan, c_int, c_int64_t
+      type(bempd_body_plan), intent(inout) :: plan
+      integer(c_int64_t), value :: struct_size
+      integer(c_int) :: bempd_body_plan_init
+    end function bempd_body_plan_init
+
+    !> Plan the elements of bodies before anything expensive is solved: only meshes are solved whose elements are twice
+    !> as long as those of the plan, or longer. The model is not prepared by it, and the scene may still change. Of a
+    !> prepared model it tells what has come.
+    !>
+    !> model [in]: a model with a body
+    !> plan [in,out]: struct_size in, the rest out
+    !> return: status
+    !> since: 0.4
+    function bempd_plan(model, plan) bind(c, name="bempd_plan")
+      import :: bempd_body_plan, c_int, c_ptr
+      type(c_ptr), value :: model
+      type(bempd_body_plan), intent(inout) :: plan
+      integer(c_int) :: bempd_plan
+    end function bempd_plan
+
+    !> Set struct_size and zeros.
+    !>
+    !> errors [out]: the struct to fill
+    !> struct_size [in]: sizeof(bempd_errors) as the caller was compiled: older programs keep working
+    !> return: status
+    !> since: 0.4
+    function bempd_errors_init(errors, struct_size) bind(c, name="bempd_errors_init")
+      import :: bempd_errors, c_int, c_int64_t
+      type(bempd_errors), intent(inout) :: errors
+      integer(c_int64_t), value :: struct_size
+      integer(c_int) :: bempd_errors_init
+    end function bempd_errors_init
+
+    !> Estimate the errors of the present results, at the present loads and cracks, of bodies and of regions with given
+    !> elements alike.
+    !>
+    !> The scene is solved with its elements merged in pairs and in fours, and the differences are extrapolated; this
+    !> takes about a fifth of the time of preparing. Not possible once bonds have broken or a part has come off, which
+    !> is an order error.
+    !>
+    !> model [in]: the model
+    !> errors [in,out]: struct_size in, the rest out
+    !> return: status
+    !> since: 0.4
+    function bempd_error_estimate(model, errors) bind(c, name="bempd_error_estimate")
+      import :: bempd_errors, c_int, c_ptr
+      type(c_ptr), value :: model
+      type(bempd_errors), intent(inout) :: errors
+      integer(c_int) :: bempd_error_estimate
+    end function bempd_error_estimate
 
     !> Add a region treated by boundary elements: a polygon, its edges straight at first.
     !>

@@ -167,6 +167,20 @@ contains
     call finish(self, bempd_reaction_moment(self%handle, support, x, y, moment), stat, errmsg)
   end procedure reaction_moment
 
+  module procedure plan
+    integer(c_int) :: status
+
+    status = bempd_body_plan_init(found, c_sizeof(found))
+    call finish(self, bempd_plan(self%handle, found), stat, errmsg)
+  end procedure plan
+
+  module procedure error_estimate
+    integer(c_int) :: status
+
+    status = bempd_errors_init(errors, c_sizeof(errors))
+    call finish(self, bempd_error_estimate(self%handle, errors), stat, errmsg)
+  end procedure error_estimate
+
   module procedure get_statistics
     integer(c_int) :: status
 

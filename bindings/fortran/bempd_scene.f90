@@ -67,6 +67,23 @@ contains
     call give(new, region)
   end procedure add_bem_region
 
+  module procedure add_body
+    integer(c_int32_t), target :: new
+    real(c_double), allocatable, target :: bends(:)
+
+    new = 0
+    if (can_be_loop(self, "bempd_add_body", vertices, bulges, bends, stat, errmsg)) then
+      if (present(bulges)) then
+        call finish(self, bempd_add_body_with_arcs(self%handle, material, size(vertices, 2, c_int64_t), vertices, &
+          c_loc(bends), c_loc(new)), stat, errmsg)
+      else
+        call finish(self, bempd_add_body(self%handle, material, size(vertices, 2, c_int64_t), vertices, c_loc(new)), &
+          stat, errmsg)
+      end if
+    end if
+    call give(new, body)
+  end procedure add_body
+
   module procedure add_pd_region
     integer(c_int32_t) :: ratio
     integer(c_int32_t), target :: new

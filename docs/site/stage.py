@@ -44,7 +44,7 @@ CHAPTERS = {
                   "bindings/fortran/README", "bindings/rust/README"],
     "Examples": ["examples/*/README"],
     "What is measured": ["docs/measured", "docs/accuracy", "docs/verification", "docs/directions", "docs/materials",
-                         "docs/outlines", "docs/separation", "docs/paper"],
+                         "docs/outlines", "docs/bodies", "docs/separation", "docs/paper"],
     "The project": ["CHANGELOG", "docs/citing", "CONTRIBUTING", "docs/architecture", "docs/scaling", "docs/reliability",
                     "packaging/README", "benchmarks/*/README", "docs/research/README"],
 }

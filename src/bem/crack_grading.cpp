@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "error.hpp"
+#include "geometry/halving.hpp"
 #include "geometry/segment.hpp"
 
 namespace bempd::bem {
@@ -66,23 +67,11 @@ double turn(const CrackLine& line, std::size_t vertex) {
 // intended.
 constexpr std::size_t most_elements = 100000;
 
-// Halves an interval until its `length` is at most the limit at its ends and its middle; appends the ends of the parts
-// to `ends`.
-template <class Limit>
-void halve(double from, double to, double length, const Limit& limit, int depth, std::vector<double>& ends) {
-  const double middle = 0.5 * (from + to);
-  // The limit has slack, so that rounding does not halve only one of two elements that are alike.
-  constexpr double slack = 1 + 1e-9;
-  if (depth < most_halvings && length > slack * std::min({limit(from), limit(middle), limit(to)})) {
-    halve(from, middle, 0.5 * length, limit, depth + 1, ends);
-    halve(middle, to, 0.5 * length, limit, depth + 1, ends);
-    return;
-  }
+void require_few(const std::vector<double>& ends) {
   require(ends.size() < most_elements,
           "a crack comes so close to another one or to the boundary that they would need "
           "more than ",
           most_elements, " elements: widen the gap between them, or close it");
-  ends.push_back(to);
 }
 
 }  // namespace
@@ -251,7 +240,7 @@ std::vector<double> CrackSizes::stations_of(int l) const {
     for (int k = 0; k < count; ++k)
       halve(
           ways[i] + length * k / count, k + 1 == count ? ways[i + 1] : ways[i] + length * (k + 1) / count,
-          length / count, [&](double way) { return on_line(l, way); }, 0, stations);
+          length / count, [&](double way) { return require_few(stations), on_line(l, way); }, most_halvings, stations);
   }
   return stations;
 }
@@ -282,8 +271,9 @@ std::vector<double> CrackSizes::refined(const Arc& piece, const std::vector<doub
   for (std::size_t i = 0; i + 1 < stations.size(); ++i) {
     const double length = (stations[i + 1] - stations[i]) * piece.length();
     halve(
-        stations[i], stations[i + 1], length, [&](double fraction) { return on_boundary(piece.at(fraction), length); },
-        0, result);
+        stations[i], stations[i + 1], length,
+        [&](double fraction) { return require_few(result), on_boundary(piece.at(fraction), length); }, most_halvings,
+        result);
   }
   return result;
 }

@@ -93,7 +93,12 @@ std::vector<regions::TipValues> Model::tips_of(const PreparedScene& prepared, re
     const std::vector<regions::TipValues> found = region->tips(solution_of(prepared), detail);
     tips.insert(tips.end(), found.begin(), found.end());
   }
-  for (regions::TipValues& tip : tips) complete(tip, options_);
+  double largest = 0;
+  for (const regions::TipValues& tip : tips) largest = std::max(largest, tip.factors.norm());
+  for (regions::TipValues& tip : tips) {
+    tip.error = std::max(tip.error, accuracy_.intensity_error() * largest);
+    complete(tip, options_);
+  }
   // Tips are sorted by crack id; the tip at the first point comes before that at the last point.
   std::stable_sort(tips.begin(), tips.end(), [](const regions::TipValues& a, const regions::TipValues& b) {
     return std::pair(a.crack, a.end) < std::pair(b.crack, b.end);

@@ -3,6 +3,7 @@
 #include <array>
 
 #include "hash.hpp"
+#include "regions/boundary/boundary_description.hpp"
 #include "regions/scheme.hpp"
 
 namespace bempd::model {
@@ -83,6 +84,11 @@ constexpr std::array options_of_format_14 = {
     "scheme",  "critical_stretch",         "pd.crack_tip", "pd.criterion", "crack.rule",
     "contact", "bem.quadrature_tolerance", "bem.grading"};
 
+// Adds what chooses the elements of bodies.
+void hash_wish(Hash& hash, const scene::Options& options) {
+  for (const char* name : {"error.wanted", "budget.seconds", "memory.limit"}) hash.add(options.number(name));
+}
+
 void add_options_of_format_14(Hash& hash, const scene::Options& options) {
   for (const std::string_view name : options_of_format_14) {
     if (name == "pd.crack_tip") {
@@ -104,6 +110,7 @@ SceneFingerprint fingerprint(const scene::Scene& scene, const scene::Options& op
     add(body, scene.material_of(id));
     scene.region(id).identify(body);
   }
+  if (regions::has_bodies(scene)) hash_wish(body, options);
   for (const scene::Condition& load : scene.loads()) {
     if (load.removed() || !load.place->is_built_in()) continue;
     add_place(body, load);

@@ -152,24 +152,7 @@ void LoadCases::at(double load_factor, const std::function<void(PreparedScene&)>
 
 void LoadCases::with(const scene::SceneValues& values, const std::function<void(PreparedScene&)>& read) {
   model_.prepare();
-  PreparedScene& scene = model_.prepared();
-  fracture::CrackEvolution& evolution = *scene.evolution;
-  fracture::EvolutionState state = evolution.state();
-  fracture::Continuation continuation = evolution.continuation();
-  Model::LoadsBefore loads = model_.replace_loads(model_.conditions_under(values), Acting::values);
-  const auto go_back = [&] {
-    evolution.take_held();
-    evolution.restore(std::move(state), std::move(continuation));
-    model_.go_back_to(std::move(loads));
-  };
-  try {
-    evolution.find_equilibrium();
-    read(scene);
-  } catch (...) {
-    go_back();
-    throw;
-  }
-  go_back();
+  model_.under(values, read);
 }
 
 const LoadCases::Solved& LoadCases::under(const std::vector<double>& factors) {

@@ -96,6 +96,7 @@ fracture::CrackPressures Model::pressures_of(const regions::DofConditions& condi
 
 // Keeps the values that act now, because a state may be saved before the new values take effect.
 void Model::values_will_be_set() {
+  if (!prepared_) accuracy_.forget();
   if (!prepared_ || loads_.acting == Acting::others) return;
   loads_.others = acting_values();
 }
@@ -131,6 +132,26 @@ Model::LoadsBefore Model::replace_loads(regions::DofConditions conditions, Actin
   tip_factors_.scene = nullptr;
   ++generation_;
   return before;
+}
+
+void Model::under(scene::SceneValues values, const std::function<void(PreparedScene&)>& read) {
+  fracture::CrackEvolution& evolution = *prepared_->evolution;
+  fracture::EvolutionState state = evolution.state();
+  fracture::Continuation continuation = evolution.continuation();
+  LoadsBefore loads = replace_loads(conditions_under(std::move(values)), Acting::values);
+  const auto go_back = [&] {
+    evolution.take_held();
+    evolution.restore(std::move(state), std::move(continuation));
+    go_back_to(std::move(loads));
+  };
+  try {
+    evolution.find_equilibrium();
+    read(*prepared_);
+  } catch (...) {
+    go_back();
+    throw;
+  }
+  go_back();
 }
 
 void Model::go_back_to(LoadsBefore before) noexcept {

@@ -114,6 +114,7 @@ void Model::call_failed(bool was_prepared, bool unsolvable) noexcept {
   const bool has_begun = state.in_equilibrium || !state.history.empty() || state.load_factor != 0;
   if (was_prepared && (has_begun || !unsolvable)) return;
   prepared_.reset();
+  accuracy_.forget();
   loads_ = {};
   results_.forget();
   ++generation_;
@@ -193,7 +194,11 @@ void Model::prepare() {
   if (scene_.region_ids().empty()) fail(Failure::order, "the scene has no region; add one first");
   regions::require_memory(scene_, options_);
   linalg::require_blas_buffer();
-  prepared_ = build(nullptr);
+  if (regions::has_bodies(scene_)) {
+    accuracy_.prepare();
+  } else {
+    prepared_ = build(nullptr);
+  }
   ++generation_;
   prepared_->anchored_pieces = pieces_.anchored_count();
   say([&] { tell_of_preparation(); });

@@ -15,6 +15,7 @@
 #include "cancellation.hpp"
 #include "fracture/crack_evolution.hpp"
 #include "linalg/external_solver.hpp"
+#include "model/accuracy.hpp"
 #include "model/answers.hpp"
 #include "model/crack_paths.hpp"
 #include "model/edge_results.hpp"
@@ -125,6 +126,8 @@ class Model {
   EdgeResults& edges() { return edges_; }
   Fatigue& fatigue() { return fatigue_; }
   const Fatigue& fatigue() const { return fatigue_; }
+  Accuracy& accuracy() { return accuracy_; }
+  const Accuracy& accuracy() const { return accuracy_; }
   LoadCases& load_cases() { return load_cases_; }
   const LoadCases& load_cases() const { return load_cases_; }
   // Whether the body counts as separated although bonds still connect the held part and the loaded part, like a hinge.
@@ -152,6 +155,7 @@ class Model {
   void write_tips(const std::string& path) const;
 
  private:
+  friend class Accuracy;
   friend class CrackLengthening;
   friend class ElementCarrier;
   friend class LineLengthening;
@@ -179,6 +183,8 @@ class Model {
   };
   LoadsBefore replace_loads(regions::DofConditions conditions, Acting acting);
   void go_back_to(LoadsBefore before) noexcept;
+  // Calls `read` while the prepared body is in equilibrium under other values, in the state in which it is.
+  void under(scene::SceneValues values, const std::function<void(PreparedScene&)>& read);
   void apply_pending_values();
   scene::SceneValues acting_values() const;
   std::optional<fracture::CrackEvolution::Heat> heat(const regions::DofConditions& conditions);
@@ -263,6 +269,7 @@ class Model {
   EdgeResults edges_{*this};
   Fatigue fatigue_{*this};
   LoadCases load_cases_{*this};
+  Accuracy accuracy_{*this};
   results::Snapshots snapshots_;
   Progress progress_;
   Log log_;

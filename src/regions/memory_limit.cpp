@@ -53,10 +53,15 @@ void require_memory(const scene::Scene& scene, const scene::Options& options) {
                      "choose larger spacings and elements", options);
 }
 
+double memory_allowed(const scene::Options& options) {
+  const double wanted = options.number("memory.limit");
+  return wanted > 0 ? wanted * gigabyte : memory_of_process();
+}
+
 void require_memory_for(double bytes, const std::string& what, const std::string& advice,
                         const scene::Options& options) {
   const double wanted = options.number("memory.limit");
-  const double limit = wanted > 0 ? wanted * gigabyte : memory_of_process();
+  const double limit = memory_allowed(options);
   require(bytes <= limit, "preparing would need about ", bytes / gigabyte, " GB for ", what, "; ",
           wanted > 0                    ? "the option memory.limit allows "
           : limit < memory_of_machine() ? "the control group of this process allows "

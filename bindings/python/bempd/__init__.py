@@ -38,6 +38,7 @@ from .fatigue import FatigueLife, FatigueStop
 from .model import Model
 from .options import OptionInfo, Options, describe_options
 from .reports import (
+    BodyPlan,
     Bonds,
     BondState,
     CrackExtension,
@@ -46,6 +47,8 @@ from .reports import (
     EdgeNodes,
     EdgePlaces,
     EdgeReaction,
+    ErrorSource,
+    Errors,
     Explanation,
     Growth,
     LoadRule,
@@ -70,8 +73,8 @@ from .tables import Rows, Table, table
 __version__ = version()
 
 __all__ = [
-    "ArgumentError", "BondState", "Bonds", "CancelledError", "Convergence", "ConvergenceError", "ConvergenceTable", "CrackExtension", "CrackOpening",
-    "CrackTip", "EdgeNodes", "EdgePlaces", "EdgeReaction", "Ensemble", "Error", "Explanation", "FatigueLife", "FatigueStop", "FileError", "Growth", "InternalError", "LoadRule", "Model", "NextEvent", "OptionInfo", "Options", "OrderError",
+    "ArgumentError", "BodyPlan", "BondState", "Bonds", "CancelledError", "Convergence", "ConvergenceError", "ConvergenceTable", "CrackExtension", "CrackOpening",
+    "CrackTip", "EdgeNodes", "EdgePlaces", "EdgeReaction", "Ensemble", "Error", "ErrorSource", "Errors", "Explanation", "FatigueLife", "FatigueStop", "FileError", "Growth", "InternalError", "LoadRule", "Model", "NextEvent", "OptionInfo", "Options", "OrderError",
     "OutOfMemoryError", "PathVertex", "Piece", "PointValues", "ProgressBar", "Rows", "Singularity", "SingularityKind", "State", "Statistics",
     "StepReport", "StopReason", "SupportHistory", "Table", "TipEnd", "TipMethod", "TipRecord", "TipState", "UnknownOptionError", "UnsolvableError",
     "build_info", "converge", "describe_options", "ensemble", "library_path", "outline", "progress_bar", "random_cracks", "random_field", "read_ensemble", "read_history", "rectangle", "specimens", "table", "version", "weibull_field",

@@ -65,6 +65,55 @@ typedef struct bempd_material {
 } bempd_material;
 bempd_status bempd_material_init(bempd_material *material, int64_t struct_size);
 bempd_status bempd_add_material(bempd_model *model, const bempd_material *material, int32_t *id);
+bempd_status bempd_add_body(bempd_model *model, int32_t material, int64_t vertex_count,
+    const double *vertices, int32_t *body);
+bempd_status bempd_add_body_with_arcs(bempd_model *model, int32_t material, int64_t vertex_count,
+    const double *vertices, const double *bulges, int32_t *body);
+typedef struct bempd_body_plan {
+  int64_t struct_size;
+  int64_t boundary_elements;
+  int64_t unknowns;
+  int64_t material_points;
+  int64_t bonds;
+  double memory;
+  double seconds;
+  double seconds_spent;
+  double error_wanted;
+  double displacement_error;
+  double reaction_error;
+  double intensity_error;
+  double growth_load_error;
+  double growth_load_factor;
+  int32_t growth_crack;
+  int32_t growth_end;
+  int32_t meets_wish;
+  int32_t is_solved;
+} bempd_body_plan;
+bempd_status bempd_body_plan_init(bempd_body_plan *plan, int64_t struct_size);
+bempd_status bempd_plan(bempd_model *model, bempd_body_plan *plan);
+typedef enum bempd_error_source {
+  BEMPD_ERROR_SOURCE_BOUNDARY = 1,
+  BEMPD_ERROR_SOURCE_LATTICE = 2,
+  BEMPD_ERROR_SOURCE_PATCH = 3,
+  BEMPD_ERROR_SOURCE_MODEL = 4
+} bempd_error_source;
+typedef struct bempd_errors {
+  int64_t struct_size;
+  double wanted;
+  double displacement;
+  double reaction;
+  double stress_intensity;
+  double growth_load;
+  double lattice;
+  double patch;
+  double model;
+  int32_t dominating;
+  int32_t reserved;
+  double halving_seconds;
+  double halving_memory;
+} bempd_errors;
+bempd_status bempd_errors_init(bempd_errors *errors, int64_t struct_size);
+bempd_status bempd_error_estimate(bempd_model *model, bempd_errors *errors);
 bempd_status bempd_add_bem_region(bempd_model *model, int32_t material, int64_t vertex_count,
     const double *vertices, double element_length, int32_t *region);
 bempd_status bempd_add_bem_region_with_arcs(bempd_model *model, int32_t material,
@@ -910,6 +959,128 @@ material [in]: copied
 id [out]: its id; may be NULL
 return: status
 since: 0.1""",
+    "bempd_add_body": """\
+Add a body: a polygon whose boundary elements the library chooses, its edges straight at first.
+
+A body is a region: ids and edge numbers are those of bempd_add_bem_region(), and all functions for
+regions of boundary elements take it, for holes, arcs, smooth edges, cracks, supports, loads, fields
+and reactions. When the model is prepared, the scene is solved with shorter and shorter elements
+until the difference of the results says that errors are below the option error.wanted;
+bempd_error_estimate() tells them. Elements are graded by themselves towards corners, narrow parts,
+cracks and ends of supports and loads. bempd_set_edge_mesh() says the longest elements that an edge
+has at first. Bodies and regions with given elements may be in one scene.
+
+model [in]: the model
+material [in]: id of a material
+vertex_count [in]: number of vertices, >= 3
+vertices [in]: shape [vertex_count][2], counter-clockwise [m]
+body [out]: its id, that of a region; may be NULL
+return: status
+since: 0.4""",
+    "bempd_add_body_with_arcs": """\
+Add a body as bempd_add_body() does, with edges that may be circular arcs from the start.
+
+model [in]: the model
+material [in]: id of a material
+vertex_count [in]: number of vertices, >= 3
+vertices [in]: shape [vertex_count][2], counter-clockwise [m]
+bulges [in]: shape [vertex_count], as in bempd_add_bem_region_with_arcs(); NULL for straight edges
+  [-]
+body [out]: its id, that of a region; may be NULL
+return: status
+since: 0.4""",
+    "bempd_body_plan": """\
+What preparing a scene with bodies takes, and the errors it will have. Errors are those of
+displacements, reactions and stress intensity factors that come from the boundary elements, each
+relative to the largest of its kind in the scene, at the load factor 1. Fill it with
+bempd_body_plan_init().
+
+since: 0.4""",
+    "bempd_body_plan.struct_size": """sizeof(bempd_body_plan), set by bempd_body_plan_init()""",
+    "bempd_body_plan.boundary_elements": """of all regions and cracks""",
+    "bempd_body_plan.unknowns": """displacement components of all nodes""",
+    "bempd_body_plan.material_points": """of peridynamic regions""",
+    "bempd_body_plan.bonds": """of peridynamic regions""",
+    "bempd_body_plan.memory": """largest memory of preparing, without the sparse factor [B]""",
+    "bempd_body_plan.seconds": """time of preparing with this mesh and of the first solution [s]""",
+    "bempd_body_plan.seconds_spent": """time that coarser meshes took until now [s]""",
+    "bempd_body_plan.error_wanted": """option error.wanted [-]""",
+    "bempd_body_plan.displacement_error": """[-]""",
+    "bempd_body_plan.reaction_error": """[-]""",
+    "bempd_body_plan.intensity_error": """of stress intensity factors; 0 without cracks [-]""",
+    "bempd_body_plan.growth_load_error": """of growth_load_factor, relative; 0 if nothing grows [-]""",
+    "bempd_body_plan.growth_load_factor": """\
+load factor at which a crack first grows; the largest double if none does [-]""",
+    "bempd_body_plan.growth_crack": """crack that grows then, or 0""",
+    "bempd_body_plan.growth_end": """its end, a bempd_tip_end, or 0""",
+    "bempd_body_plan.meets_wish": """1 if the errors are at most error_wanted""",
+    "bempd_body_plan.is_solved": """\
+1 if this mesh has been solved; 0 for numbers extrapolated from coarser ones""",
+    "bempd_body_plan_init": """\
+Set struct_size and zeros.
+
+plan [out]: the struct to fill
+struct_size [in]: sizeof(bempd_body_plan) as the caller was compiled: older programs keep working
+return: status
+since: 0.4""",
+    "bempd_plan": """\
+Plan the elements of bodies before anything expensive is solved: only meshes are solved whose
+elements are twice as long as those of the plan, or longer. The model is not prepared by it, and the
+scene may still change. Of a prepared model it tells what has come.
+
+model [in]: a model with a body
+plan [in,out]: struct_size in, the rest out
+return: status
+since: 0.4""",
+    "bempd_error_source": """Where errors come from.
+
+since: 0.4""",
+    "BEMPD_ERROR_SOURCE_BOUNDARY": """lengths of boundary elements""",
+    "BEMPD_ERROR_SOURCE_LATTICE": """spacing of lattices""",
+    "BEMPD_ERROR_SOURCE_PATCH": """borders between lattices and boundary elements in bodies""",
+    "BEMPD_ERROR_SOURCE_MODEL": """growth criterion""",
+    "bempd_errors": """\
+Errors of the present results by source, relative as in bempd_body_plan. The sources are never
+added. Fill it with bempd_errors_init().
+
+since: 0.4""",
+    "bempd_errors.struct_size": """sizeof(bempd_errors), set by bempd_errors_init()""",
+    "bempd_errors.wanted": """option error.wanted [-]""",
+    "bempd_errors.displacement": """of displacements, from boundary elements [-]""",
+    "bempd_errors.reaction": """of reactions, from boundary elements [-]""",
+    "bempd_errors.stress_intensity": """\
+of stress intensity factors at tips with elements, from boundary elements [-]""",
+    "bempd_errors.growth_load": """\
+of the load factor at which a crack with elements grows next, from boundary elements; relative to
+that load factor, 0 if none grows [-]""",
+    "bempd_errors.lattice": """from lattices; 0 without lattices, NaN with them: it is not estimated [-]""",
+    "bempd_errors.patch": """from lattices in bodies; 0 without them [-]""",
+    "bempd_errors.model": """\
+relative difference of the next load of growth between the choices of the option crack.criterion; 0
+without cracks that grow [-]""",
+    "bempd_errors.dominating": """a bempd_error_source: the largest of those that are known""",
+    "bempd_errors.reserved": """0""",
+    "bempd_errors.halving_seconds": """time of preparing that half as long boundary elements would take [s]""",
+    "bempd_errors.halving_memory": """memory that they would take [B]""",
+    "bempd_errors_init": """\
+Set struct_size and zeros.
+
+errors [out]: the struct to fill
+struct_size [in]: sizeof(bempd_errors) as the caller was compiled: older programs keep working
+return: status
+since: 0.4""",
+    "bempd_error_estimate": """\
+Estimate the errors of the present results, at the present loads and cracks, of bodies and of
+regions with given elements alike.
+
+The scene is solved with its elements merged in pairs and in fours, and the differences are
+extrapolated; this takes about a fifth of the time of preparing. Not possible once bonds have broken
+or a part has come off, which is an order error.
+
+model [in]: the model
+errors [in,out]: struct_size in, the rest out
+return: status
+since: 0.4""",
     "bempd_add_bem_region": """\
 Add a region treated by boundary elements: a polygon, its edges straight at first.
 

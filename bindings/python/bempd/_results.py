@@ -19,11 +19,13 @@ from ._words import in_python
 from .errors import ArgumentError
 from .tables import Rows
 from .reports import (
+    BodyPlan,
     Bonds,
     CrackExtension,
     CrackOpening,
     CrackTip,
     EdgeReaction,
+    Errors,
     Explanation,
     Growth,
     PathVertex,
@@ -34,8 +36,10 @@ from .reports import (
     SupportHistory,
     TipEnd,
     TipRecord,
+    body_plan,
     crack_extension,
     crack_tip,
+    error_sources,
     explained,
     path_vertex,
     rows,
@@ -405,6 +409,21 @@ class Results:
         self._open().call("bempd_crack_opening", crack, len(places), arguments.doubles(places),
                           arguments.doubles(normal), arguments.doubles(tangential))
         return CrackOpening(normal, tangential)
+
+    def plan(self) -> BodyPlan:
+        """Elements, unknowns, memory, time and errors of a scene with bodies, before anything expensive is solved.
+
+        Of a prepared model it has what has come.
+        """
+        struct = new_struct("bempd_body_plan", "bempd_body_plan_init")
+        self._open().call("bempd_plan", struct)
+        return body_plan(struct)
+
+    def error_estimate(self) -> Errors:
+        """Errors of the present results by source; it solves the scene with longer elements."""
+        struct = new_struct("bempd_errors", "bempd_errors_init")
+        self._open().call("bempd_error_estimate", struct)
+        return error_sources(struct)
 
     def statistics(self) -> Statistics:
         """Sizes, counters and times so far."""

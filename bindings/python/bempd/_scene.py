@@ -90,6 +90,33 @@ class Scene:
         self._sketch.regions[region].bend(1, bends)
         return region
 
+    def add_body(self, material: int, vertices: Union[npt.ArrayLike, Outline], *, bulges: Optional[npt.ArrayLike] = None) -> int:
+        """Add a polygon whose boundary elements the library chooses by the option "error.wanted"; returns its id.
+
+        A body is a region: cracks, supports, loads and results take it like one. Vertices, bulges and outlines are as in
+        add_bem_region(); plan() and error_estimate() tell what is chosen and how accurate it is.
+
+        >>> import bempd
+        >>> model = bempd.Model(options={"error.wanted": 0.001})
+        >>> steel = model.add_material(young_modulus=210e9, poisson_ratio=0.3)
+        >>> arm = model.add_body(steel, bempd.rectangle(0, 0, 4, 1))
+        >>> clamp = model.fix_edge(arm, 4)
+        >>> load = model.add_traction(arm, 2, "y", proportional=-1e6)
+        >>> model.prepare()
+        >>> model.error_estimate().displacement < 0.001
+        True
+        """
+        if isinstance(vertices, Outline):
+            return self._outlined("add_body", vertices, bulges, lambda loop: self.add_body(
+                material, loop.vertices, bulges=loop.bulges))
+        points = arguments.point_array("add_body: vertices", vertices)
+        bends = arguments.bulge_array("add_body: bulges", bulges, len(points))
+        body = self._added("bempd_add_body_with_arcs", material, len(points), arguments.doubles(points),
+                           arguments.doubles(bends))
+        self._sketch.regions[body] = Region("BEM", arguments.pairs(points), material)
+        self._sketch.regions[body].bend(1, bends)
+        return body
+
     def add_bem_disc(self, material: int, centre: Sequence[float], radius: float, element_length: float) -> int:
         """Add a round region treated by boundary elements, of four quarter circles; returns its id."""
         place = arguments.place("add_bem_disc: centre", centre)

@@ -157,6 +157,65 @@ class Explanation:
         return self.text
 
 
+class ErrorSource(enum.IntEnum):
+    """Where errors come from."""
+
+    BOUNDARY = 1
+    LATTICE = 2
+    PATCH = 3
+    MODEL = 4
+
+
+@dataclasses.dataclass(frozen=True)
+class BodyPlan:
+    """What preparing a scene with bodies takes, and the errors that it will have, relative to the largest of their kind."""
+
+    boundary_elements: int
+    unknowns: int
+    material_points: int
+    bonds: int
+    memory: float  #: [B]
+    seconds: float  #: of preparing with this mesh and of the first solution
+    seconds_spent: float  #: on coarser meshes
+    error_wanted: float
+    displacement_error: float
+    reaction_error: float
+    intensity_error: float  #: of stress intensity factors
+    growth_load_error: float
+    growth_load_factor: float  #: at which a crack first grows
+    growth_crack: int  #: that grows then, or 0
+    growth_end: Optional[TipEnd]
+    meets_wish: bool
+    is_solved: bool  #: else extrapolated from coarser meshes
+
+    def __str__(self) -> str:
+        worst = max(self.displacement_error, self.reaction_error, self.intensity_error)
+        return (f"{self.boundary_elements} boundary elements, {self.unknowns} unknowns, {self.memory / 1e6:.3g} MB, "
+                f"{self.seconds:.2g} s; largest error {100 * worst:.2g} % for {100 * self.error_wanted:.2g} % wanted")
+
+
+@dataclasses.dataclass(frozen=True)
+class Errors:
+    """Errors of results by source, relative to the largest of their kind; sources are never added."""
+
+    wanted: float
+    displacement: float  #: from boundary elements, as the next three
+    reaction: float
+    stress_intensity: float
+    growth_load: float
+    lattice: float  #: NaN where it is not estimated
+    patch: float
+    model: float  #: by the growth criterion
+    dominating: ErrorSource
+    halving_seconds: float  #: that half as long elements would take
+    halving_memory: float  #: [B]
+
+    @property
+    def largest(self) -> float:
+        """Largest error of displacements, reactions and stress intensity factors from boundary elements."""
+        return max(self.displacement, self.reaction, self.stress_intensity)
+
+
 @dataclasses.dataclass(frozen=True)
 class Growth:
     """What growth of cracks by a length did."""
@@ -372,6 +431,21 @@ def crack_tip(struct: Any) -> CrackTip:
     values["grown"], values["branched"] = bool(values["grown"]), bool(values["branched"])
     values["load_rule"], values["closed"] = LoadRule(values["load_rule"]), bool(values["closed"])
     return CrackTip(**values)
+
+
+def body_plan(struct: Any) -> BodyPlan:
+    """A plan as a value."""
+    values = values_of(struct, "bempd_body_plan", BodyPlan)
+    values["growth_end"] = TipEnd(values["growth_end"]) if values["growth_end"] else None
+    values["meets_wish"], values["is_solved"] = bool(values["meets_wish"]), bool(values["is_solved"])
+    return BodyPlan(**values)
+
+
+def error_sources(struct: Any) -> Errors:
+    """Errors as a value."""
+    values = values_of(struct, "bempd_errors", Errors)
+    values["dominating"] = ErrorSource(values["dominating"])
+    return Errors(**values)
 
 
 def explained(struct: Any, text: str) -> Explanation:

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "error.hpp"
+#include "geometry/coarse_sizes.hpp"
 #include "regions/boundary/region_subdomains.hpp"
 #include "regions/scheme.hpp"
 #include "scene/outline_rules.hpp"
@@ -67,14 +68,21 @@ BoundaryDescription::BoundaryDescription(int material, Outline outline, double e
   require_element_length(element_length, perimeter(this->outline()));
 }
 
+BoundaryDescription::BoundaryDescription(int material, Outline outline)
+    : Region(material, checked(std::move(outline))),
+      element_length_(coarsest_element(this->outline())),
+      is_body_(true) {}
+
 void BoundaryDescription::set_outline(Outline changed) {
-  require_element_length(element_length_, perimeter(changed));
+  const double length = is_body_ ? coarsest_element(changed) : element_length_;
+  require_element_length(length, perimeter(changed));
   const std::vector<Edge> edges = edges_of(changed);
   for (const auto& [edge, mesh] : own_mesh_) {
     require_element_length(mesh.element_length, edges[edge - 1].length());
     require_long_elements(edge, edges[edge - 1].length(), mesh);
   }
   take_outline(std::move(changed));
+  element_length_ = length;
 }
 
 void BoundaryDescription::set_edge_mesh(int edge, const scene::EdgeMesh& mesh) {
@@ -100,7 +108,11 @@ void BoundaryDescription::add_size(scene::SizeEstimate& size) const {
 
 void BoundaryDescription::identify(Hash& hash) const {
   Region::identify(hash);
-  hash.add(element_length_);
+  if (is_body_) {
+    hash.add(std::string_view("body"));
+  } else {
+    hash.add(element_length_);
+  }
   hash.add(own_mesh_.size());
   for (const auto& [edge, mesh] : own_mesh_) {
     hash.add(edge);
@@ -113,12 +125,46 @@ std::unique_ptr<regions::Region> BoundaryDescription::build(int id, const Prepar
   return preparation.scheme.boundary_region(id, *this, preparation.scene.material(material()));
 }
 
+bool is_body(const scene::Region& region) {
+  const auto* boundary = dynamic_cast<const BoundaryDescription*>(&region);
+  return boundary && boundary->is_body();
+}
+
+bool has_bodies(const scene::Scene& scene) {
+  const std::vector<int> ids = scene.region_ids();
+  return std::any_of(ids.begin(), ids.end(), [&](int id) { return is_body(scene.region(id)); });
+}
+
+int halvings_of(const scene::Region& region) {
+  const auto* boundary = dynamic_cast<const BoundaryDescription*>(&region);
+  return boundary ? boundary->halvings() : 0;
+}
+
+Refinement refine(scene::Scene& scene, const Refinement& refinement) {
+  Refinement before;
+  for (const int id : scene.region_ids()) {
+    // The scene is the caller's to change, and its regions belong to it.
+    auto* boundary = dynamic_cast<BoundaryDescription*>(const_cast<scene::Region*>(&scene.region(id)));
+    if (!boundary) continue;
+    before = boundary->refinement();
+    boundary->refine(refinement);
+  }
+  return before;
+}
+
 int add_boundary_region(scene::Scene& scene, int material, const std::vector<Point>& vertices, double element_length,
                         const std::vector<double>& bulges) {
   scene.material(material);
   Outline outline;
   scene::append_loop(outline, vertices, bulges);
   return scene.add_region(std::make_unique<BoundaryDescription>(material, std::move(outline), element_length));
+}
+
+int add_body(scene::Scene& scene, int material, const std::vector<Point>& vertices, const std::vector<double>& bulges) {
+  scene.material(material);
+  Outline outline;
+  scene::append_loop(outline, vertices, bulges);
+  return scene.add_region(std::make_unique<BoundaryDescription>(material, std::move(outline)));
 }
 
 int add_boundary_disc(scene::Scene& scene, int material, const Point& centre, double radius, double element_length) {

@@ -4,7 +4,10 @@
 #include <cmath>
 
 #include "error.hpp"
+#include "geometry/coarse_sizes.hpp"
+#include "geometry/halving.hpp"
 #include "geometry/segment.hpp"
+#include "regions/boundary/boundary_description.hpp"
 #include "regions/boundary/corner_grading.hpp"
 #include "regions/boundary/grid_borders.hpp"
 #include "regions/outlined/outlined_region.hpp"
@@ -98,15 +101,23 @@ std::vector<double> shared_stations(const Scene& scene, int region, int edge, co
   return element_stations(piece.length(), mesh.element_length, mesh.grading, piece.sweep);
 }
 
-// Displacement components that supports hold on the piece of an edge that a panel comes from.
-Held held_on(const Scene& scene, int region, const PanelSource& source) {
-  if (source.border != Border::free) return Held::interface;
+// Piece of a boundary that a panel comes from, with what supports hold and which loads act there.
+BoundaryPiece piece_of(const Scene& scene, int region, const PanelSource& source, const Arc& arc) {
+  BoundaryPiece piece{arc, Held::interface, 0, {}};
+  if (source.border != Border::free) return piece;
   const double middle = 0.5 * (source.from + source.to);
-  int components = 0;
+  const auto acts = [&](const Condition& one) {
+    return !one.removed() && one.place->covers(region, source.edge, middle);
+  };
   for (const Condition& support : scene.supports())
-    if (!support.removed() && support.place->covers(region, source.edge, middle)) components |= support.components;
+    if (acts(support)) piece.components |= support.components;
+  for (std::size_t l = 0; l < scene.loads().size(); ++l)
+    if (acts(scene.loads()[l])) piece.loads.push_back(static_cast<int>(l) + 1);
   constexpr int both = 3;
-  return components == 0 ? Held::nothing : components == both ? Held::both_components : Held::one_component;
+  piece.held = piece.components == 0      ? Held::nothing
+               : piece.components == both ? Held::both_components
+                                          : Held::one_component;
+  return piece;
 }
 
 // Reach of the error at a singular place, in lengths of the last element before it: up to this distance it affects the
@@ -126,32 +137,50 @@ bool is_near_crack(const Preparation& p, int region, const Point& x, double reac
 
 // Singular ends of a panel that are close to a crack of the region. Where the host has chosen the element length,
 // elements are only graded towards these.
-SingularEnds near_cracks(const Preparation& p, int region, const Panel& panel, SingularEnds singular) {
+EndDivisions near_cracks(const Preparation& p, int region, const Panel& panel, EndDivisions divisions) {
   const std::vector<double>& stations = panel.stations;
   const double reach = reach_of_corners * panel.arc().length();
   const double first = reach * stations[1], last = reach * (1 - stations[stations.size() - 2]);
-  return {singular.start && is_near_crack(p, region, panel.start, first),
-          singular.end && is_near_crack(p, region, panel.end, last)};
+  if (divisions.start > 0 && !is_near_crack(p, region, panel.start, first)) divisions.start = 0;
+  if (divisions.end > 0 && !is_near_crack(p, region, panel.end, last)) divisions.end = 0;
+  return divisions;
 }
 
-// Grades elements towards corners and ends of supports at which stress is singular.
+// Grades elements towards corners and ends of supports at which stress is singular, and in bodies towards jumps of
+// tractions.
 void grade_corners(const Preparation& p, int region, BoundaryPanels& panels) {
   const scene::Region& described = p.scene.region(region);
+  const DivisionRule rule =
+      is_body(described) ? divisions_for(p.options.number("error.wanted"), p.scene.material_of(region).elasticity)
+                         : DivisionRule(usual_divisions);
   std::size_t first = 0;
   for (auto& loop : panels.loops) {
     std::vector<BoundaryPiece> pieces;
     pieces.reserve(loop.size());
     for (std::size_t k = 0; k < loop.size(); ++k)
-      pieces.push_back({loop[k].arc(), held_on(p.scene, region, panels.sources[first + k])});
-    const std::vector<SingularEnds> singular = singular_ends(pieces);
+      pieces.push_back(piece_of(p.scene, region, panels.sources[first + k], loop[k].arc()));
+    const std::vector<EndDivisions> divisions = end_divisions(pieces, rule);
     for (std::size_t k = 0; k < loop.size(); ++k) {
       if (pieces[k].held == Held::interface) continue;
       const bool is_chosen = described.has_own_mesh(panels.sources[first + k].edge);
-      const SingularEnds ends = is_chosen ? near_cracks(p, region, loop[k], singular[k]) : singular[k];
-      loop[k].stations = refined_towards(ends, loop[k].stations);
+      loop[k].stations =
+          divided(is_chosen ? near_cracks(p, region, loop[k], divisions[k]) : divisions[k], loop[k].stations);
     }
     first += loop.size();
   }
+}
+
+// Gives the free edges of a body its coarsest elements.
+void choose_sizes(const scene::Region& described, BoundaryPanels& panels) {
+  const CoarseSizes sizes(panels.loops);
+  int number = 0;
+  for (auto& loop : panels.loops)
+    for (Panel& panel : loop) {
+      const PanelSource& source = panels.sources[static_cast<std::size_t>(number)];
+      if (source.border == Border::free && !described.has_own_mesh(source.edge))
+        panel.stations = sizes.stations(number);
+      ++number;
+    }
 }
 
 // Element ends on a piece of an edge, as fractions of the piece.
@@ -240,8 +269,24 @@ BoundaryPanels mesh_edges(const Preparation& preparation, const MeshingRules& ru
     result.loops.emplace_back();
     for (std::size_t k = 0; k < loop.size(); ++k) mesh_edge(preparation, rules, region, ++edge, mouths, result);
   }
+  if (const scene::Region& described = preparation.scene.region(region); is_body(described))
+    choose_sizes(described, result);
   if (rules.grade_corners) grade_corners(preparation, region, result);
   return result;
+}
+
+void halve_elements(const Preparation& preparation, int region, BoundaryPanels& panels) {
+  const scene::Scene& scene = preparation.scene;
+  const int own = halvings_of(scene.region(region));
+  std::size_t number = 0;
+  for (auto& loop : panels.loops)
+    for (Panel& panel : loop) {
+      const PanelSource& source = panels.sources[number++];
+      if (source.border == Border::grid && !source.tied) continue;
+      const bool is_shared = source.border == Border::elements;
+      const int other = is_shared ? halvings_of(scene.region(source.other_region)) : own;
+      panel.stations = halved(std::move(panel.stations), std::max(own, other));
+    }
 }
 
 }  // namespace bempd::regions

@@ -43,4 +43,8 @@ std::vector<Point> panel_ends(const Preparation& preparation, int region);
 BoundaryPanels mesh_edges(const Preparation& preparation, const MeshingRules& rules, int region,
                           const std::vector<Point>& mouths = {});
 
+// Halves or merges the elements of a region as the scene's refinement says. On an interface both regions get the same
+// elements; those on the points of a lattice stay.
+void halve_elements(const Preparation& preparation, int region, BoundaryPanels& panels);
+
 }  // namespace bempd::regions

@@ -51,6 +51,7 @@ void BoundaryRegion::mesh(const Preparation& preparation) {
   cracks_ = cracks_of(preparation, id());
   BoundaryPanels panels = mesh_edges(preparation, rules, id(), cracks_ ? cracks_->mouths() : std::vector<Point>());
   refine_at_cracks(preparation, cracks_.get(), panels);
+  halve_elements(preparation, id(), panels);
   panels_ = std::move(panels.sources);
   mesh_ = make_mesh(panels.loops);
   if (!cracks_) return cut_if_large(preparation);

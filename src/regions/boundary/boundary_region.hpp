@@ -85,6 +85,8 @@ class BoundaryRegion : public Region {
   std::unique_ptr<Evaluator> evaluator(const Solution& solution, const FieldsOfRegion& fields,
                                        bool with_stress) const override;
   int rank_at_interfaces() const override { return 1; }
+  // Estimated memory [B] that preparing takes with `times` as many elements.
+  double memory_of_preparing(double times) const;
   void add_statistics(RegionStatistics& statistics) const override;
 
  protected:

@@ -1,10 +1,17 @@
 #include "error.hpp"
 #include "regions/boundary/boundary_region.hpp"
+#include "regions/boundary/region_cracks.hpp"
 #include "regions/boundary/region_subdomains.hpp"
 #include "regions/memory_limit.hpp"
 
 // Subdomains: parts with operators of their own, into which a large region without cracks is cut.
 namespace bempd::regions {
+
+double BoundaryRegion::memory_of_preparing(double times) const {
+  if (!cracks_) return least_memory_of_region(times * static_cast<double>(mesh_.elements.size()));
+  return RegionCracks::memory_of(times *
+                                 static_cast<double>(mesh_.elements.size() + cracks_->elements().elements.size()));
+}
 
 const std::vector<Point>& BoundaryRegion::places() const { return subdomains_ ? subdomains_->places() : mesh_.nodes; }
 

@@ -1,17 +1,23 @@
 #include "regions/boundary/corner_grading.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <optional>
+
+#include "elasticity/wedge_exponent.hpp"
 
 namespace bempd::regions {
 
 namespace {
 
-// Division of an element at a singular end: number of divisions, and the distance of each new element end from the
-// singular end over that of the previous one. The error of displacements drops to 2e-3 of its value or less, because it
-// falls at least like the size of the last element (crack tips).
-constexpr int levels = 5;
+// Division of an element towards an end of its piece: the distance of each new element end from that end over that of
+// the previous one.
 constexpr double ratio = 0.3;
+
+// With these divisions the error of displacements far from a crack tip drops to 2e-3 of its value, because it falls
+// like the size of the last element. It falls faster at other places.
+constexpr int usual_count = 5;
 
 // Largest angle of a corner [rad] without a stress singularity, for the conditions on its two sides. A support that
 // holds one component counts as a plane of symmetry.
@@ -31,29 +37,62 @@ bool is_singular(const BoundaryPiece& before, const BoundaryPiece& after) {
   return std::numbers::pi - turn > largest_regular_angle(before.held, after.held) + slack;
 }
 
+// Exponent with which displacements grow with the distance from a singular place.
+double exponent_at(const BoundaryPiece& before, const BoundaryPiece& after, const PlaneElasticity& elasticity) {
+  constexpr double of_crack_tip = 0.5;
+  const Point along = before.arc.tangent(1), on = after.arc.tangent(0);
+  const double opening = std::numbers::pi - std::atan2(cross(along, on), along.dot(on));
+  const Wedge wedge{std::atan2(on.y(), on.x()), {{opening, elasticity}}, {after.components, before.components}, false};
+  const auto exponent = elasticity.poisson_ratio < 0.5 ? singular_exponent(wedge) : std::nullopt;
+  return exponent ? exponent->real() : of_crack_tip;
+}
+
+// Whether tractions may jump where two pieces meet, so that stress depends on the direction there.
+bool has_jump(const BoundaryPiece& before, const BoundaryPiece& after) {
+  constexpr double straight_on = 0.02;
+  if (before.held == Held::interface || after.held == Held::interface) return false;
+  if (before.loads != after.loads) return true;
+  const Point along = before.arc.tangent(1), on = after.arc.tangent(0);
+  return !before.loads.empty() && std::abs(std::atan2(cross(along, on), along.dot(on))) > straight_on;
+}
+
 }  // namespace
 
-std::vector<SingularEnds> singular_ends(const std::vector<BoundaryPiece>& loop) {
-  std::vector<SingularEnds> ends(loop.size());
+int usual_divisions(const BoundaryPiece& before, const BoundaryPiece& after) {
+  return is_singular(before, after) ? usual_count : 0;
+}
+
+DivisionRule divisions_for(double wanted, const PlaneElasticity& elasticity) {
+  return [wanted, elasticity](const BoundaryPiece& before, const BoundaryPiece& after) {
+    const bool singular = is_singular(before, after);
+    if (!singular && !has_jump(before, after)) return 0;
+    const double exponent = singular ? exponent_at(before, after, elasticity) : 1;
+    constexpr int most = 30;
+    return std::clamp(static_cast<int>(std::ceil(std::log(wanted) / (exponent * std::log(ratio)))), 1, most);
+  };
+}
+
+std::vector<EndDivisions> end_divisions(const std::vector<BoundaryPiece>& loop, const DivisionRule& rule) {
+  std::vector<EndDivisions> ends(loop.size());
   for (std::size_t p = 0; p < loop.size(); ++p) {
     const std::size_t next = (p + 1) % loop.size();
-    if (is_singular(loop[p], loop[next])) ends[p].end = ends[next].start = true;
+    ends[p].end = ends[next].start = rule(loop[p], loop[next]);
   }
   return ends;
 }
 
-std::vector<double> refined_towards(const SingularEnds& singular, const std::vector<double>& stations) {
+std::vector<double> divided(const EndDivisions& divisions, const std::vector<double>& stations) {
   std::vector<double> all = stations;
-  // A single element with two singular ends is halved first, so that each half is divided towards one end.
-  if (singular.start && singular.end && all.size() == 2) all = {0, 0.5, 1};
+  // A single element with two such ends is halved first, so that each half is divided towards one end.
+  if (divisions.start > 0 && divisions.end > 0 && all.size() == 2) all = {0, 0.5, 1};
   const double first = all[1], last = 1 - all[all.size() - 2];
   std::vector<double> refined;
   for (std::size_t i = 0; i < all.size(); ++i) {
     refined.push_back(all[i]);
-    if (i == 0 && singular.start)
-      for (int k = levels; k > 0; --k) refined.push_back(first * std::pow(ratio, k));
-    if (i + 2 == all.size() && singular.end)
-      for (int k = 1; k <= levels; ++k) refined.push_back(1 - last * std::pow(ratio, k));
+    if (i == 0)
+      for (int k = divisions.start; k > 0; --k) refined.push_back(first * std::pow(ratio, k));
+    if (i + 2 == all.size())
+      for (int k = 1; k <= divisions.end; ++k) refined.push_back(1 - last * std::pow(ratio, k));
   }
   return refined;
 }

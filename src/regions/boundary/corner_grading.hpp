@@ -1,7 +1,9 @@
 #pragma once
 
+#include <functional>
 #include <vector>
 
+#include "elasticity/plane_elasticity.hpp"
 #include "geometry/arc.hpp"
 
 namespace bempd::regions {
@@ -12,19 +14,31 @@ enum class Held { nothing, one_component, both_components, interface };
 struct BoundaryPiece {
   Arc arc;
   Held held;
+  int components = 0;      // that are held: 1 x, 2 y, 3 both
+  std::vector<int> loads;  // ids, ascending
 };
 
-struct SingularEnds {
-  bool start = false, end = false;
+// Number of times that the element at each end of a piece is divided towards the end; 0 where stress is regular.
+struct EndDivisions {
+  int start = 0, end = 0;
 };
 
-// Ends of the pieces of one closed loop at which stress is generally singular: re-entrant corners, and ends of supports
-// that do not act as planes of symmetry (M. L. Williams, J. Appl. Mech. 19, 1952). Ends of interfaces are left out,
-// because their singularity depends on the other body too.
-std::vector<SingularEnds> singular_ends(const std::vector<BoundaryPiece>& loop);
+// Divisions at the place where one piece ends and the next begins.
+using DivisionRule = std::function<int(const BoundaryPiece& before, const BoundaryPiece& after)>;
 
-// Element ends `stations` (fractions of the piece) with the elements at singular ends divided repeatedly towards these
-// ends.
-std::vector<double> refined_towards(const SingularEnds& singular, const std::vector<double>& stations);
+// Five divisions where stress is generally unbounded: at re-entrant corners, and at ends of supports that do not act as
+// planes of symmetry (M. L. Williams, J. Appl. Mech. 19, 1952). Ends of interfaces are left out, because their
+// singularity depends on the other body too.
+int usual_divisions(const BoundaryPiece& before, const BoundaryPiece& after);
+
+// As many divisions at these places, and where loads begin or end, as make the error of displacements at the place less
+// than `wanted`, relative to the largest.
+DivisionRule divisions_for(double wanted, const PlaneElasticity& elasticity);
+
+// Divisions at the ends of the pieces of one closed loop.
+std::vector<EndDivisions> end_divisions(const std::vector<BoundaryPiece>& loop, const DivisionRule& rule);
+
+// Element ends `stations` (fractions of the piece) with the elements at the piece's ends divided towards them.
+std::vector<double> divided(const EndDivisions& divisions, const std::vector<double>& stations);
 
 }  // namespace bempd::regions

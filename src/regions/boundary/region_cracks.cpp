@@ -6,6 +6,7 @@
 
 #include "error.hpp"
 #include "geometry/turning.hpp"
+#include "regions/boundary/boundary_description.hpp"
 #include "regions/crack_crossings.hpp"
 #include "regions/memory_limit.hpp"
 
@@ -88,13 +89,15 @@ std::array<double, 3> shape_at(bem::TipEnd tip, double part) {
 
 RegionCracks::RegionCracks(const Preparation& p, int region)
     : region_(region),
+      halvings_(halvings_of(p.scene.region(region))),
       tolerance_(p.tolerance),
       paths_(paths_in(p, region)),
       extents_(extents_in(p, region)),
       edges_(edges_of(p.scene.region(region).outline())),
       lines_(crack_lines(paths_, edges_, p.tolerance)),
       rows_(mouths_on_rows(p, region)),
-      sizes_(lines_, edges_, p.tolerance, {}, panel_ends(p, region), short_elements_at(p, region, rows_)) {
+      sizes_(lines_, edges_, p.tolerance, grading(p.scene.region(region)), panel_ends(p, region),
+             short_elements_at(p, region, rows_)) {
   const std::vector<SharedMouth> shared = shared_mouths(p.cracks);
   for (const Point& mouth : mouths()) {
     const auto is_at = [&](const SharedMouth& one) { return (one.place - mouth).norm() <= 8 * tolerance_; };
@@ -120,23 +123,19 @@ std::vector<Point> RegionCracks::mouths() const {
   return places;
 }
 
-void RegionCracks::mesh(BoundaryMesh& boundary) {
-  mesh_ = bem::mesh_cracks(lines_, sizes_.stations(), boundary, tolerance_);
-  for (const bem::CutElement& e : mesh_.cuts)
-    cut_places_.push_back({boundary.nodes[e.left[0]], boundary.nodes[e.left[1]], boundary.nodes[e.left[2]]});
-}
-
 std::string RegionCracks::gap_sentence(const bem::NarrowGap& gap) const {
   const auto name = [&](int line) { return text("crack ", paths_[lines_.lines[line].crack].id); };
   return text(name(gap.line), " lies ", gap.width, " from ", gap.other < 0 ? text("the boundary") : name(gap.other),
               " at (", gap.place.x(), ", ", gap.place.y(), ")");
 }
 
+double RegionCracks::memory_of(double elements) { return bytes_per_square_with_cracks * elements * elements; }
+
 void RegionCracks::require_memory(const BoundaryMesh& boundary, const scene::Options& options) const {
   const double elements = static_cast<double>(boundary.elements.size() + mesh_.elements.size());
   if (elements < elements_to_tell_of) return;
   const bem::NarrowGap gap = sizes_.narrowest_gap();
-  require_memory_for(bytes_per_square_with_cracks * elements * elements,
+  require_memory_for(memory_of(elements),
                      text(elements, " elements on the boundary and the cracks of region ", region_),
                      (gap.line < 0 ? text("") : gap_sentence(gap) + ", which takes short elements: widen that gap, ") +
                          "choose longer elements or fewer cracks",
@@ -277,24 +276,6 @@ std::unique_ptr<RegionCracks> cracks_of(const Preparation& p, int region) {
   const auto has_part = [&](const PartedCrack& crack) { return crack.has_elements_in(region); };
   if (std::none_of(p.cracks.begin(), p.cracks.end(), has_part)) return nullptr;
   return std::make_unique<RegionCracks>(p, region);
-}
-
-void refine_at_cracks(const Preparation& p, const RegionCracks* own, BoundaryPanels& panels) {
-  if (std::none_of(p.cracks.begin(), p.cracks.end(), [](const auto& crack) { return crack.has_elements(); })) return;
-  std::size_t number = 0;
-  for (auto& loop : panels.loops) {
-    for (Panel& panel : loop) {
-      const PanelSource& source = panels.sources[number++];
-      const bool at_mouth = own && (own->is_on_row(panel.start) || own->is_on_row(panel.end));
-      if (source.border == Border::grid && !(source.tied && at_mouth)) continue;
-      // Regions on an interface get the same elements if both refine for the same region's cracks first.
-      const auto other = source.border == Border::elements ? cracks_of(p, source.other_region) : nullptr;
-      std::array<const RegionCracks*, 2> both{own, other.get()};
-      if (own && other && other->region() < own->region()) std::swap(both[0], both[1]);
-      for (const RegionCracks* cracks : both)
-        if (cracks) panel.stations = cracks->sizes().refined(panel.arc(), panel.stations);
-    }
-  }
 }
 
 }  // namespace bempd::regions

@@ -39,6 +39,8 @@ class RegionCracks {
   const CrackLines& lines() const { return lines_; }
   double tolerance() const { return tolerance_; }
 
+  // Estimated memory [B] of an operator with this number of elements on the boundary and the cracks.
+  static double memory_of(double elements);
   // Throws Error (argument) if the operator on the boundary and the cracks needs more memory than there is.
   void require_memory(const BoundaryMesh& boundary, const scene::Options& options) const;
   // Adds a warning if elements in a narrow gap between a crack and something else are so many that preparing takes
@@ -73,6 +75,8 @@ class RegionCracks {
     std::array<Point, 3> places, openings;
   };
   std::vector<Opened> opened(const bem::CrackedState& state) const;
+  static bem::CrackGrading grading(const scene::Region& region);
+  std::vector<std::vector<double>> halved_stations() const;
   static std::array<Point, 3> openings_on(const bem::CrackElement& element, const bem::CrackedState& state);
   static std::array<Point, 3> openings_on(const bem::CutElement& element, const bem::CrackedState& state);
   // Fraction of the crack's original length at a place on a line. Loads refer to it, so that they stay in place when
@@ -80,7 +84,7 @@ class RegionCracks {
   double fraction_at(int line, const Point& x) const;
   std::string gap_sentence(const bem::NarrowGap& gap) const;
 
-  int region_;
+  int region_, halvings_;
   double tolerance_;
   std::vector<CrackPath> paths_;  // their pieces in this region
   std::vector<CrackExtent> extents_;

@@ -282,6 +282,195 @@ extern "C" {
     ) -> bempd_status;
 }
 extern "C" {
+    /// Add a body: a polygon whose boundary elements the library chooses, its edges straight at
+    /// first.
+    ///
+    /// A body is a region: ids and edge numbers are those of bempd_add_bem_region(), and all
+    /// functions for regions of boundary elements take it, for holes, arcs, smooth edges, cracks,
+    /// supports, loads, fields and reactions. When the model is prepared, the scene is solved with
+    /// shorter and shorter elements until the difference of the results says that errors are below
+    /// the option error.wanted; bempd_error_estimate() tells them. Elements are graded by
+    /// themselves towards corners, narrow parts, cracks and ends of supports and loads.
+    /// bempd_set_edge_mesh() says the longest elements that an edge has at first. Bodies and
+    /// regions with given elements may be in one scene.
+    ///
+    /// * model \[in\]: the model
+    /// * material \[in\]: id of a material
+    /// * vertex_count \[in\]: number of vertices, \>= 3
+    /// * vertices \[in\]: shape \[vertex_count\]\[2\], counter-clockwise \[m\]
+    /// * body \[out\]: its id, that of a region; may be NULL
+    /// * return: status
+    /// * since: 0.4
+    pub fn bempd_add_body(
+        model: *mut bempd_model,
+        material: i32,
+        vertex_count: i64,
+        vertices: *const f64,
+        body: *mut i32,
+    ) -> bempd_status;
+}
+extern "C" {
+    /// Add a body as bempd_add_body() does, with edges that may be circular arcs from the start.
+    ///
+    /// * model \[in\]: the model
+    /// * material \[in\]: id of a material
+    /// * vertex_count \[in\]: number of vertices, \>= 3
+    /// * vertices \[in\]: shape \[vertex_count\]\[2\], counter-clockwise \[m\]
+    /// * bulges \[in\]: shape \[vertex_count\], as in bempd_add_bem_region_with_arcs(); NULL for straight
+    ///   edges \[-\]
+    /// * body \[out\]: its id, that of a region; may be NULL
+    /// * return: status
+    /// * since: 0.4
+    pub fn bempd_add_body_with_arcs(
+        model: *mut bempd_model,
+        material: i32,
+        vertex_count: i64,
+        vertices: *const f64,
+        bulges: *const f64,
+        body: *mut i32,
+    ) -> bempd_status;
+}
+/// What preparing a scene with bodies takes, and the errors it will have. Errors are those of
+/// displacements, reactions and stress intensity factors that come from the boundary elements, each
+/// relative to the largest of its kind in the scene, at the load factor 1. Fill it with
+/// bempd_body_plan_init().
+///
+/// * since: 0.4
+#[repr(C)]
+#[derive(Debug, Copy, Clone)]
+pub struct bempd_body_plan {
+    /// sizeof(bempd_body_plan), set by bempd_body_plan_init()
+    pub struct_size: i64,
+    /// of all regions and cracks
+    pub boundary_elements: i64,
+    /// displacement components of all nodes
+    pub unknowns: i64,
+    /// of peridynamic regions
+    pub material_points: i64,
+    /// of peridynamic regions
+    pub bonds: i64,
+    /// largest memory of preparing, without the sparse factor \[B\]
+    pub memory: f64,
+    /// time of preparing with this mesh and of the first solution \[s\]
+    pub seconds: f64,
+    /// time that coarser meshes took until now \[s\]
+    pub seconds_spent: f64,
+    /// option error.wanted \[-\]
+    pub error_wanted: f64,
+    /// \[-\]
+    pub displacement_error: f64,
+    /// \[-\]
+    pub reaction_error: f64,
+    /// of stress intensity factors; 0 without cracks \[-\]
+    pub intensity_error: f64,
+    /// of growth_load_factor, relative; 0 if nothing grows \[-\]
+    pub growth_load_error: f64,
+    /// load factor at which a crack first grows; the largest double if none does \[-\]
+    pub growth_load_factor: f64,
+    /// crack that grows then, or 0
+    pub growth_crack: i32,
+    /// its end, a bempd_tip_end, or 0
+    pub growth_end: i32,
+    /// 1 if the errors are at most error_wanted
+    pub meets_wish: i32,
+    /// 1 if this mesh has been solved; 0 for numbers extrapolated from coarser ones
+    pub is_solved: i32,
+}
+extern "C" {
+    /// Set struct_size and zeros.
+    ///
+    /// * plan \[out\]: the struct to fill
+    /// * struct_size \[in\]: sizeof(bempd_body_plan) as the caller was compiled: older programs keep
+    ///   working
+    /// * return: status
+    /// * since: 0.4
+    pub fn bempd_body_plan_init(plan: *mut bempd_body_plan, struct_size: i64) -> bempd_status;
+}
+extern "C" {
+    /// Plan the elements of bodies before anything expensive is solved: only meshes are solved
+    /// whose elements are twice as long as those of the plan, or longer. The model is not prepared
+    /// by it, and the scene may still change. Of a prepared model it tells what has come.
+    ///
+    /// * model \[in\]: a model with a body
+    /// * plan \[in,out\]: struct_size in, the rest out
+    /// * return: status
+    /// * since: 0.4
+    pub fn bempd_plan(model: *mut bempd_model, plan: *mut bempd_body_plan) -> bempd_status;
+}
+/// lengths of boundary elements
+pub const BEMPD_ERROR_SOURCE_BOUNDARY: bempd_error_source = 1;
+/// spacing of lattices
+pub const BEMPD_ERROR_SOURCE_LATTICE: bempd_error_source = 2;
+/// borders between lattices and boundary elements in bodies
+pub const BEMPD_ERROR_SOURCE_PATCH: bempd_error_source = 3;
+/// growth criterion
+pub const BEMPD_ERROR_SOURCE_MODEL: bempd_error_source = 4;
+/// Where errors come from.
+///
+/// * since: 0.4
+pub type bempd_error_source = ::std::os::raw::c_uint;
+/// Errors of the present results by source, relative as in bempd_body_plan. The sources are never
+/// added. Fill it with bempd_errors_init().
+///
+/// * since: 0.4
+#[repr(C)]
+#[derive(Debug, Copy, Clone)]
+pub struct bempd_errors {
+    /// sizeof(bempd_errors), set by bempd_errors_init()
+    pub struct_size: i64,
+    /// option error.wanted \[-\]
+    pub wanted: f64,
+    /// of displacements, from boundary elements \[-\]
+    pub displacement: f64,
+    /// of reactions, from boundary elements \[-\]
+    pub reaction: f64,
+    /// of stress intensity factors at tips with elements, from boundary elements \[-\]
+    pub stress_intensity: f64,
+    /// of the load factor at which a crack with elements grows next, from boundary elements;
+    /// relative to that load factor, 0 if none grows \[-\]
+    pub growth_load: f64,
+    /// from lattices; 0 without lattices, NaN with them: it is not estimated \[-\]
+    pub lattice: f64,
+    /// from lattices in bodies; 0 without them \[-\]
+    pub patch: f64,
+    /// relative difference of the next load of growth between the choices of the option
+    /// crack.criterion; 0 without cracks that grow \[-\]
+    pub model: f64,
+    /// a bempd_error_source: the largest of those that are known
+    pub dominating: i32,
+    /// 0
+    pub reserved: i32,
+    /// time of preparing that half as long boundary elements would take \[s\]
+    pub halving_seconds: f64,
+    /// memory that they would take \[B\]
+    pub halving_memory: f64,
+}
+extern "C" {
+    /// Set struct_size and zeros.
+    ///
+    /// * errors \[out\]: the struct to fill
+    /// * struct_size \[in\]: sizeof(bempd_errors) as the caller was compiled: older programs keep
+    ///   working
+    /// * return: status
+    /// * since: 0.4
+    pub fn bempd_errors_init(errors: *mut bempd_errors, struct_size: i64) -> bempd_status;
+}
+extern "C" {
+    /// Estimate the errors of the present results, at the present loads and cracks, of bodies and
+    /// of regions with given elements alike.
+    ///
+    /// The scene is solved with its elements merged in pairs and in fours, and the differences are
+    /// extrapolated; this takes about a fifth of the time of preparing. Not possible once bonds
+    /// have broken or a part has come off, which is an order error.
+    ///
+    /// * model \[in\]: the model
+    /// * errors \[in,out\]: struct_size in, the rest out
+    /// * return: status
+    /// * since: 0.4
+    pub fn bempd_error_estimate(model: *mut bempd_model, errors: *mut bempd_errors)
+        -> bempd_status;
+}
+extern "C" {
     /// Add a region treated by boundary elements: a polygon, its edges straight at first.
     ///
     /// Edge k (1 .. vertex_count) runs from vertex k to the next one. Edges that coincide with

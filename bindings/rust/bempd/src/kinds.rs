@@ -116,6 +116,34 @@ impl NextEvent {
     }
 }
 
+/// Where errors come from.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[non_exhaustive]
+pub enum ErrorSource {
+    /// Lengths of boundary elements.
+    Boundary,
+    /// Spacing of lattices.
+    Lattice,
+    /// Borders between lattices and boundary elements in bodies.
+    Patch,
+    /// Growth criterion.
+    Model,
+    /// One that this version of the crate does not know.
+    Other(i32),
+}
+
+impl ErrorSource {
+    pub(crate) fn from_raw(source: i32) -> ErrorSource {
+        match source as sys::bempd_error_source {
+            sys::BEMPD_ERROR_SOURCE_BOUNDARY => ErrorSource::Boundary,
+            sys::BEMPD_ERROR_SOURCE_LATTICE => ErrorSource::Lattice,
+            sys::BEMPD_ERROR_SOURCE_PATCH => ErrorSource::Patch,
+            sys::BEMPD_ERROR_SOURCE_MODEL => ErrorSource::Model,
+            _ => ErrorSource::Other(source),
+        }
+    }
+}
+
 /// Why stress is unbounded at a place.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[non_exhaustive]

@@ -60,7 +60,7 @@ pub use error::{Error, Result};
 pub use fatigue::{Block, CaseBlock, FatigueOptions, GrowingTip, GrowthRate, RateLaw, Retardation};
 pub use ids::{CrackId, LoadCaseId, LoadId, MaterialId, RegionId, SupportId};
 pub use kinds::{
-    BondState, Component, Face, FaceComponent, Field, LoadRule, LogLevel, NextEvent, Plane, ProgramColumn,
+    BondState, Component, ErrorSource, Face, FaceComponent, Field, LoadRule, LogLevel, NextEvent, Plane, ProgramColumn,
     SingularityKind, StopReason, TipEnd, TipMethod, Turn, Until,
 };
 pub use material::Material;
@@ -68,7 +68,7 @@ pub use model::Model;
 pub use options::{options, OptionInfo, OptionKind};
 pub use raw::{State, View};
 pub use reports::{
-    CrackExtension, CrackTip, Explanation, FatigueRecord, FatigueReport, Growth, HistoryEntry, PathVertex,
+    BodyPlan, CrackExtension, CrackTip, Errors, Explanation, FatigueRecord, FatigueReport, Growth, HistoryEntry, PathVertex,
     PhaseProgress, Piece, Progress, Singularity, Statistics, StepReport, TipRecord,
 };
 pub use results::{Bond, CrackOpening, EdgeReaction, Elements, HistorySupport, PointValues};

@@ -44,6 +44,22 @@ impl Model {
         self.handle.add_material(material).map(MaterialId)
     }
 
+    /// Adds a polygon with straight edges whose boundary elements the library chooses by the option `error.wanted`. A body
+    /// is a region: cracks, supports, loads and results take it like one.
+    pub fn add_body(&mut self, material: MaterialId, vertices: &[[f64; 2]]) -> Result<RegionId> {
+        self.handle.add_body(material.0, vertices).map(RegionId)
+    }
+
+    /// Adds a body with edges that may be circular arcs; `bulges` are as in [`Model::add_bem_region_with_arcs`].
+    pub fn add_body_with_arcs(
+        &mut self,
+        material: MaterialId,
+        vertices: &[[f64; 2]],
+        bulges: &[f64],
+    ) -> Result<RegionId> {
+        self.handle.add_body_with_arcs(material.0, vertices, bulges).map(RegionId)
+    }
+
     /// Adds a polygon with straight edges treated by boundary elements. `vertices` run counter-clockwise [m]; edge `k`,
     /// from 1, goes from vertex `k` to the next one. No element is longer than `element_length` [m].
     ///

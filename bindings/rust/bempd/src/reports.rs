@@ -1,6 +1,6 @@
 use bempd_sys as sys;
 
-use crate::{CrackId, LoadRule, NextEvent, RegionId, SingularityKind, StopReason, TipEnd, TipMethod};
+use crate::{CrackId, ErrorSource, LoadRule, NextEvent, RegionId, SingularityKind, StopReason, TipEnd, TipMethod};
 
 /// Progress of a run, reported after every event.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -73,6 +73,12 @@ impl FromRaw<i32> for CrackId {
 impl FromRaw<i32> for RegionId {
     fn from_raw(raw: i32) -> RegionId {
         RegionId(raw)
+    }
+}
+
+impl FromRaw<i32> for ErrorSource {
+    fn from_raw(raw: i32) -> ErrorSource {
+        ErrorSource::from_raw(raw)
     }
 }
 
@@ -197,6 +203,74 @@ mirror! {
         load_factor: f64,
         /// Present stretch over critical stretch, or equivalent K_I over toughness [-].
         ratio: f64,
+    }
+}
+
+mirror! {
+    /// What preparing a scene with bodies takes, and the errors that it will have, relative to the largest of their kind.
+    BodyPlan of bempd_body_plan {
+        /// Elements of all regions and cracks.
+        boundary_elements: i64,
+        /// Displacement components of all nodes.
+        unknowns: i64,
+        /// Points of peridynamic regions.
+        material_points: i64,
+        /// Bonds of peridynamic regions.
+        bonds: i64,
+        /// Largest memory of preparing, without the sparse factor [B].
+        memory: f64,
+        /// Time of preparing with this mesh and of the first solution [s].
+        seconds: f64,
+        /// Time that coarser meshes took until now [s].
+        seconds_spent: f64,
+        /// Option error.wanted [-].
+        error_wanted: f64,
+        /// Of displacements [-].
+        displacement_error: f64,
+        /// Of reactions [-].
+        reaction_error: f64,
+        /// Of stress intensity factors [-].
+        intensity_error: f64,
+        /// Of the load factor of growth, relative [-].
+        growth_load_error: f64,
+        /// Load factor at which a crack first grows [-].
+        growth_load_factor: f64,
+        /// Crack that grows then.
+        growth_crack: CrackId,
+        /// Its end.
+        growth_end: TipEnd,
+        /// Whether the errors are at most those wanted.
+        meets_wish: bool,
+        /// Whether this mesh has been solved; else numbers are extrapolated from coarser ones.
+        is_solved: bool,
+    }
+}
+
+mirror! {
+    /// Errors of results by source, relative to the largest of their kind; sources are never added.
+    Errors of bempd_errors {
+        /// Option error.wanted [-].
+        wanted: f64,
+        /// Of displacements, from boundary elements [-].
+        displacement: f64,
+        /// Of reactions, from boundary elements [-].
+        reaction: f64,
+        /// Of stress intensity factors, from boundary elements [-].
+        stress_intensity: f64,
+        /// Of the next load factor of growth, from boundary elements [-].
+        growth_load: f64,
+        /// From lattices; NaN where it is not estimated [-].
+        lattice: f64,
+        /// From lattices in bodies [-].
+        patch: f64,
+        /// By the growth criterion [-].
+        model: f64,
+        /// The largest of those that are known.
+        dominating: ErrorSource,
+        /// Time of preparing that half as long elements would take [s].
+        halving_seconds: f64,
+        /// Memory that they would take [B].
+        halving_memory: f64,
     }
 }
 

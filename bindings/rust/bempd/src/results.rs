@@ -1,5 +1,5 @@
 use crate::{
-    BondState, CrackExtension, CrackId, CrackTip, Explanation, Face, Field, Growth, HistoryEntry, LoadId, Model,
+    BodyPlan, BondState, CrackExtension, CrackId, CrackTip, Errors, Explanation, Face, Field, Growth, HistoryEntry, LoadId, Model,
     PathVertex, Piece, RegionId, Result, Singularity, Statistics, SupportId, TipEnd, TipRecord, View,
 };
 
@@ -383,6 +383,16 @@ impl Model {
     /// Number that changes whenever the model's fields may have changed.
     pub fn generation(&self) -> Result<i64> {
         self.handle.generation()
+    }
+
+    /// Elements, unknowns, memory, time and errors of a scene with bodies, before anything expensive is solved.
+    pub fn plan(&self) -> Result<BodyPlan> {
+        Ok(BodyPlan::from_raw(&self.handle.plan()?))
+    }
+
+    /// Errors of the present results by source; it solves the scene with longer elements.
+    pub fn error_estimate(&self) -> Result<Errors> {
+        Ok(Errors::from_raw(&self.handle.error_estimate()?))
     }
 
     /// Sizes, counters and times so far.

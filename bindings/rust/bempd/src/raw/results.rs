@@ -397,6 +397,18 @@ impl Handle {
         self.output(|model, generation| unsafe { sys::bempd_generation(model, generation) })
     }
 
+    pub(crate) fn plan(&self) -> Result<sys::bempd_body_plan> {
+        let mut plan = filled(sys::bempd_body_plan_init)?;
+        self.call(|model| unsafe { sys::bempd_plan(model, &mut plan) })?;
+        Ok(plan)
+    }
+
+    pub(crate) fn error_estimate(&self) -> Result<sys::bempd_errors> {
+        let mut errors = filled(sys::bempd_errors_init)?;
+        self.call(|model| unsafe { sys::bempd_error_estimate(model, &mut errors) })?;
+        Ok(errors)
+    }
+
     pub(crate) fn statistics(&self) -> Result<sys::bempd_statistics> {
         let mut statistics = filled(sys::bempd_statistics_init)?;
         self.call(|model| unsafe { sys::bempd_get_statistics(model, &mut statistics) })?;

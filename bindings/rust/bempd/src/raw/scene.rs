@@ -21,6 +21,19 @@ impl Handle {
         self.output(|model, id| unsafe { sys::bempd_add_material(model, &raw, id) })
     }
 
+    pub(crate) fn add_body(&mut self, material: i32, vertices: &[[f64; 2]]) -> Result<i32> {
+        let (count, vertices) = points(vertices);
+        self.output(|model, body| unsafe { sys::bempd_add_body(model, material, count, vertices, body) })
+    }
+
+    pub(crate) fn add_body_with_arcs(&mut self, material: i32, vertices: &[[f64; 2]], bulges: &[f64]) -> Result<i32> {
+        let bulges = of_edges(vertices, bulges)?;
+        let (count, vertices) = points(vertices);
+        self.output(|model, body| unsafe {
+            sys::bempd_add_body_with_arcs(model, material, count, vertices, bulges, body)
+        })
+    }
+
     pub(crate) fn add_bem_region(&mut self, material: i32, vertices: &[[f64; 2]], element_length: f64) -> Result<i32> {
         let (count, vertices) = points(vertices);
         self.output(|model, region| unsafe {

@@ -1,0 +1,93 @@
+#include <limits>
+
+#include "capi/guard.hpp"
+#include "regions/boundary/boundary_description.hpp"
+
+using namespace bempd;
+using namespace bempd::capi;
+
+namespace {
+
+bempd_status add_body(bempd_model* model, const char* call, int32_t material, int64_t vertex_count,
+                      const double* vertices, const double* bulges, int32_t* body) {
+  return with_model(model, call, [&](model::Model& m) {
+    const auto points = points_from(vertices, vertex_count, "vertices");
+    const auto bends = bulges ? std::vector(bulges, bulges + vertex_count) : std::vector<double>();
+    const int added = regions::add_body(m.editable_scene(), material, points, bends);
+    if (body) *body = added;
+  });
+}
+
+bempd_body_plan described(const model::MeshPlan& plan, const model::Model& m) {
+  const bool grows = plan.first.crack > 0;
+  return {.struct_size = sizeof(bempd_body_plan),
+          .boundary_elements = std::llround(plan.cost.elements),
+          .unknowns = std::llround(plan.cost.unknowns),
+          .material_points = plan.cost.material_points,
+          .bonds = plan.cost.bonds,
+          .memory = plan.cost.bytes,
+          .seconds = plan.cost.seconds,
+          .seconds_spent = plan.seconds_spent,
+          .error_wanted = m.options().number("error.wanted"),
+          .displacement_error = plan.errors.displacement,
+          .reaction_error = plan.errors.reaction,
+          .intensity_error = plan.errors.intensity,
+          .growth_load_error = plan.errors.growth_load,
+          .growth_load_factor = grows ? plan.growth_load : std::numeric_limits<double>::max(),
+          .growth_crack = plan.first.crack,
+          .growth_end = !grows                ? 0
+                        : plan.first.end == 0 ? BEMPD_CRACK_START
+                                              : BEMPD_CRACK_END,
+          .meets_wish = plan.meets_wish ? 1 : 0,
+          .is_solved = plan.is_solved ? 1 : 0};
+}
+
+}  // namespace
+
+bempd_status bempd_add_body(bempd_model* model, int32_t material, int64_t vertex_count, const double* vertices,
+                            int32_t* body) {
+  return add_body(model, __func__, material, vertex_count, vertices, nullptr, body);
+}
+
+bempd_status bempd_add_body_with_arcs(bempd_model* model, int32_t material, int64_t vertex_count,
+                                      const double* vertices, const double* bulges, int32_t* body) {
+  return add_body(model, __func__, material, vertex_count, vertices, bulges, body);
+}
+
+bempd_status bempd_body_plan_init(bempd_body_plan* plan, int64_t struct_size) {
+  return init_struct(__func__, "plan", plan, struct_size, bempd_body_plan{});
+}
+
+bempd_status bempd_plan(bempd_model* model, bempd_body_plan* plan) {
+  return with_model(model, __func__, [&](model::Model& m) {
+    struct_bytes(plan, "plan", sizeof(int64_t));
+    write_struct(plan, described(m.accuracy().plan(), m), "plan");
+  });
+}
+
+bempd_status bempd_errors_init(bempd_errors* errors, int64_t struct_size) {
+  return init_struct(__func__, "errors", errors, struct_size, bempd_errors{});
+}
+
+bempd_status bempd_error_estimate(bempd_model* model, bempd_errors* errors) {
+  return with_model(model, __func__, [&](model::Model& m) {
+    struct_bytes(errors, "errors", sizeof(int64_t));
+    const model::ErrorSources found = m.accuracy().errors_now();
+    const bool is_boundary = !(found.model > found.boundary.largest());
+    write_struct(errors,
+                 bempd_errors{.struct_size = sizeof(bempd_errors),
+                              .wanted = m.options().number("error.wanted"),
+                              .displacement = found.boundary.displacement,
+                              .reaction = found.boundary.reaction,
+                              .stress_intensity = found.boundary.intensity,
+                              .growth_load = found.boundary.growth_load,
+                              .lattice = found.has_lattices ? std::numeric_limits<double>::quiet_NaN() : 0,
+                              .patch = 0,
+                              .model = found.model,
+                              .dominating = is_boundary ? BEMPD_ERROR_SOURCE_BOUNDARY : BEMPD_ERROR_SOURCE_MODEL,
+                              .reserved = 0,
+                              .halving_seconds = found.halving_seconds,
+                              .halving_memory = found.halving_bytes},
+                 "errors");
+  });
+}

@@ -1,0 +1,83 @@
+#include <algorithm>
+
+#include "geometry/halving.hpp"
+#include "regions/boundary/boundary_description.hpp"
+#include "regions/boundary/region_cracks.hpp"
+
+// Elements on the cracks of a region, and on its boundary near them.
+namespace bempd::regions {
+
+namespace {
+
+// Merges the elements of a crack line in pairs `times` times, but those between bends, tips and joints by themselves.
+std::vector<double> merged(const std::vector<double>& stations, const CrackLine& line, int times) {
+  std::vector<double> bends{0.0};
+  for (std::size_t i = 0; i + 1 < line.points.size(); ++i)
+    bends.push_back(bends.back() + (line.points[i + 1] - line.points[i]).norm());
+  std::vector<double> keep{stations.front()}, result;
+  if (line.joints[0] < 0) keep.push_back(stations[1]);
+  const double close = 1e-12 * bends.back();
+  for (const double bend : bends) {
+    const auto at = std::lower_bound(stations.begin(), stations.end(), bend - close);
+    if (at != stations.end()) keep.push_back(*at);
+  }
+  if (line.joints[1] < 0) keep.push_back(stations[stations.size() - 2]);
+  std::sort(keep.begin(), keep.end());
+  keep.erase(std::unique(keep.begin(), keep.end()), keep.end());
+  for (std::size_t k = 0; k + 1 < keep.size(); ++k) {
+    const auto from = std::lower_bound(stations.begin(), stations.end(), keep[k]);
+    const auto to = std::upper_bound(stations.begin(), stations.end(), keep[k + 1]);
+    const std::vector<double> part = halved({from, to}, -times);
+    result.insert(result.end(), part.begin(), part.end() - 1);
+  }
+  result.push_back(stations.back());
+  return result;
+}
+
+}  // namespace
+
+// Elements on the cracks of a body are halved at least once, those of other regions are not.
+bem::CrackGrading RegionCracks::grading(const scene::Region& region) {
+  bem::CrackGrading grading;
+  if (is_body(region)) grading.elements_per_line /= 2, grading.elements_per_growth /= 2;
+  return grading;
+}
+
+// Ends of the elements on each line, halved or merged as those of the region; elements at tips are not merged. A line
+// from a row of material points keeps its elements, whose lengths begin with the spacing.
+std::vector<std::vector<double>> RegionCracks::halved_stations() const {
+  std::vector<std::vector<double>> all = sizes_.stations();
+  for (std::size_t l = 0; l < all.size(); ++l) {
+    const CrackLine& line = lines_.lines[l];
+    const auto on_row = [&](int joint) { return joint >= 0 && is_on_row(lines_.joints[joint].place); };
+    if (on_row(line.joints[0]) || on_row(line.joints[1])) continue;
+    all[l] = halvings_ < 0 ? merged(all[l], line, -halvings_) : halved(all[l], halvings_);
+  }
+  return all;
+}
+
+void RegionCracks::mesh(BoundaryMesh& boundary) {
+  mesh_ = bem::mesh_cracks(lines_, halved_stations(), boundary, tolerance_);
+  for (const bem::CutElement& e : mesh_.cuts)
+    cut_places_.push_back({boundary.nodes[e.left[0]], boundary.nodes[e.left[1]], boundary.nodes[e.left[2]]});
+}
+
+void refine_at_cracks(const Preparation& p, const RegionCracks* own, BoundaryPanels& panels) {
+  if (std::none_of(p.cracks.begin(), p.cracks.end(), [](const auto& crack) { return crack.has_elements(); })) return;
+  std::size_t number = 0;
+  for (auto& loop : panels.loops) {
+    for (Panel& panel : loop) {
+      const PanelSource& source = panels.sources[number++];
+      const bool at_mouth = own && (own->is_on_row(panel.start) || own->is_on_row(panel.end));
+      if (source.border == Border::grid && !(source.tied && at_mouth)) continue;
+      // Regions on an interface get the same elements if both refine for the same region's cracks first.
+      const auto other = source.border == Border::elements ? cracks_of(p, source.other_region) : nullptr;
+      std::array<const RegionCracks*, 2> both{own, other.get()};
+      if (own && other && other->region() < own->region()) std::swap(both[0], both[1]);
+      for (const RegionCracks* cracks : both)
+        if (cracks) panel.stations = cracks->sizes().refined(panel.arc(), panel.stations);
+    }
+  }
+}
+
+}  // namespace bempd::regions
