@@ -101,6 +101,25 @@ module bempd_c
   !> and the other face back.
   integer(c_int), parameter :: BEMPD_SHEAR = 2
 
+  !> What a solver from outside is asked to do.
+  !>
+  !> since: 0.4
+  integer, parameter :: bempd_sparse_request = c_int
+  !> Analyse a new pattern: an order of elimination and what the factor will need.
+  integer(c_int), parameter :: BEMPD_SPARSE_ANALYSE = 1
+  !> Factorize a matrix of that pattern.
+  integer(c_int), parameter :: BEMPD_SPARSE_FACTORIZE = 2
+  !> Solve for the eliminated unknowns, with the kept ones at 0.
+  integer(c_int), parameter :: BEMPD_SPARSE_SOLVE = 3
+  !> First half of a solution: reduce right-hand sides to the kept unknowns.
+  integer(c_int), parameter :: BEMPD_SPARSE_REDUCE = 4
+  !> Second half, right after the first: all unknowns from the kept ones.
+  integer(c_int), parameter :: BEMPD_SPARSE_EXPAND = 5
+  !> Forget a factor, which may be one that was never made.
+  integer(c_int), parameter :: BEMPD_SPARSE_FORGET = 6
+  !> No further request will come.
+  integer(c_int), parameter :: BEMPD_SPARSE_DETACH = 7
+
   !> Why a step ended.
   !>
   !> since: 0.1
@@ -357,7 +376,7 @@ module bempd_c
     type(c_ptr) :: summary
     !> unit, "-" for a pure number; constant string
     type(c_ptr) :: unit
-    !> legal words separated by " | " for a text option, else empty; constant string
+    !> legal words separated by " | " for a text option, empty for any; constant string
     type(c_ptr) :: choices
     !> default of a text option, else empty; constant string
     type(c_ptr) :: default_text
@@ -511,6 +530,47 @@ module bempd_c
     !> handed to the function; may be NULL
     type(c_ptr) :: user
   end type bempd_edge_values
+
+  !> One request to a solver from outside. The matrix is symmetric, and its diagonal entries lie between 1/2 and 2. All
+  !> unknowns are eliminated but the last kept_count ones of the order. Arrays are valid during the request.
+  !>
+  !> since: 0.4
+  type, bind(c) :: bempd_sparse_task
+    !> sizeof(bempd_sparse_task)
+    integer(c_int64_t) :: struct_size
+    !> a bempd_sparse_request
+    integer(c_int32_t) :: request
+    !> number of kept unknowns [-]
+    integer(c_int32_t) :: kept_count
+    !> number of the factor that is meant
+    integer(c_int64_t) :: factor
+    !> number of unknowns [-]
+    integer(c_int64_t) :: unknowns
+    !> ANALYSE, FACTORIZE: shape [unknowns + 1], begins of the lower triangle's columns
+    type(c_ptr) :: column_start
+    !> ANALYSE, FACTORIZE: shape [column_start[unknowns]], rows of the entries from 0
+    type(c_ptr) :: rows
+    !> FACTORIZE: shape [column_start[unknowns]], the entries
+    type(c_ptr) :: values
+    !> ANALYSE: shape [unknowns], unknown eliminated k-th, from 0; NULL for any order
+    type(c_ptr) :: order
+    !> ANALYSE: folder for the factor, empty for memory
+    type(c_ptr) :: scratch
+    !> FACTORIZE: shape [kept_count][kept_count], receives the Schur complement
+    type(c_ptr) :: schur
+    !> SOLVE, REDUCE, EXPAND: number of right-hand sides [-]
+    integer(c_int64_t) :: sides
+    !> SOLVE, REDUCE, EXPAND: shape [sides][unknowns], sides in, solutions out
+    type(c_ptr) :: vectors
+    !> REDUCE: shape [sides][kept_count], receives sides; EXPAND: the values there
+    type(c_ptr) :: kept
+    !> FACTORIZE: receives the smallest pivot [-]
+    real(c_double) :: smallest_pivot
+    !> FACTORIZE: receives the number of entries of the factor [-]
+    integer(c_int64_t) :: entries
+    !> receives a sentence about an error; constant until the next request
+    type(c_ptr) :: message
+  end type bempd_sparse_task
 
   !> What a step did. Fill it with bempd_step_report_init().
   !>
@@ -1224,6 +1284,20 @@ module bempd_c
       type(c_ptr), value :: user
       integer(c_int32_t) :: bempd_phase_function
     end function bempd_phase_function
+
+    !> Solver from outside. Its errors become those of the call that needed it: UNSOLVABLE for a matrix that is not
+    !> positive definite, ORDER, CANCELLED, MEMORY, IO; all others are internal.
+    !>
+    !> task [in,out]: the request, with its results
+    !> user [in]: the pointer given with the function
+    !> return: a bempd_status
+    !> since: 0.4
+    function bempd_sparse_function(task, user) bind(c)
+      import :: bempd_sparse_task, c_int32_t, c_ptr
+      type(bempd_sparse_task), intent(inout) :: task
+      type(c_ptr), value :: user
+      integer(c_int32_t) :: bempd_sparse_function
+    end function bempd_sparse_function
   end interface
 
   interface
@@ -2049,6 +2123,86 @@ module bempd_c
       integer(c_int) :: bempd_edge_count
     end function bempd_edge_count
 
+    !> Name a region. Messages, the log and bempd_explain() then show names behind numbers: region 2 ("middle");
+    !> bempd_write_history() has those of supports in its heading, and bempd_write_snapshot() all of them.
+    !>
+    !> model [in]: the model
+    !> region [in]: id of a region
+    !> name [in]: UTF-8 without control characters; empty takes the name away
+    !> return: status
+    !> since: 0.4
+    function bempd_name_region(model, region, name) bind(c, name="bempd_name_region")
+      import :: c_char, c_int, c_int32_t, c_ptr
+      type(c_ptr), value :: model
+      integer(c_int32_t), value :: region
+      character(kind=c_char), intent(in) :: name(*)
+      integer(c_int) :: bempd_name_region
+    end function bempd_name_region
+
+    !> Name an edge, as bempd_name_region() does a region; several edges may have one name.
+    !>
+    !> model [in]: the model
+    !> region [in]: id of a region
+    !> edge [in]: number of the edge
+    !> name [in]: UTF-8 without control characters; empty takes the name away
+    !> return: status
+    !> since: 0.4
+    function bempd_name_edge(model, region, edge, name) bind(c, name="bempd_name_edge")
+      import :: c_char, c_int, c_int32_t, c_ptr
+      type(c_ptr), value :: model
+      integer(c_int32_t), value :: region
+      integer(c_int32_t), value :: edge
+      character(kind=c_char), intent(in) :: name(*)
+      integer(c_int) :: bempd_name_edge
+    end function bempd_name_edge
+
+    !> Name a support, as bempd_name_region() does a region.
+    !>
+    !> model [in]: the model
+    !> support [in]: id of a support
+    !> name [in]: UTF-8 without control characters; empty takes the name away
+    !> return: status
+    !> since: 0.4
+    function bempd_name_support(model, support, name) bind(c, name="bempd_name_support")
+      import :: c_char, c_int, c_int32_t, c_ptr
+      type(c_ptr), value :: model
+      integer(c_int32_t), value :: support
+      character(kind=c_char), intent(in) :: name(*)
+      integer(c_int) :: bempd_name_support
+    end function bempd_name_support
+
+    !> Name a load, as bempd_name_region() does a region.
+    !>
+    !> model [in]: the model
+    !> load [in]: id of a load
+    !> name [in]: UTF-8 without control characters; empty takes the name away
+    !> return: status
+    !> since: 0.4
+    function bempd_name_load(model, load, name) bind(c, name="bempd_name_load")
+      import :: c_char, c_int, c_int32_t, c_ptr
+      type(c_ptr), value :: model
+      integer(c_int32_t), value :: load
+      character(kind=c_char), intent(in) :: name(*)
+      integer(c_int) :: bempd_name_load
+    end function bempd_name_load
+
+    !> Number of the edge with a name.
+    !>
+    !> model [in]: the model
+    !> region [in]: id of a region
+    !> name [in]: as bempd_name_edge() gave it
+    !> edge [out]: number of the edge
+    !> return: status; an argument error if no edge or several have the name
+    !> since: 0.4
+    function bempd_edge_named(model, region, name, edge) bind(c, name="bempd_edge_named")
+      import :: c_char, c_int, c_int32_t, c_ptr
+      type(c_ptr), value :: model
+      integer(c_int32_t), value :: region
+      character(kind=c_char), intent(in) :: name(*)
+      integer(c_int32_t), intent(inout) :: edge
+      integer(c_int) :: bempd_edge_named
+    end function bempd_edge_named
+
     !> Fix a whole edge: displacement 0.
     !>
     !> model [in]: the model
@@ -2799,9 +2953,10 @@ module bempd_c
       integer(c_int) :: bempd_request_cancel
     end function bempd_request_cancel
 
-    !> Ask the step that runs in another thread, or calls back, to end after the event that it is at, and to keep what
-    !> it has done: it succeeds with BEMPD_STOP_REQUESTED. Calls that are not steps do not hear it. A request made while
-    !> no call runs is forgotten.
+    !> Ask the step that runs in another thread, or calls back, to end and to keep the events that it has done: it
+    !> succeeds with BEMPD_STOP_REQUESTED. An event that changes the whole body is given up, and short ones are
+    !> finished. Calls that are not steps do not hear it, nor does the search for equilibrium before the first event. A
+    !> request made while no call runs is forgotten.
     !>
     !> model [in]: the model
     !> return: status
@@ -2811,6 +2966,23 @@ module bempd_c
       type(c_ptr), value :: model
       integer(c_int) :: bempd_request_stop
     end function bempd_request_stop
+
+    !> Lend a solver of the sparse system to a model, before its first step or result. The model uses it until it is
+    !> freed or the solver is taken away again; then it gets BEMPD_SPARSE_DETACH. Windows work on it. After a break
+    !> outside windows the factor preconditions an iteration, because there are no changes of low rank.
+    !>
+    !> model [in]: the model
+    !> function [in]: NULL takes the solver away; its factors are forgotten
+    !> user [in]: handed to the function; may be NULL
+    !> return: status
+    !> since: 0.4
+    function bempd_set_sparse_solver(model, function, user) bind(c, name="bempd_set_sparse_solver")
+      import :: c_funptr, c_int, c_ptr
+      type(c_ptr), value :: model
+      type(c_funptr), value :: function
+      type(c_ptr), value :: user
+      integer(c_int) :: bempd_set_sparse_solver
+    end function bempd_set_sparse_solver
 
     !> Set struct_size and zeros.
     !>
@@ -4458,6 +4630,10 @@ module bempd_c
     !> with what bempd_tip() has. Stress is a 3 x 3 tensor, with the principal stresses in the plane as
     !> principal_stress_1, the larger one, and principal_stress_2.
     !>
+    !> If anything has a name (bempd_name_region() and its kin), prefix_NNNN_edges.vtu has a line for each edge and
+    !> described crack and a point for each held or loaded point, with names as text. Field data of every file have the
+    !> number of each named region, support and load under its name.
+    !>
     !> The time of a snapshot is its load factor. Where that has not grown since the last snapshot the time does, by
     !> 1e-9: times are distinct and follow the order of writing. Every file has load_factor, snapshot (their ordinal)
     !> and events as field data.
@@ -4477,7 +4653,8 @@ module bempd_c
     end function bempd_write_snapshot
 
     !> Write the history as comma-separated values: the members of bempd_history_entry, and of every support what
-    !> bempd_get_history_support() tells (reaction_x_1, reaction_before_x_1, displacement_x_1 and so on).
+    !> bempd_get_history_support() tells (reaction_x_1, reaction_before_x_1, displacement_x_1 and so on). The name of a
+    !> support stands behind these headings: reaction_x_1 (clamp).
     !>
     !> model [in]: the model
     !> path [in]: file name, UTF-8
