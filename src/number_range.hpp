@@ -14,12 +14,13 @@ inline double in_range(double value) {
 }
 
 // Exponent of the power of 2 by which numbers of magnitude `size` must be divided before they are squared, so that the
-// squares neither overflow nor underflow; 0 for ordinary sizes. A division by a power of 2 changes no digit.
+// squares neither overflow nor underflow; 0 for ordinary sizes. A division by a power of 2 changes no digit. The
+// reciprocal of the power is a finite number, also for the smallest of numbers.
 inline int far_exponent(double size) {
-  constexpr int far = 200;
+  constexpr int far = 200, least = -1000;
   if (!(size > 0) || !std::isfinite(size)) return 0;
   const int exponent = std::ilogb(size);
-  return std::abs(exponent) > far ? exponent : 0;
+  return std::abs(exponent) > far ? std::max(exponent, least) : 0;
 }
 
 }  // namespace bempd

@@ -150,7 +150,7 @@ void Scene::read_singular_places() {
   const std::array point = {at.x, at.y};
   double order = -1;
   if (FUZZ_CALL(bempd_stress_orders, model_, 1, point.data(), &order))
-    require_true(order >= 0 && order < 1, "bempd_stress_orders", "no order");
+    require_true(order >= 0 && order <= 1, "bempd_stress_orders", "no order");  // 1 at point forces
   std::int64_t count = 0;
   if (!FUZZ_CALL(bempd_singularity_count, model_, &count)) return;
   for (std::int64_t k = 0; k <= count; ++k) {

@@ -160,6 +160,8 @@ TEST(Kink, angles_of_the_largest_hoop_stress) {
   for (const auto& [ratio, degrees] : {std::pair(0.1, 11.20), {0.25, 25.33}, {0.5, 40.21}, {1.0, 53.13}, {2.0, 61.34}})
     EXPECT_NEAR(kink_of({1, ratio}).angle * 180 / pi, -degrees, 0.01);
   EXPECT_NEAR(kink_of({0, 1}).angle * 180 / pi, -70.53, 0.01);
+  EXPECT_NEAR(kink_of({0, 5e-324}).angle * 180 / pi, -70.53, 0.01);  // the smallest number
+  EXPECT_NEAR(kink_of({0, 1e308}).angle * 180 / pi, -70.53, 0.01);
   EXPECT_EQ(kink_of({2, 0}).angle, 0);
   EXPECT_EQ(kink_of({2, 0}).equivalent_factor, 2);
 }
