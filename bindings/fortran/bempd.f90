@@ -920,7 +920,7 @@ module bempd
       integer, intent(out), optional :: stat
       character(*), intent(inout), optional :: errmsg
     end subroutine grow_fatigue
-    !> The same between combinations of load cases: shape (cases, blocks).
+    !> Cracks grow by cycles between combinations of load cases; factors have the shape (cases, blocks).
     module subroutine grow_fatigue_cases(self, high, low, cycles, options, report, stat, errmsg)
       class(bempd_model), intent(inout) :: self
       real(c_double), intent(in), target, contiguous :: high(:, :), low(:, :)

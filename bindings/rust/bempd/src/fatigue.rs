@@ -202,7 +202,7 @@ impl Default for FatigueOptions {
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct GrowingTip {
-    /// Its crack.
+    /// Crack that it belongs to.
     pub crack: CrackId,
     /// End of the crack.
     pub end: TipEnd,
@@ -214,7 +214,7 @@ pub struct GrowingTip {
     pub stress_intensities: [f64; 2],
     /// T, along the crack [Pa].
     pub t_stress: f64,
-    /// By how much this end has grown in the model [m].
+    /// Growth of this end in the model [m].
     pub length: f64,
     /// Place of the tip [m].
     pub place: [f64; 2],
@@ -284,8 +284,8 @@ impl Model {
         Ok(FatigueReport::from_raw(&report))
     }
 
-    /// The same between combinations of load cases (`add_load_case`): each block has a factor for each of `cases` cases
-    /// at both ends of its cycles.
+    /// Lets cracks grow by cycles between combinations of load cases (`add_load_case`): each block has a factor for each
+    /// of `cases` cases at both ends of its cycles.
     ///
     /// ```
     /// use bempd::{CaseBlock, Component, FaceComponent, FatigueOptions, GrowthRate, Material, Model, Values};
