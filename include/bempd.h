@@ -716,7 +716,8 @@ BEMPD_API bempd_status bempd_set_resistance_directions(bempd_model* model, int32
  * @param[in] ratio R = K_min / K_max of a rate; of a resistance 1, a load that is held [-]
  * @param[in] stress_intensity_1 K_I, of a rate at the highest load [Pa m^(1/2)]
  * @param[in] stress_intensity_2 K_II there [Pa m^(1/2)]
- * @param[in] t_stress T there, along the crack; NaN for tips of crack lines that have no room for contours [Pa]
+ * @param[in] t_stress T there, along the crack; for tips of crack lines that have no room for contours NaN as a rate
+ * is asked; as a resistance is asked, without the part of forces per volume in BEM regions [Pa]
  * @param[in] length of a rate, length of the crack; of a resistance, by how much this end has grown in the model [m]
  * @param[in] x place of the tip [m] @param[in] y place of the tip [m]
  * @param[in] user the pointer given with the function

@@ -60,7 +60,7 @@ def table() -> list[str]:
     for kind in ("middle crack", "edge crack"):
         begin = time.perf_counter()
         length, exact = lives.net_section(kind)
-        lines.append(f"| length of a {kind} at which the net section yields | | {100 * (length / exact - 1):+.3f} % "
+        lines.append(f"| length at which the net section yields, {kind} | | {100 * (length / exact - 1):+.3f} % "
                      f"| limit analysis | {time.perf_counter() - begin:.2f} |")
     for kind, name in (("wheeler", "Wheeler"), ("willenborg", "Willenborg")):
         for program in ("an overload in each 5000 cycles", "one overload"):

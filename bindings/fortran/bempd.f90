@@ -38,8 +38,8 @@ module bempd
     bempd_fatigue_report, bempd_fatigue_record, bempd_growth_rate_init, bempd_fatigue_init, BEMPD_RATE_PARIS, &
     BEMPD_RATE_FORMAN, BEMPD_RATE_NASGRO, BEMPD_RATE_SUSTAINED, BEMPD_RATE_HOST, BEMPD_FATIGUE_CYCLES, &
     BEMPD_FATIGUE_CRITICAL, BEMPD_FATIGUE_LENGTH, BEMPD_FATIGUE_NONE_GROWS, BEMPD_FATIGUE_TIP_ENDED, &
-    BEMPD_FATIGUE_TIP_STOPPED, BEMPD_FATIGUE_STEPS, BEMPD_FATIGUE_REQUESTED, &
-    bempd_boundary_function, bempd_progress_function, bempd_phase_function, bempd_log_function
+    BEMPD_FATIGUE_TIP_STOPPED, BEMPD_FATIGUE_STEPS, BEMPD_FATIGUE_REQUESTED, BEMPD_FATIGUE_NET_SECTION, &
+    bempd_boundary_function, bempd_growth_function, bempd_progress_function, bempd_phase_function, bempd_log_function
   implicit none
   private :: c_char, c_double, c_int, c_int8_t, c_int32_t, c_int64_t, c_null_ptr, c_ptr
 
@@ -992,7 +992,7 @@ module bempd
       integer, intent(out), optional :: stat
       character(*), intent(inout), optional :: errmsg
     end subroutine grow_fatigue
-    !> The same between combinations of load cases: shape (cases, blocks).
+    !> Cracks grow by cycles between combinations of load cases; factors have the shape (cases, blocks).
     module subroutine grow_fatigue_cases(self, high, low, cycles, options, report, stat, errmsg)
       class(bempd_model), intent(inout) :: self
       real(c_double), intent(in), target, contiguous :: high(:, :), low(:, :)

@@ -1186,7 +1186,8 @@ module bempd_c
     !> ratio [in]: R = K_min / K_max of a rate; of a resistance 1, a load that is held [-]
     !> stress_intensity_1 [in]: K_I, of a rate at the highest load [Pa m^(1/2)]
     !> stress_intensity_2 [in]: K_II there [Pa m^(1/2)]
-    !> t_stress [in]: T there, along the crack; NaN for tips of crack lines that have no room for contours [Pa]
+    !> t_stress [in]: T there, along the crack; for tips of crack lines that have no room for contours NaN as a rate is
+    !>   asked; as a resistance is asked, without the part of forces per volume in BEM regions [Pa]
     !> length [in]: of a rate, length of the crack; of a resistance, by how much this end has grown in the model [m]
     !> x [in]: place of the tip [m]
     !> y [in]: place of the tip [m]

@@ -43,7 +43,8 @@ double share_of_critical(const TipOnStep& tip, double grown, const Block& block)
 
 double between(double first, double last, double share) { return (1 - share) * first + share * last; }
 
-// What is left of a section falls about evenly as a tip grows, so its share is the inverse of such a number.
+// Share of a section between two lengths: the rest of the section falls about evenly as a tip grows, and the share is
+// its inverse.
 double section_between(double first, double last, double share) {
   return first > 0 && last > 0 ? 1 / between(1 / first, 1 / last, share) : between(first, last, share);
 }

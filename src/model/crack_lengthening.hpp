@@ -37,7 +37,7 @@ class CrackLengthening {
 
   // Tips that may grow: neither frozen by the host nor stopped. Their factors are functions of the load factor.
   virtual std::vector<regions::TipValues> tips() { return model_.growing_tips(); }
-  // The same under the loads that act at present.
+  // Tips that may grow, under the loads that act at present.
   virtual std::vector<regions::TipValues> loaded_tips(regions::TipDetail detail) {
     return model_.tips_of(*model_.prepared_, detail);
   }

@@ -1,11 +1,42 @@
 #include "model/fatigue_overloads.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 
 #include "error.hpp"
 #include "model/crack_way.hpp"
 
 namespace bempd::model {
+
+namespace {
+
+constexpr std::size_t numbers_of_one = 7;
+
+}  // namespace
+
+std::vector<double> numbers_of(const std::vector<RememberedOverload>& overloads) {
+  std::vector<double> numbers;
+  for (const auto& [tip, place, overload] : overloads)
+    numbers.insert(numbers.end(), {static_cast<double>(tip.crack), static_cast<double>(tip.end), place.x(), place.y(),
+                                   overload.end, overload.zone, overload.highest});
+  return numbers;
+}
+
+std::vector<RememberedOverload> overloads_of(const std::vector<double>& numbers) {
+  bool sound = numbers.size() % numbers_of_one == 0;
+  std::vector<RememberedOverload> overloads;
+  for (std::size_t k = 0; sound && k < numbers.size(); k += numbers_of_one) {
+    const double* n = numbers.data() + k;
+    sound = n[0] >= 1 && n[0] < 1e9 && (n[1] == 0 || n[1] == 1) && std::isfinite(n[2]) && std::isfinite(n[3]) &&
+            n[4] < std::numeric_limits<double>::infinity() && n[5] >= 0 && std::isfinite(n[5]) && n[6] >= 0 &&
+            std::isfinite(n[6]);
+    if (sound)
+      overloads.push_back({{static_cast<int>(n[0]), static_cast<int>(n[1])}, {n[2], n[3]}, {n[4], n[5], n[6]}});
+  }
+  require(sound, "the state remembers overloads that are none; its bytes were altered");
+  return overloads;
+}
 
 void MetOverloads::take_up(const std::vector<RememberedOverload>& known, const Front& front,
                            const std::vector<scene::Crack>& cracks, double first_cycle) {

@@ -29,8 +29,9 @@ void LineLengthening::return_to_accepted() {
 
 namespace {
 
-// Scales the factors of a grown tip to the energy of its next step, if that gives its load: contours of two horizons do
-// not see that the crack turns within them.
+// Scales the factors of a grown tip to the mean of those by contours and by the energy of its next step, if that gives
+// its load. Contours of two horizons do not see a turn within them, so they give up to 9 % too little behind a kink;
+// the energy gives up to 4 % too much there.
 void take_energy(regions::TipValues& tip, const scene::Options& options, double load_factor) {
   const bool is_told = tip.grown && tip.load_rule == crack::LoadRule::energy && tip.constant_factors.isZero(0) &&
                        load_factor > 0 && tip.critical_load_factor > 0;
@@ -38,7 +39,7 @@ void take_energy(regions::TipValues& tip, const scene::Options& options, double 
   const double by_contours = law_of(tip, options).kink(tip.factors).equivalent_factor;
   const double share = tip.toughness * load_factor / tip.critical_load_factor / by_contours;
   if (!(by_contours > 0) || !std::isfinite(share)) return;
-  tip.factors *= share, tip.proportional_factors *= share;
+  tip.factors *= std::sqrt(share), tip.proportional_factors *= std::sqrt(share);
 }
 
 }  // namespace

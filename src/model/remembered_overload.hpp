@@ -1,5 +1,7 @@
 #pragma once
 
+#include <vector>
+
 #include "crack/laws/retardation.hpp"
 #include "crack/tip.hpp"
 #include "geometry/point.hpp"
@@ -12,5 +14,9 @@ struct RememberedOverload {
   Point place{0, 0};
   crack::Overload overload;
 };
+
+// Overloads as numbers in states, and back. Throws Error (argument) for numbers that are none.
+std::vector<double> numbers_of(const std::vector<RememberedOverload>& overloads);
+std::vector<RememberedOverload> overloads_of(const std::vector<double>& numbers);
 
 }  // namespace bempd::model

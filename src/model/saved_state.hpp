@@ -8,7 +8,6 @@
 #include "fracture/continuation.hpp"
 #include "fracture/evolution_state.hpp"
 #include "model/fingerprint.hpp"
-#include "model/remembered_overload.hpp"
 #include "results/tip_record.hpp"
 #include "scene/scene_values.hpp"
 
@@ -37,10 +36,10 @@ struct SavedState {
   std::optional<scene::SceneValues> in_force;
   Acting acting = Acting::values;
   double end_of_way = 0;
-  scene::SceneValues acting_values;           // values that act on the body; functions are not written to bytes
-  std::optional<scene::SceneValues> said;     // by the host, if the state is to bring them back
-  std::vector<int> frozen;                    // crack and end of each tip that the host keeps, together with `said`
-  std::vector<RememberedOverload> overloads;  // that tips have met by the end of the last growth by cycles
+  scene::SceneValues acting_values;        // values that act on the body; functions are not written to bytes
+  std::optional<scene::SceneValues> said;  // by the host, if the state is to bring them back
+  std::vector<int> frozen;                 // crack and end of each tip that the host keeps, together with `said`
+  std::vector<double> overloads;           // that tips have met by the end of the last growth by cycles, as numbers
 };
 
 // Conversion of a saved state to bytes and back (state_bytes.cpp); from_bytes() throws Error (argument) for damaged

@@ -127,7 +127,7 @@ SavedState Model::save(bool with_values) const {
       .acting_values = acting_values(),
       .said = with_values ? std::optional(scene_.values()) : std::nullopt,
       .frozen = std::move(frozen),
-      .overloads = fatigue_.overloads(),
+      .overloads = numbers_of(fatigue_.overloads()),
   };
 }
 
@@ -151,6 +151,7 @@ void Model::restore(const SavedState& state) {
 
 void Model::restore_body(const SavedState& state) {
   const SceneFingerprint& present = prepared_->fingerprint;
+  std::vector<RememberedOverload> overloads = overloads_of(state.overloads);
   require(state.scene.body == (state.format == 14 ? present.body_of_format_14 : present.body),
           "the state belongs to another scene; restore it into the model that was saved or one built in the same way");
   require_same_ends(state, prepared_->in_lattices);
@@ -193,7 +194,7 @@ void Model::restore_body(const SavedState& state) {
   prepared_->evolution->restore(std::move(copy), std::move(continuation));
   loads_ = std::move(loads);
   tip_history_ = state.tips;
-  fatigue_.set_overloads(state.overloads);
+  fatigue_.set_overloads(std::move(overloads));
   ++generation_;
 }
 

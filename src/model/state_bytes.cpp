@@ -47,12 +47,6 @@ void visit_members(Tip& t, Visit& visit) {
   visit(t.law), visit(t.energy_ratios), visit(t.id), visit(t.state);
   if (visit.format > 15) visit(t.even_ahead), visit(t.grown);
 }
-template <class Met, class Visit>
-requires std::is_same_v<std::remove_const_t<Met>, RememberedOverload>
-void visit_members(Met& m, Visit& visit) {
-  visit(m.tip), visit(m.place.x()), visit(m.place.y());
-  visit(m.overload.end), visit(m.overload.zone), visit(m.overload.highest);
-}
 template <class Face, class Visit>
 requires std::is_same_v<std::remove_const_t<Face>, fracture::GrownFace>
 void visit_members(Face& f, Visit& visit) { visit(f.term), visit(f.normal_x), visit(f.normal_y); }
@@ -245,10 +239,9 @@ requires std::is_same_v<std::remove_const_t<State>, SavedState>
 void visit_members(State& state, Visit& visit) {
   visit(state.scene.body), visit(state.scene.supports), visit(state.load_fingerprint);
   auto& e = state.evolution;
-  visit(e.load_factor), visit(e.in_equilibrium), visit(e.separated);
-  visit(e.events), visit(e.broken_bonds), visit(e.fragments);
-  visit(e.first_unit_energy), visit(e.released_energy), visit(e.bond_energy), visit(e.work), visit(e.largest_work);
-  visit(e.worst_energy_balance_error), visit(e.residual), visit(e.largest_force);
+  visit(e.load_factor), visit(e.in_equilibrium), visit(e.separated), visit(e.events), visit(e.broken_bonds);
+  visit(e.fragments), visit(e.first_unit_energy), visit(e.released_energy), visit(e.bond_energy), visit(e.work);
+  visit(e.largest_work), visit(e.worst_energy_balance_error), visit(e.residual), visit(e.largest_force);
   visit(e.resistance.present), visit(e.resistance.peak), visit(e.resistance.stiffness);
   visit(e.work_out_of_balance), visit(e.contact_switches), visit(e.ties);
   visit(e.displacement), visit(e.total_displacement), visit(e.total_force);
@@ -278,8 +271,7 @@ int read_header(Reader& reader) {
 
 std::vector<std::uint8_t> to_bytes(const SavedState& state) {
   Writer writer;
-  writer.raw(magic, sizeof magic);
-  writer(byte_order_mark), writer(static_cast<std::uint32_t>(state_format));
+  writer.raw(magic, sizeof magic), writer(byte_order_mark), writer(static_cast<std::uint32_t>(state_format));
   visit_members(state, writer);
   if (!state.frozen.empty() || !state.overloads.empty()) writer(state.frozen);
   if (!state.overloads.empty()) writer(state.overloads);

@@ -108,11 +108,6 @@ void require_consistent(const SavedState& state) {
   sound(state.frozen.empty() || (state.said && state.frozen.size() % 2 == 0), "it keeps tips without saying which");
   for (std::size_t k = 1; k < state.frozen.size(); k += 2)
     sound(state.frozen[k - 1] > 0 && (state.frozen[k] == 0 || state.frozen[k] == 1), "a tip that it keeps is none");
-  for (const auto& [tip, place, overload] : state.overloads)
-    sound(tip.crack > 0 && (tip.end == 0 || tip.end == 1) && are_finite({place.x(), place.y(), overload.zone}) &&
-              overload.zone >= 0 && overload.highest >= 0 && std::isfinite(overload.highest) &&
-              overload.end < std::numeric_limits<double>::infinity(),
-          "an overload that it remembers is none");
   require_consistent(state.evolution);
   for (const std::optional<scene::SceneValues>& both :
        {state.in_force, std::optional(state.acting_values), state.said}) {

@@ -52,6 +52,19 @@ contains
     call check(level >= 1 .and. level <= 3, "a log line has a level")
   end subroutine note
 
+  function resistance(crack, tip_end, equivalent, ratio, k1, k2, t_stress, length, x, y, user) bind(c) result(energy)
+    integer(c_int32_t), value :: crack, tip_end
+    real(c_double), value :: equivalent, ratio, k1, k2, t_stress, length, x, y
+    type(c_ptr), value :: user
+    real(c_double) :: energy
+    real(c_double), pointer :: said
+
+    call c_f_pointer(user, said)
+    energy = said
+    if (crack /= 1 .or. tip_end < 1 .or. equivalent < k1 .or. abs(ratio - 1) > 0 .or. abs(k2) > k1 .or. t_stress > 0 &
+      .or. length < 0 .or. abs(x) < .2 .or. abs(y) > .1) energy = -2
+  end function resistance
+
   function linear(x, y, constant, proportional, user) bind(c) result(stop_now)
     real(c_double), value :: x, y
     real(c_double), intent(inout) :: constant(2), proportional(2)
@@ -89,6 +102,8 @@ program fortran_runs
   call cracks_grow_where_they_are_not_frozen()
   call cracks_grow_by_cycles_and_by_lengths()
   call load_cases_add_up()
+  call cracks_grow_between_load_cases()
+  call functions_give_resistances()
   call reactions_and_evaluation_agree_with_a_uniform_bar()
   call pressure_and_moments_balance()
   call edges_sides_arcs_and_singular_places()
@@ -503,6 +518,66 @@ contains
     call check(maxval(abs(force)) < 1e-9_dp .and. stress(2, 1) > .5_dp .and. pressed == 0, "the plate is pulled")
     call model%free()
   end subroutine load_cases_add_up
+
+  subroutine cracks_grow_between_load_cases()
+    type(bempd_model) :: model
+    type(bempd_growth_rate) :: rate
+    type(bempd_fatigue) :: options
+    type(bempd_fatigue_report) :: report
+    type(bempd_fatigue_record), allocatable :: found(:)
+    integer(c_int32_t) :: material, crack, pressure
+    integer :: stat
+    character(200) :: message
+
+    call model%create()
+    call model%add_material(1.0_dp, .3_dp, material)
+    call model%add_bem_region(material, reshape([-1, -1, 1, -1, 1, 1, -1, 1] * 1.0_dp, [2, 4]), .5_dp)
+    call model%add_crack(reshape([-.3_dp, 0.0_dp, .3_dp, 0.0_dp], [2, 2]), crack)
+    call model%fix_point(-1.0_dp, -1.0_dp, BEMPD_BOTH)
+    call model%fix_point(1.0_dp, -1.0_dp, BEMPD_Y)
+    call model%add_crack_traction(crack, BEMPD_PRESSURE, proportional=[1.0_dp], load=pressure)
+    call model%add_load_case([pressure])
+    stat = bempd_growth_rate_init(rate, c_sizeof(rate))
+    rate%coefficient = 1e-6_dp
+    rate%exponent = 3
+    call model%set_growth_rate(material, rate)
+    stat = bempd_fatigue_init(options, c_sizeof(options))
+    options%most_length = .7_dp
+    call model%grow_fatigue_cases(reshape([1.0_dp, 2.0_dp], [2, 1]), reshape([0.0_dp, 0.0_dp], [2, 1]), stat=stat, &
+      errmsg=message)
+    call check_error(stat, BEMPD_ERROR_ARGUMENT, message, "bempd_grow_fatigue_cases: ")
+    call model%grow_fatigue_cases(reshape([.5_dp, 1.0_dp], [1, 2]), reshape([0.0_dp, .5_dp], [1, 2]), &
+      [100.0_dp, 100.0_dp], options, report)
+    call check(report%stop_reason == BEMPD_FATIGUE_LENGTH .and. abs(report%growth - .1_dp) < 1e-9_dp, "grown between cases")
+    call model%fatigue_records(found)
+    call check(all(abs(found%ratio) < 1e-6_dp), "the ranges of both blocks begin at 0")
+  end subroutine cracks_grow_between_load_cases
+
+  subroutine functions_give_resistances()
+    type(bempd_model) :: model
+    real(dp), parameter :: energies(3) = [1.0_dp, 4.0_dp, -1.0_dp]
+    real(dp) :: loads(3)
+    real(c_double), target :: energy
+    integer(c_int32_t) :: material
+    integer :: k, stat
+    character(200) :: message
+
+    do k = 1, 3
+      energy = energies(k)
+      call model%create()
+      call model%add_material(1.0_dp, .3_dp, material, fracture_energy=1.0_dp)
+      call model%add_bem_region(material, reshape([-1, -1, 1, -1, 1, 1, -1, 1] * 1.0_dp, [2, 4]), .5_dp)
+      call model%add_crack(reshape([-.3_dp, 0.0_dp, .3_dp, 0.0_dp], [2, 2]))
+      call model%fix_edge(1, 1, BEMPD_BOTH)
+      call model%prescribe_edge(1, 3, BEMPD_Y, proportional=[1.0_dp])
+      call model%set_resistance_function(material, resistance, c_loc(energy))
+      call model%step_to_next_event(1e9_dp, stat=stat, errmsg=message)
+      call model%load_factor(loads(k))
+      call model%free()
+    end do
+    call check_error(stat, BEMPD_ERROR_ARGUMENT, message, "bempd_step_to_next_event: ")
+    call check(abs(loads(2) / loads(1) - 2) < 1e-9_dp, "the load goes with the root of the fracture energy")
+  end subroutine functions_give_resistances
 
   subroutine cracks_grow_where_they_are_not_frozen()
     type(bempd_model) :: model

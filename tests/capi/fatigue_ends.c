@@ -30,7 +30,7 @@ static void a_middle_crack_ends_where_the_ligaments_yield(void) {
     CHECK(report.stop_reason == BEMPD_FATIGUE_NET_SECTION && report.crack == p.crack && report.end != 0);
     printf("flow stress %g: ends at %.5f, closed form %.5f\n", flows[k], length_of(&p), expected);
     CHECK_CLOSE(length_of(&p), expected, 2e-3);
-    /* It bears no further cycle, and half of the load for longer. */
+    /* The plate bears no further cycle, and half of the load for longer. */
     CHECK(grow(&p, 1.0, NULL).steps == 0);
     CHECK(grow(&p, 0.5, NULL).steps > 0);
     bempd_model_free(p.model);
@@ -75,7 +75,7 @@ static void cracks_and_holes_along_the_line_count(void) {
     }
     CHECK(grow(&p, 1.0, NULL).stop_reason == BEMPD_FATIGUE_NET_SECTION);
     printf("%s in the line: ends at %.4f\n", kind == 0 ? "hole" : "crack", length_of(&p));
-    /* Without moments the sum would be 2 / 3; the section is not symmetric, so it ends before. */
+    /* The length would be 2 / 3 less 0.2 without moments; the section is not symmetric, so growth ends before. */
     CHECK(length_of(&p) < 2.0 / 3.0 - 0.2 && length_of(&p) > 0.3);
     bempd_model_free(p.model);
   }

@@ -140,6 +140,9 @@ void Scene::vary_toughness() {
   const std::array rows = {0.0, bytes_.mostly(0.5), 1.0};
   if (bytes_.pick(2) == 1) FUZZ_CALL(bempd_set_resistance_curve, model_, 1, 3, rows.data(), values.data());
   if (bytes_.pick(2) == 1) FUZZ_CALL(bempd_set_resistance_directions, model_, 1, 3, rows.data(), values.data());
+  const auto resistance = [](std::int32_t, std::int32_t, double, double, double, double, double, double length, double,
+                             double, void*) { return 1 + length; };
+  if (bytes_.pick(4) == 1) FUZZ_CALL(bempd_set_resistance_function, model_, 1, resistance, nullptr);
 }
 
 void Scene::add_crack(bool in_lattice) {

@@ -94,6 +94,7 @@ void Scene::grow_by_cycles() {
   rate.kind = 1 + bytes_.pick(4);
   rate.coefficient = bytes_.mostly(1.0), rate.exponent = bytes_.mostly(2.0);
   rate.critical_intensity = bytes_.mostly(10.0), rate.threshold = bytes_.mostly(0.0);
+  rate.flow_stress = bytes_.mostly(0.0);
   FUZZ_CALL(bempd_set_growth_rate, model_, 1, &rate);
   bempd_fatigue options;
   good("bempd_fatigue_init", nullptr, bempd_fatigue_init(&options, sizeof options));
@@ -150,6 +151,12 @@ void Scene::combine_load_cases() {
   FUZZ_CALL(bempd_load_case_reaction, model_, 1, &factor, support, force.data());
   FUZZ_CALL(bempd_load_case_evaluate, model_, 1, &factor, 1, point.data(), displacement.data(), stress.data());
   require_same("bempd_load_case_tip", before, marks());
+  bempd_fatigue options;
+  good("bempd_fatigue_init", nullptr, bempd_fatigue_init(&options, sizeof options));
+  options.most_steps = 1;
+  const double low = bytes_.mostly(0.0);
+  if (!FUZZ_CALL(bempd_grow_fatigue_cases, model_, 1, 1, &factor, &low, nullptr, &options, nullptr))
+    require_same("bempd_grow_fatigue_cases", before, marks());
 }
 
 void Scene::read_tips() {

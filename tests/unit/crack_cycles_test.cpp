@@ -126,7 +126,7 @@ TEST(CyclesOnStep, a_toughness_that_varies_along_the_step_breaks_the_tip_in_its_
 TEST(CyclesOnStep, a_net_section_ends_the_way_where_it_bears_no_more) {
   const auto law = make_rate_law(parameters(RateParameters::Kind::paris_walker, 1e-6, 3));
   std::vector<TipOnStep> tips = wide_plate(*law, 0.1, 0.2);
-  // Of a strip of half width 0.25: what is left falls to what level 2 needs at 0.16.
+  // Shares of a strip of half width 0.25, whose rest falls to what level 2 needs at 0.16.
   for (std::size_t level = 0; level < 3; ++level) {
     tips[0].before[level].net_section = 0.5 * static_cast<double>(level) * 0.09 / 0.15;
     tips[0].after[level].net_section = 0.5 * static_cast<double>(level) * 0.09 / 0.05;

@@ -64,6 +64,7 @@ NAMES: dict[str, str] = {
     "bempd_fatigue_record_init": "Model.grow_fatigue",
     "bempd_fatigue_record_count": "Model.grow_fatigue",
     "bempd_get_fatigue_record": "Model.grow_fatigue",
+    "bempd_grow_fatigue_cases": "Model.grow_fatigue",
     "bempd_copy_node_pieces": "Model.node_pieces",
     "bempd_get_piece": "Model.piece",
     "bempd_edge_values_init": "Model.prescribe_edge",

@@ -33,6 +33,29 @@ bem::FaceTraction without(const bem::FaceTraction& traction, const LinearBodyFor
   };
 }
 
+// T of each tip by the constant and by the proportional part of the loads (the first two states), for a material whose
+// fracture energy a function of the host gives; else empty.
+std::vector<Point> parts_of_t_stress(const bem::CrackedOperator& cracked, const std::vector<bem::CrackedState>& states,
+                                     const scene::Material& material) {
+  if (!material.resistance.function) return {};
+  const std::vector<double> constant = bem::stresses_along_crack(cracked, states[0]);
+  const std::vector<double> proportional = bem::stresses_along_crack(cracked, states[1]);
+  std::vector<Point> parts;
+  for (std::size_t t = 0; t < constant.size(); ++t) parts.emplace_back(constant[t], proportional[t]);
+  return parts;
+}
+
+// Sets the toughness that a tip meets: `share` of the material's fracture energy is that of its place.
+void set_resistance(TipValues& value, const scene::Material& material, double share, double grown,
+                    const Point& t_stress) {
+  const crack::Resistance& resistance = material.resistance;
+  const double grown_share = resistance.curve ? resistance.curve->share(grown) : 1;
+  value.toughness = crack::toughness_of(material.fracture_energy * share * grown_share, value.plane_modulus);
+  value.directions = resistance.directions.get();
+  if (resistance.function)
+    value.asking = {resistance.function.get(), {value.crack, value.end}, value.place, grown, t_stress};
+}
+
 double length_of(const Point& vector) {
   const int far = far_exponent(vector.lpNorm<Eigen::Infinity>());
   return far == 0 ? vector.norm() : std::ldexp((vector * std::ldexp(1, -far)).norm(), far);
@@ -169,10 +192,7 @@ std::vector<TipValues> BoundaryRegion::tips(const Solution& solution, TipDetail 
   const auto factors = bem::stress_intensities(cracked(), states);
   std::vector<double> along(factors.size(), 0);
   if (detail == TipDetail::everything) along = bem::stresses_along_crack(cracked(), states[2]);
-  const crack::HostResistance* function = material().resistance.function.get();
-  std::array<std::vector<double>, 2> along_by_part;  // for a function of the host
-  for (std::size_t part = 0; function && part < 2; ++part)
-    along_by_part[part] = bem::stresses_along_crack(cracked(), states[part]);
+  const std::vector<Point> parts_along = parts_of_t_stress(cracked(), states, material());
   const LinearBodyForce particular = this->particular(solution.body_force(id()));
   const double modulus = plane_modulus(elasticity());
   std::vector<TipValues> values;
@@ -187,18 +207,9 @@ std::vector<TipValues> BoundaryRegion::tips(const Solution& solution, TipDetail 
     value.stress_along = along[t];
     value.error = error_of_difference * length_of(present.factors - factors[t].back().factors);
     value.constant_factors = constant.factors, value.proportional_factors = proportional.factors;
-    const crack::Resistance& resistance = material().resistance;
-    const double grown_share = resistance.curve ? resistance.curve->share(cracks_->grown_of(tip)) : 1;
-    value.toughness =
-        crack::toughness_of(material().fracture_energy * toughness().share(tip.place) * grown_share, modulus);
-    value.directions = resistance.directions.get();
-    if (function)
-      value.asking = {function,
-                      {value.crack, value.end},
-                      tip.place,
-                      cracks_->grown_of(tip),
-                      {along_by_part[0][t], along_by_part[1][t]}};
     value.plane_modulus = modulus;
+    set_resistance(value, material(), toughness().share(tip.place), cracks_->grown_of(tip),
+                   parts_along.empty() ? Point(0, 0) : parts_along[t]);
     values.push_back(value);
   }
   return values;

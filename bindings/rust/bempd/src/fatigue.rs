@@ -202,7 +202,7 @@ impl Default for FatigueOptions {
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct GrowingTip {
-    /// Its crack.
+    /// Crack that it belongs to.
     pub crack: CrackId,
     /// End of the crack.
     pub end: TipEnd,
@@ -214,7 +214,7 @@ pub struct GrowingTip {
     pub stress_intensities: [f64; 2],
     /// T, along the crack [Pa].
     pub t_stress: f64,
-    /// By how much this end has grown in the model [m].
+    /// Growth of this end in the model [m].
     pub length: f64,
     /// Place of the tip [m].
     pub place: [f64; 2],
@@ -222,6 +222,27 @@ pub struct GrowingTip {
 
 impl Model {
     /// Lets a closure give the fracture energy [J/m^2] that a tip in a material meets, in place of its number.
+    ///
+    /// ```
+    /// use bempd::{Component, Material, Model, Values};
+    ///
+    /// # fn main() -> bempd::Result<()> {
+    /// let load = |energy: f64| -> bempd::Result<f64> {
+    ///     let mut model = Model::new()?;
+    ///     let glass = model.add_material(&Material::new(1.0, 0.3).fracture_energy(1.0))?;
+    ///     let corners = [[-1.0, -1.0], [1.0, -1.0], [1.0, 1.0], [-1.0, 1.0]];
+    ///     let plate = model.add_bem_region(glass, &corners, 0.5)?;
+    ///     model.add_crack(&[[-0.3, 0.0], [0.3, 0.0]])?;
+    ///     model.fix_edge(plate, 1, Component::Both)?;
+    ///     model.prescribe_edge(plate, 3, .., Component::Y, Values::proportional(&[1.0]))?;
+    ///     model.set_resistance_function(glass, move |tip| energy * (1.0 + tip.length))?;
+    ///     model.step_to_next_event(1e9)?;
+    ///     model.load_factor()
+    /// };
+    /// assert!((load(4.0)? / load(1.0)? - 2.0).abs() < 1e-9);
+    /// # Ok(())
+    /// # }
+    /// ```
     pub fn set_resistance_function(
         &mut self,
         material: MaterialId,
@@ -263,8 +284,29 @@ impl Model {
         Ok(FatigueReport::from_raw(&report))
     }
 
-    /// The same between combinations of load cases (`add_load_case`): each block has a factor for each of `cases` cases
-    /// at both ends of its cycles.
+    /// Lets cracks grow by cycles between combinations of load cases (`add_load_case`): each block has a factor for each
+    /// of `cases` cases at both ends of its cycles.
+    ///
+    /// ```
+    /// use bempd::{CaseBlock, Component, FaceComponent, FatigueOptions, GrowthRate, Material, Model, Values};
+    ///
+    /// # fn main() -> bempd::Result<()> {
+    /// let mut model = Model::new()?;
+    /// let glass = model.add_material(&Material::new(1.0, 0.3))?;
+    /// model.add_bem_region(glass, &[[-1.0, -1.0], [1.0, -1.0], [1.0, 1.0], [-1.0, 1.0]], 0.5)?;
+    /// let crack = model.add_crack(&[[-0.3, 0.0], [0.3, 0.0]])?;
+    /// model.fix_point([-1.0, -1.0], Component::Both)?;
+    /// model.fix_point([1.0, -1.0], Component::Y)?;
+    /// let inside = model.add_crack_traction(crack, FaceComponent::Pressure, Values::proportional(&[1.0]))?;
+    /// model.add_load_case(&[inside], &[])?;
+    /// model.set_growth_rate(glass, &GrowthRate::paris(1e-6, 3.0, 1.0))?;
+    /// let block = CaseBlock { high: vec![1.0], low: vec![], cycles: 1.0 };
+    /// let options = FatigueOptions { most_length: 0.9, ..Default::default() };
+    /// let report = model.grow_fatigue_cases(1, &[block], &options)?;
+    /// assert!((report.growth - 0.3).abs() < 1e-9);
+    /// # Ok(())
+    /// # }
+    /// ```
     pub fn grow_fatigue_cases(
         &mut self,
         cases: usize,
