@@ -28,6 +28,7 @@ if(TARGET bempd_mpi)
   set(CPACK_DEBIAN_MPI_PACKAGE_SECTION libs)
   set(CPACK_DEBIAN_MPI_PACKAGE_SHLIBDEPS ON)
   set(CPACK_DEBIAN_MPI_PACKAGE_GENERATE_SHLIBS ON)
+  set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS_PRIVATE_DIRS "${PROJECT_BINARY_DIR}/src/capi")  # libbempd, which the next line names
   set(CPACK_DEBIAN_MPI_PACKAGE_DEPENDS "${runtime_package} (= ${PROJECT_VERSION})")
   set(CPACK_COMPONENT_MPI_DESCRIPTION "One large body on several processes, by MUMPS over Open MPI.")
 endif()

@@ -30,7 +30,7 @@ Answer = dict[str, Any]
 def work(ranks: int, body: str, fine: int, solver: str, goal: str, events: int = 0, scratch: str = "") -> Answer:
     """Answer of the worker in processes of its own, so that their peaks of memory are known."""
     environment = {**os.environ, "OMPI_ALLOW_RUN_AS_ROOT": "1", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1",
-                   "OPENBLAS_NUM_THREADS": "1"}
+                   "OMPI_MCA_mpi_yield_when_idle": "1", "OPENBLAS_NUM_THREADS": "1"}
     command = ["mpirun", "-np", str(ranks), "--oversubscribe", sys.executable, "-W", "ignore", "-B", str(WORKER), body, str(fine), solver,
                goal, str(events), *([scratch] if scratch else [])]
     ended = subprocess.run(command, capture_output=True, text=True, env=environment)

@@ -157,8 +157,7 @@ class EquilibriumSystem {
   // Replaces the stages of all terms and the holding springs; the next solve factorizes afresh.
   void restore(std::vector<std::uint8_t> stages, std::vector<HoldingSpring> springs);
   void forget_factor();
-  // Frees a forgotten factor with its solver. Nothing may refer to it any more (FactorizedSystem).
-  void release_solver() { factor_.release(); }
+  void release_solver() { factor_.release(); }  // and a forgotten factor, to which nothing refers any more
   // Entries of the matrix that closed penalties have needed so far, told by nodes: rounding depends on this pattern.
   PlacesMet places_met() const { return places_met_ ? *places_met_ : PlacesMet(); }
   void set_places_met(PlacesMet places);

@@ -220,8 +220,7 @@ class ExternalCholesky final : public SparseCholesky {
       places.push_back(place[unknown]);
     }
     Eigen::MatrixXd half = Eigen::MatrixXd::Zero(plan_.kept, static_cast<Eigen::Index>(unknowns.size()));
-    for (std::size_t k = 0; k < places.size(); ++k)
-      half(places[k], static_cast<Eigen::Index>(k)) = scale_[unknowns[k]];
+    for (std::size_t k = 0; k < places.size(); ++k) half(places[k], static_cast<Eigen::Index>(k)) = scale_[unknowns[k]];
     solve_lower(schur_.lower(), half);
     return half.transpose() * half;
   }

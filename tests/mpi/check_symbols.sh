@@ -1,8 +1,9 @@
 #!/usr/bin/env bash
-# Usage: check_symbols.sh LIBBEMPD LIBBEMPD_MPI INCLUDE_FOLDER
-# libbempd needs nothing of MPI or MUMPS; libbempd_mpi exports the functions of its header alone; one header includes mpi.h.
+# Usage: check_symbols.sh LIBBEMPD LIBBEMPD_MPI INCLUDE_FOLDER suitesparse|eigen
+# libbempd needs nothing of MPI or MUMPS; libbempd_mpi exports the functions of its header alone; one header includes mpi.h. With
+# Eigen's factorization nothing of SuiteSparse, which is under the GPL, is needed.
 set -euo pipefail
-core=$1 mpi=$2 include=$3
+core=$1 mpi=$2 include=$3 linalg=$4
 failed=0
 fail() { echo "$1"; failed=1; }
 
@@ -17,6 +18,8 @@ declared=$(grep -E '^BEMPD_API' "$include/bempd_mpi.h" | grep -oE '\bbempd_mpi_[
 [ "$exported" = "$declared" ] || { diff <(echo "$declared") <(echo "$exported") || true; fail "libbempd_mpi exports other functions (>) than its header declares (<)"; }
 nm -D "$mpi" | grep -q ' U dmumps_c' || fail "libbempd_mpi does not call MUMPS: the test would see nothing"
 if ldd "$mpi" | grep -E 'mumps_seq|mpiseq'; then fail "libbempd_mpi uses the sequential MUMPS"; fi
+
+if [ "$linalg" = eigen ] && ldd "$mpi" | grep -E 'cholmod|umfpack'; then fail "libbempd_mpi needs SuiteSparse"; fi
 
 with_mpi=$(grep -lE '# *include *<mpi' "$include"/*.h* || true)
 [ "$with_mpi" = "$include/bempd_mpi.h" ] || fail "these headers include mpi.h: $with_mpi"
