@@ -80,12 +80,12 @@ bool CrackEvolution::perform_if_possible(const Event& event) {
 
 std::optional<CrackEvolution::BeforeEvent> CrackEvolution::before_event() {
   if (sources_.is_in_window()) return std::nullopt;
-  return BeforeEvent{state_, start(), sources_.continuation()};
+  return BeforeEvent{state_, start()};
 }
 
 void CrackEvolution::give_up_event(BeforeEvent before) {
   forget_lines(before.start);
-  sources_.give_up_event(before.body, std::move(before.way_on));
+  sources_.give_up_event(before.body);
   static_cast<BodyState&>(state_) = std::move(before.body);
   sources_.refresh();
 }

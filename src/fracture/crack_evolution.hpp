@@ -234,7 +234,6 @@ class CrackEvolution {
   struct BeforeEvent {
     BodyState body;
     Start start;
-    Continuation way_on;
   };
   std::optional<BeforeEvent> before_event();
   void give_up_event(BeforeEvent before);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <chrono>
 #include <cstdint>
 #include <functional>
 #include <limits>
@@ -50,6 +51,7 @@ class EventLoop {
   void follow_body();
   template <class Work>
   bool done_unless_stopped(const Work& work);
+  void time_event();
 
   CrackEvolution* body_;   // at present
   bool has_begun_ = true;  // in this body
@@ -59,7 +61,11 @@ class EventLoop {
   const OnEvent& on_event_;
   const OnEnd& on_end_;
   std::int64_t events_before_ = 0;
-  std::optional<CrackEvolution::BeforeEvent> before_event_;  // to come; empty while events come from a window
+  // Body before the event to come. It is kept only where the event before took long (at first that is not known), and
+  // not while events come from a window.
+  std::optional<CrackEvolution::BeforeEvent> before_event_;
+  std::chrono::steady_clock::time_point last_event_;
+  bool events_are_long_ = true;
   Turns turns_;
 };
 

@@ -168,11 +168,10 @@ void EventSources::keep_way_on() {
   if (call_ && !call_->way_on) call_->way_on = continuation();
 }
 
-void EventSources::give_up_event(const BodyState& before, Continuation continuation) {
+void EventSources::give_up_event(const BodyState& before) {
   // A window that was opened meanwhile has its only mark at this state.
   if (mark_ && mark_->place) mark_ = Mark{before, {}};
   abandon();
-  continue_with(std::move(continuation));
 }
 
 void EventSources::drop_mark() {

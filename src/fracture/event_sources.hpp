@@ -63,7 +63,7 @@ class EventSources {
   void continue_with(Continuation continuation) noexcept { awaited_ = std::move(continuation); }
   // Notes that an event that had begun or was looked for outside a window is given up. The body's state `before` is to
   // be set.
-  void give_up_event(const BodyState& before, Continuation continuation);
+  void give_up_event(const BodyState& before);
   void go_on();
 
   // One state of the body to return to: the first one marked since the last drop_mark(). If begin_call() was called
