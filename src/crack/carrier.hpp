@@ -37,6 +37,8 @@ struct Step {
   TipId tip;
   int ties = 0;       // others that would have grown as soon
   double length = 0;  // of the extension [m]; 0: the carrier chooses
+  // Whether the load makes it grow. If not, another process does, such as cycles of the loads, at any load factor.
+  bool is_driven = true;
 };
 
 // What has become of a step.

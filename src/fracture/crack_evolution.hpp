@@ -114,10 +114,6 @@ class CrackEvolution {
   // Finds the equilibrium under the present loads at the present load factor.
   void find_equilibrium();
 
-  // Lets the tip of a crack line grow by a step at the present load factor, whatever its load, as an event; false if no
-  // bond lies ahead of it. After a failure the caller restores an earlier state.
-  bool extend_line(const crack::TipId& tip);
-
   // Stops a tip of a crack line: it has come to an interface, or its crack continues in boundary elements.
   void stop_line(const crack::TipId& tip, crack::TipState state = crack::TipState::at_interface);
 
@@ -199,6 +195,9 @@ class CrackEvolution {
   friend class EventLoop;
   friend class LineCarrier;
 
+  // Lets the tip of a crack line grow by a step at the present load factor, whatever its load, as an event, if a bond
+  // lies ahead of it. After a failure the caller restores an earlier state.
+  void extend_line(const crack::TipId& tip);
   void look() {
     sources_.refresh();
     sources_.show();

@@ -25,12 +25,11 @@ void CrackEvolution::return_to(const Start& start) noexcept {
   sources_.return_to_mark();
 }
 
-bool CrackEvolution::extend_line(const crack::TipId& tip) {
+void CrackEvolution::extend_line(const crack::TipId& tip) {
   sources_.refresh(), sources_.settle();
   const Event* step = sources_.line_step(tip);
   if (step) perform_and_book(*step);
   sources_.bring_up_to_date();
-  return step != nullptr;
 }
 
 void CrackEvolution::stop_line(const crack::TipId& tip, crack::TipState state) {

@@ -13,10 +13,14 @@ std::vector<crack::Candidate> LineCarrier::candidates(const crack::LoadWay& way)
 }
 
 crack::Advance LineCarrier::advance(const crack::Step& step) {
-  const Event* next = body_.next_;
-  if (!next || next->tip != step.tip) throw std::logic_error("the step of a crack line is not the next event");
   const auto known = static_cast<std::ptrdiff_t>(body_.state_.extensions.size());
-  body_.perform_and_book(*next);
+  if (step.is_driven) {
+    const Event* next = body_.next_;
+    if (!next || next->tip != step.tip) throw std::logic_error("the step of a crack line is not the next event");
+    body_.perform_and_book(*next);
+  } else {
+    body_.extend_line(step.tip);
+  }
   const std::vector<CrackExtension>& all = body_.state_.extensions;
   return {{all.begin() + known, all.end()}, false};
 }

@@ -20,7 +20,8 @@ class LineCarrier final : public crack::Carrier {
 
   std::vector<crack::Tip> tips() override;
   std::vector<crack::Candidate> candidates(const crack::LoadWay& way) override;
-  // The step has to be the event that comes next in the run.
+  // A step that the load drives has to be the event that comes next in the run. Without bonds ahead of the tip nothing
+  // grows.
   crack::Advance advance(const crack::Step& step) override;
   std::vector<Point> openings(int crack, const std::vector<double>& fractions) override {
     return openings_(crack, fractions);

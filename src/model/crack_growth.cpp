@@ -4,6 +4,7 @@
 
 #include "elasticity/kinked_tip.hpp"
 #include "error.hpp"
+#include "model/crack_lengthening.hpp"
 #include "model/crack_way.hpp"
 #include "model/driven_growth.hpp"
 #include "model/element_growth.hpp"
@@ -31,10 +32,10 @@ std::vector<double> thickness_at(const scene::Scene& scene, const PreparedScene&
 constexpr const char* no_tip_with_elements =
     "no crack in a BEM region has a tip; add one, or let cracks in peridynamic regions grow by steps";
 
-// Smallest load factor from zero upwards at which a tip grows, and the index of that tip. Throws Error (unsolvable) if
-// none grows.
-std::pair<double, std::size_t> first_growth(const std::vector<regions::TipValues>& tips,
-                                            const scene::Options& options) {
+// Smallest load factor from zero upwards at which a tip grows, and which tip that is. Throws Error (unsolvable) if none
+// grows.
+std::pair<double, crack::FirstToGrow> first_growth(const std::vector<regions::TipValues>& tips,
+                                                   const scene::Options& options) {
   std::vector<crack::Candidate> candidates;
   for (const regions::TipValues& tip : tips) {
     const double load_factor = law_of(tip, options).first_load_factor(factors_of(tip));
@@ -43,12 +44,12 @@ std::pair<double, std::size_t> first_growth(const std::vector<regions::TipValues
     candidates.push_back({{tip.crack, tip.end}, load_factor, ratio, overloaded});
   }
   const crack::FirstToGrow found = *crack::first_to_grow(candidates, true);
-  const std::size_t first = found.index;
-  if (!std::isfinite(candidates[first].load_factor))
+  const double first = candidates[found.index].load_factor;
+  if (!std::isfinite(first))
     fail(Failure::unsolvable,
          "no crack grows however large the load factor is; give their materials a fracture_energy, "
          "and loads that open them");
-  return {candidates[first].load_factor, first};
+  return {first, found};
 }
 
 }  // namespace
@@ -130,7 +131,8 @@ Growing Model::go_to_growth(double length) {
       ++generation_;
       if (state.contact_switches != switches || state.events != events) continue;
     }
-    Growing growing = growing_with(tips, first, goal, options_);
+    Growing growing = growing_with(tips, first.index, goal, options_);
+    growing.ties = first.ties;
     set_lengths(growing, length, options_);
     return growing;
   }
@@ -143,9 +145,8 @@ std::unique_ptr<PreparedScene> Model::extended_scene(const std::vector<scene::Cr
   return with_cracks(extended(scene_, before, prepared_->discretization.tolerance, growing), on_way);
 }
 
-// Prepares the scene with the extended cracks and enters the growth in its history. `chosen`: the library has chosen
-// the extensions' lengths and may shorten them where the path turns sharply.
-Grown Model::grown(const std::vector<scene::Crack>& before, Growing growing, bool chosen,
+// Prepares the scene with the extended cracks and enters the growth in its history.
+Grown Model::grown(const std::vector<scene::Crack>& before, Growing growing, Turning turning,
                    const scene::SceneValues* on_way) {
   constexpr double turns = 0.01, turns_too_much = 0.35;  // [rad]
   constexpr int most_halvings = 4;
@@ -154,7 +155,8 @@ Grown Model::grown(const std::vector<scene::Crack>& before, Growing growing, boo
     for (const fracture::CrackExtension& e : growing.extensions) all.push_back(e.angle);
     return all;
   }();
-  const bool chords = options_.text_value("crack.direction") == "chord";
+  const bool chosen = turning == Turning::chosen;
+  const bool chords = turning != Turning::given && options_.text_value("crack.direction") == "chord";
   Grown result;
   for (int halvings = 0;; ++halvings) {
     result.scene = extended_scene(before, growing, on_way);
@@ -171,53 +173,34 @@ Grown Model::grown(const std::vector<scene::Crack>& before, Growing growing, boo
   }
   const std::vector<double> thickness = thickness_at(scene_, *prepared_, growing.extensions);
   fracture::CrackEvolution& evolution = *result.scene->evolution;
+  const bool by_other_process = !growing.is_driven && growing.is_in_equilibrium();
   std::optional<double> beyond_path;
-  if (const std::optional<double> end = end_of_path(growing, result.tips, options_))
-    beyond_path = evolution.released_beyond_path(*prepared_->evolution, *end);
+  if (growing.is_driven)
+    if (const std::optional<double> end = end_of_path(growing, result.tips, options_))
+      beyond_path = evolution.released_beyond_path(*prepared_->evolution, *end);
   result.growth = booked(std::move(growing), result.tips, thickness, evolution.released_by_growth(), beyond_path);
+  if (by_other_process) {
+    result.growth.surface_energy = evolution.released_by_growth();
+    for (crack::Extension& e : result.growth.extensions) e.surface_energy = e.released_energy;
+  }
   evolution.book(result.growth);
   return result;
 }
 
 GrowthResult Model::grow_cracks(double length) {
   require(std::isfinite(length) && length > 0, "length is ", length, "; it must be > 0");
-  prepare();
-  require(has_crack_elements(), no_tip_with_elements);
-  std::optional<LoadsBefore> loads;
-  if (loads_.acting != Acting::values)
-    loads = replace_loads(regions::apply_conditions(scene_, prepared_->discretization), Acting::values);
-  std::vector<scene::Crack> before = scene_.cracks();
-  fracture::EvolutionState state = prepared_->evolution->state();
-  fracture::Continuation continuation = prepared_->evolution->continuation();
-  const auto recorded = static_cast<std::ptrdiff_t>(tip_history_.size());
-  std::unique_ptr<PreparedScene> shorter;  // once the longer cracks are in place
-  GrowthResult result;
+  CrackLengthening call(*this);
   try {
-    ensure_equilibrium();
-    Grown next = grown(before, go_to_growth(length), false, nullptr);
-    result = result_of(next.growth);
-    result.released_energy =
-        next.scene->evolution->progress().released_energy - prepared_->evolution->progress().released_energy;
-    scene::SceneValues in_force = scene_.values();
-    shorter = std::exchange(prepared_, std::move(next.scene));
-    ++generation_;
-    if (records_tips()) record_tips();
-    loads_.in_force = std::move(in_force);
+    const GrowthResult result = call.grown_first(go_to_growth(length));
+    call.keep();
+    say([&] {
+      log(2, text("load factor ", result.load_factor, ": ", result.tips, " tips have grown by ", result.length));
+    });
+    return result;
   } catch (...) {
-    if (shorter) prepared_ = std::move(shorter);
-    tip_history_.erase(tip_history_.begin() + recorded, tip_history_.end());
-    scene_.set_cracks(std::move(before));
-    prepared_->evolution->restore(std::move(state), std::move(continuation));
-    if (loads) go_back_to(std::move(*loads));
-    ++generation_;
+    call.take_back();
     throw;
   }
-  say([&] {
-    for (const std::string& warning : prepared_->discretization.warnings) log(1, warning);
-    log(2, text("load factor ", result.load_factor, ": ", result.tips, " tips have grown by ", result.length));
-    warn_of_equilibrium();
-  });
-  return result;
 }
 
 }  // namespace bempd::model

@@ -11,15 +11,19 @@ void move_load(PreparedScene& scene, double load_factor, const std::set<crack::T
   scene.evolution->advance(load_factor, fracture::Goal::load_factor, stepping, {}, {});
 }
 
-CrackLengthening::CrackLengthening(Model& model, bool in_elements) : model_(model) {
-  model_.prepare();
+Model& CrackLengthening::prepared(Model& model) {
+  model.prepare();
+  return model;
+}
+
+CrackLengthening::CrackLengthening(Model& model, bool in_elements)
+    : model_(prepared(model)), carrier_(model, nullptr, true) {
   require(!in_elements || model_.has_crack_elements(),
           "no crack in a BEM region has a tip; add one, or let cracks in peridynamic regions grow by steps");
   if (model_.loads_.acting != Acting::values)
     loads_ = model_.replace_loads(regions::apply_conditions(model_.scene_, model_.prepared_->discretization),
                                   Acting::values);
-  cracks_ = model_.scene_.cracks();
-  present_ = cracks_;
+  present_ = model_.scene_.cracks();
   state_ = model_.prepared_->evolution->state();
   continuation_ = model_.prepared_->evolution->continuation();
   recorded_ = static_cast<std::ptrdiff_t>(model_.tip_history_.size());
@@ -42,7 +46,7 @@ LongerCracks CrackLengthening::lengthened(const std::vector<Lengthened>& tips) {
   Growing growing;
   growing.load_factor = growing.critical_load_factor = model_.load_factor();
   growing.ratio = 0;
-  std::vector<double> thickness;
+  growing.is_driven = false;
   for (const Lengthened& one : tips) {
     const regions::TipValues& tip = one.tip;
     const crack::GrowthLaw law = law_of(tip, model_.options_).met(factors_of(tip), growing.load_factor);
@@ -54,38 +58,30 @@ LongerCracks CrackLengthening::lengthened(const std::vector<Lengthened>& tips) {
     growing.tips.push_back(tip);
     growing.extensions.push_back(extension);
     growing.lengths.push_back(one.length);
-    const int region = scene().discretization.cracks[static_cast<std::size_t>(tip.crack) - 1].region_at(tip.end);
-    thickness.push_back(model_.scene_.material_of(region).elasticity.thickness);
     if (law.toughness > 0) growing.ratio = std::max(growing.ratio, factor / law.toughness);
   }
   LongerCracks longer;
-  Grown& result = longer.grown;
-  try {
-    result.scene = model_.extended_scene(present_, growing, nullptr);
-  } catch (...) {
-    model_.scene_.set_cracks(present_);
-    throw;
-  }
+  longer.grown = carrier_.longer(present_, growing, Turning::given);
   longer.cracks = model_.scene_.cracks();
   model_.scene_.set_cracks(present_);
-  result.tips = model_.tips_of(*result.scene, regions::TipDetail::factors);
-  fracture::CrackEvolution& evolution = *result.scene->evolution;
-  const bool in_equilibrium = growing.is_in_equilibrium();
-  result.growth = booked(std::move(growing), result.tips, thickness, evolution.released_by_growth(), std::nullopt);
-  if (in_equilibrium) {
-    result.growth.surface_energy = evolution.released_by_growth();
-    for (crack::Extension& e : result.growth.extensions) e.surface_energy = e.released_energy;
-  }
-  evolution.book(result.growth);
   return longer;
+}
+
+GrowthResult CrackLengthening::grown_first(const Growing& growing) {
+  LongerCracks longer;
+  longer.grown = carrier_.longer(present_, growing, Turning::by_option);
+  longer.cracks = model_.scene_.cracks();
+  GrowthResult result = result_of(longer.grown.growth);
+  result.released_energy =
+      longer.grown.scene->evolution->progress().released_energy - scene().evolution->progress().released_energy;
+  go_on_in(std::move(longer));
+  return result;
 }
 
 void CrackLengthening::go_on_in(LongerCracks longer) {
   present_ = longer.cracks;
   model_.scene_.set_cracks(std::move(longer.cracks));
-  std::unique_ptr<PreparedScene> before = std::exchange(model_.prepared_, std::move(longer.grown.scene));
-  ++model_.generation_;
-  if (!start_) start_ = std::move(before);
+  carrier_.go_on_in(std::move(longer.grown.scene), longer.grown.growth);
   if (model_.records_tips()) model_.record_tips();
 }
 
@@ -121,16 +117,14 @@ void CrackLengthening::report_progress() {
 void CrackLengthening::keep() noexcept {
   Model::say([&] {
     model_.loads_.in_force = model_.scene_.values();
-    for (const std::string& warning : model_.prepared_->discretization.warnings) model_.log(1, warning);
     model_.warn_of_equilibrium();
   });
 }
 
 void CrackLengthening::take_back() noexcept {
-  if (start_) model_.prepared_ = std::move(start_);
+  carrier_.take_back();
   auto& tips = model_.tip_history_;
   tips.erase(tips.begin() + recorded_, tips.end());
-  model_.scene_.set_cracks(std::move(cracks_));
   model_.prepared_->evolution->restore(std::move(state_), std::move(continuation_));
   if (loads_) model_.go_back_to(std::move(*loads_));
   ++model_.generation_;

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "model/driven_growth.hpp"
+#include "model/element_carrier.hpp"
 #include "model/element_growth.hpp"
 #include "model/model.hpp"
 
@@ -61,6 +62,8 @@ class CrackLengthening {
   // Scene with longer cracks at the same load factor, in whose history the growth is entered; the model itself stays
   // unchanged. Throws crack::CannotGrow.
   virtual LongerCracks lengthened(const std::vector<Lengthened>& tips);
+  // Lets tips grow that the load drives, by their lengths.
+  GrowthResult grown_first(const Growing& growing);
   // Continues in the scene with longer cracks, which becomes the model's.
   virtual void go_on_in(LongerCracks longer);
   // Calls the host's progress function; throws Error (cancelled) if that asks to stop.
@@ -80,11 +83,12 @@ class CrackLengthening {
   Model& model_;
 
  private:
-  std::vector<scene::Crack> cracks_;         // at the start
-  std::optional<Model::LoadsBefore> loads_;  // likewise
+  static Model& prepared(Model& model);
+
+  ElementCarrier carrier_;                   // of cracks with elements
+  std::optional<Model::LoadsBefore> loads_;  // at the start
   fracture::EvolutionState state_;           // likewise
   fracture::Continuation continuation_;      // likewise
-  std::unique_ptr<PreparedScene> start_;     // null: no crack has grown yet
   std::vector<scene::Crack> present_;        // cracks
   std::ptrdiff_t recorded_;                  // tips
 };

@@ -22,6 +22,10 @@ struct Grown {
   fracture::Growth growth;
 };
 
+// Directions of extensions: as they are given; as chords of the path if the option crack.direction says so; or chosen
+// with their lengths by the library, which shortens extensions where the path turns sharply.
+enum class Turning { given, by_option, chosen };
+
 // Time that a scene has taken so far, by kinds of work [s].
 struct Seconds {
   double solve = 0, update = 0, search = 0;

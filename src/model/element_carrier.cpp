@@ -74,6 +74,15 @@ Grown ElementCarrier::grown(const std::vector<scene::Crack>& before, const std::
   }
 }
 
+Grown ElementCarrier::longer(const std::vector<scene::Crack>& before, const Growing& growing, Turning turning) {
+  try {
+    return model_.grown(before, growing, turning, on_way_);
+  } catch (...) {
+    model_.scene_.set_cracks(before);
+    throw;
+  }
+}
+
 // Lets the tip that is due grow, with those that tie with it. If that is impossible, the tips that cannot grow alone
 // either are stopped (the due tip if each could).
 crack::Advance ElementCarrier::advance(const crack::Step& step) {
@@ -85,7 +94,8 @@ crack::Advance ElementCarrier::advance(const crack::Step& step) {
   set_lengths(growing, chosen ? chosen_length(model_.scene_, growing, model_.options_) : step.length, model_.options_);
   const std::vector<scene::Crack> before = model_.scene_.cracks();
   try {
-    Grown next = grown(before, [&] { return model_.grown(before, growing, chosen, on_way_); });
+    const Turning turning = chosen ? Turning::chosen : Turning::by_option;
+    Grown next = grown(before, [&] { return longer(before, growing, turning); });
     crack::Advance done{next.growth.extensions};
     for (const crack::Extension& e : done.extensions) done.has_stopped |= e.state == crack::TipState::at_interface;
     go_on_in(std::move(next.scene), next.growth);

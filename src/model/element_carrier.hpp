@@ -32,6 +32,12 @@ class ElementCarrier final : public fracture::BodyCarrier {
   crack::Advance advance(const crack::Step& step) override;
   std::vector<Point> openings(int crack, const std::vector<double>& fractions) override;
 
+  // Scene in which tips have grown at the present load factor; the model itself stays as it is, but for the cracks of
+  // its scene. Throws crack::CannotGrow and crack::FreesLoadedPart, with the cracks `before`.
+  Grown longer(const std::vector<scene::Crack>& before, const Growing& growing, Turning turning);
+  // Lets the run go on in a scene with longer cracks, in whose history the growth is entered.
+  void go_on_in(std::unique_ptr<PreparedScene> next, const fracture::Growth& growth);
+
   fracture::CrackEvolution& body() override;
   bool take_over_lines(bool run_ends) override;
 
@@ -44,7 +50,6 @@ class ElementCarrier final : public fracture::BodyCarrier {
   void update();
   std::size_t number_of(const crack::TipId& tip) const;
   std::vector<crack::TipId> tips_that_cannot_grow(const Growing& growing, const std::vector<scene::Crack>& before);
-  void go_on_in(std::unique_ptr<PreparedScene> next, const fracture::Growth& growth);
   bool cross_border(const crack::TipId& tip);
   Grown carried_on(const crack::TipId& tip, const crack::Extension& last, const Point& place,
                    std::vector<scene::Crack> longer);

@@ -19,6 +19,9 @@ struct Growing {
   double ratio = 1;                 // of the first tip: equivalent factor over toughness
   double critical_load_factor = 0;  // at which that tip just reaches its toughness
   int ties = 0;                     // others that would have grown as soon
+  // Whether the load makes the tips grow. If not, the process that does takes all energy that is released below the
+  // toughness.
+  bool is_driven = true;
   std::vector<regions::TipValues> tips;
   std::vector<fracture::CrackExtension> extensions;
   std::vector<double> lengths;

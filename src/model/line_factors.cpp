@@ -8,13 +8,6 @@
 // Stress intensity factors of crack lines by sums around their tips, for the run itself.
 namespace bempd::model {
 
-namespace {
-
-// Largest radius of the sums, in horizons. Larger ones take longer and give the same within 0.1 %.
-constexpr double most_horizons = 4;
-
-}  // namespace
-
 // Path of a crack that cuts bonds. An end that has grown lies where its cut ended; an end that has not grown lies at
 // its effective tip.
 std::vector<PathVertex> Model::path_in(const PreparedScene& prepared, int crack) const {
@@ -51,7 +44,7 @@ std::optional<fracture::TipFactors> Model::factors_around(const PreparedScene& p
   const regions::BondedBody body = bonded_body(prepared);
   const regions::KnownTip known{tip.id.crack, tip.id.end, tip.direction, std::move(path), tip.grown > 0};
   const regions::TipValues found =
-      regions::lattice_tips(body, regions::lattice_tips_at(body, {known}), solution, options_, most_horizons).front();
+      regions::lattice_tips(body, regions::lattice_tips_at(body, {known}), solution, options_).front();
   if (found.contours == 0 || found.closed) return std::nullopt;
   const Point &constant = found.constant_factors, &proportional = found.proportional_factors;
   if (!constant.allFinite() || !proportional.allFinite()) return std::nullopt;

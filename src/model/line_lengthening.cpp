@@ -96,11 +96,12 @@ crack::Extension LineLengthening::extend(const Lengthened& one) {
   const double before = model_.crack_length(id.crack);
   crack::Extension whole;
   for (std::int64_t k = 0; k < steps; ++k) {
-    if (!evolution.extend_line(id)) {
+    const std::vector<crack::Extension> grown = evolution.lines()->advance({.tip = id, .is_driven = false}).extensions;
+    if (grown.empty()) {
       if (k > 0) break;
       throw crack::CannotGrow(text("no bond lies ahead of the tip of crack ", id.crack, "; it stops"));
     }
-    const crack::Extension& last = evolution.progress().extensions.back();
+    const crack::Extension& last = grown.back();
     const double released = whole.released_energy + last.released_energy;
     whole = last;
     whole.released_energy = released;

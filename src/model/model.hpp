@@ -41,6 +41,7 @@ namespace bempd::model {
 
 struct Growing;
 struct Grown;
+enum class Turning;
 class ElementCarrier;
 class CrackLengthening;
 
@@ -232,7 +233,8 @@ class Model {
   std::unique_ptr<PreparedScene> built_with(std::vector<scene::Crack> longer, const scene::SceneValues* on_way);
   std::unique_ptr<PreparedScene> with_cracks(std::vector<scene::Crack> longer, const scene::SceneValues* on_way);
   // Prepares the scene after a growth. `chosen`: the library has chosen the lengths and may shorten them.
-  Grown grown(const std::vector<scene::Crack>& before, Growing growing, bool chosen, const scene::SceneValues* on_way);
+  Grown grown(const std::vector<scene::Crack>& before, Growing growing, Turning turning,
+              const scene::SceneValues* on_way);
   bool drives_elements(const fracture::SteppingOptions& stepping) const;
   // Scene with the crack growth of a saved state; null if the present scene has it already.
   std::unique_ptr<PreparedScene> as_grown(const std::vector<fracture::CrackExtension>& extensions);

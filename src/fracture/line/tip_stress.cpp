@@ -211,10 +211,11 @@ bool TipStress::meets_other_material(const GrowingTip& tip, const pd::TipLaw& la
   });
 }
 
+// The fit takes points up to two horizons away. Those within a horizon of a border have other bonds.
 bool TipStress::lacks_points(const GrowingTip& tip, const pd::TipLaw& law) const {
-  return std::ranges::any_of(near_.about(tip.place, outer_reach * law.horizon), [&](int node) {
-    return joints_.are_beside(node) &&
-           (positions_[static_cast<std::size_t>(node)] - tip.place).norm() < outer_reach * law.horizon;
+  const double reach = away_from_surfaces * law.horizon;
+  return std::ranges::any_of(near_.about(tip.place, reach), [&](int node) {
+    return laws_.is_joined(node) && (positions_[static_cast<std::size_t>(node)] - tip.place).norm() < reach;
   });
 }
 

@@ -20,8 +20,9 @@ namespace {
 constexpr std::array parts{1.0, 0.8, 0.6};
 constexpr double inner_part = 0.5;
 
-// Least radius of the largest ring, in horizons. A smaller ring is affected by the lattice.
-constexpr double least_horizons = 2;
+// Limits on the radius of the largest ring, in horizons. A smaller ring is affected by the lattice; a larger one gives
+// nothing new and takes longer.
+constexpr double least_horizons = 2, most_horizons = 10;
 
 // Radius of the largest ring over the radius around the tip that is free of other tips, mouths and bends.
 constexpr double part_of_clear = 0.9;
@@ -81,8 +82,7 @@ bool is_shut(const BondedBody& body, const LatticeTip& tip, const TipValues& val
          coupling::faces_press_at(body.constraints, body.discretization.positions, tip.axes.place, tip.horizon);
 }
 
-TipValues values_of(const BondedBody& body, const LatticeTip& tip, double toughness, const Solution& solution,
-                    double most_horizons) {
+TipValues values_of(const BondedBody& body, const LatticeTip& tip, double toughness, const Solution& solution) {
   TipValues values = without_contours(tip);
   if (tip.clear < least_horizons * tip.horizon) return values;
   const std::optional<coupling::Affine> free = free_displacement(body, tip);
@@ -124,13 +124,13 @@ TipValues values_of(const BondedBody& body, const LatticeTip& tip, double toughn
 }  // namespace
 
 std::vector<TipValues> lattice_tips(const BondedBody& body, const std::vector<LatticeTip>& tips,
-                                    const Solution& solution, const scene::Options& options, double most_horizons) {
+                                    const Solution& solution, const scene::Options& options) {
   std::vector<TipValues> values;
   for (const LatticeTip& tip : tips) {
     check_cancelled();
     const std::optional<pd::TipLaw> law =
         tip.region > 0 ? body.discretization.region(tip.region).tip_law(options) : std::nullopt;
-    values.push_back(values_of(body, tip, law ? law->at(tip.axes.place, 0).toughness : 0, solution, most_horizons));
+    values.push_back(values_of(body, tip, law ? law->at(tip.axes.place, 0).toughness : 0, solution));
   }
   return values;
 }
