@@ -466,7 +466,7 @@ BEMPD_API bempd_status bempd_body_plan_init(bempd_body_plan* plan, int64_t struc
  * @param[in] model a model with a body @param[in,out] plan struct_size in, the rest out @return status @since 0.4 */
 BEMPD_API bempd_status bempd_plan(bempd_model* model, bempd_body_plan* plan);
 
-/** @brief Where errors come from. @since 0.4 */
+/** @brief Sources of errors. @since 0.4 */
 typedef enum bempd_error_source {
   BEMPD_ERROR_SOURCE_BOUNDARY = 1, /**< lengths of boundary elements */
   BEMPD_ERROR_SOURCE_LATTICE = 2,  /**< spacing of lattices */
@@ -503,8 +503,8 @@ BEMPD_API bempd_status bempd_errors_init(bempd_errors* errors, int64_t struct_si
  * given elements alike.
  *
  * The scene is solved with its elements merged in pairs and in fours, and the differences are extrapolated; this takes
- * about a fifth of the time of preparing. Not possible once bonds have broken or a part has come off, which is an order
- * error.
+ * about a fifth of the time of preparing. With at most 100 elements they are halved instead. Once bonds have broken or
+ * a part has come off it is an order error.
  * @param[in] model the model @param[in,out] errors struct_size in, the rest out @return status @since 0.4 */
 BEMPD_API bempd_status bempd_error_estimate(bempd_model* model, bempd_errors* errors);
 

@@ -48,7 +48,7 @@ module bempd_c
   integer(c_int), parameter :: BEMPD_PLANE_STRESS = 1
   integer(c_int), parameter :: BEMPD_PLANE_STRAIN = 2
 
-  !> Where errors come from.
+  !> Sources of errors.
   !>
   !> since: 0.4
   integer, parameter :: bempd_error_source = c_int
@@ -1585,8 +1585,8 @@ module bempd_c
     !> elements alike.
     !>
     !> The scene is solved with its elements merged in pairs and in fours, and the differences are extrapolated; this
-    !> takes about a fifth of the time of preparing. Not possible once bonds have broken or a part has come off, which
-    !> is an order error.
+    !> takes about a fifth of the time of preparing. With at most 100 elements they are halved instead. Once bonds have
+    !> broken or a part has come off it is an order error.
     !>
     !> model [in]: the model
     !> errors [in,out]: struct_size in, the rest out

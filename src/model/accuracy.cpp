@@ -67,6 +67,13 @@ double between_criteria(const std::vector<regions::TipValues>& tips) {
   return std::isfinite(first) && std::isfinite(second) ? std::abs(first - second) / std::abs(first) : 0;
 }
 
+// Whether results hardly converge, as the displacement at a support or a force that acts at a point.
+bool stagnates(const std::vector<MeshErrors>& differences) {
+  constexpr std::size_t enough = 3;
+  constexpr double least_reduction = 1.5;
+  return differences.size() >= enough && expected_reduction(differences) < least_reduction;
+}
+
 const scene::OptionGroup hooks(scene::OptionPlace::test_hooks, [] {
   return std::vector<scene::OptionDescription>{
       scene::number_option("test.halvings", "Times that the elements of bodies are halved; -1: as error.wanted asks.",
@@ -170,9 +177,9 @@ bool Accuracy::wants_more() const {
   return given < 0 ? estimate().largest() > wanted() : levels_.back().cost.halvings < given;
 }
 
-// Whether time and memory allow the next mesh.
+// Whether results still converge, and time and memory allow the next mesh.
 bool Accuracy::may_refine() const {
-  if (levels_.size() > most_halvings) return false;
+  if (levels_.size() > most_halvings || stagnates(differences())) return false;
   const MeshCost next = predicted(1);
   double spent = 0;
   for (const Level& level : levels_) spent += level.cost.seconds;
@@ -209,19 +216,26 @@ const MeshPlan& Accuracy::plan() {
 }
 
 void Accuracy::prepare() {
+  if (!regions::has_bodies(model_.scene())) {
+    model_.prepared_ = model_.build(nullptr);
+    return;
+  }
   while (levels_.size() < 2 || mark_ != mark()) solve_next();
   while (wants_more() && may_refine()) solve_next();
   chosen_ = plan_of(levels_.back().cost, true);
   regions::refine(model_.scene_, {levels_.back().cost.halvings, 0});
   model_.prepared_ = std::move(finest_);
+  const char* left_over = chosen_->meets_wish ? ""
+                          : stagnates(differences())
+                              ? "; they hardly fall with shorter elements: does a support or a force act at a point?"
+                              : "; shorter elements need more time or memory than the options allow";
   levels_.clear();
   const MeshErrors& errors = chosen_->errors;
   model_.say([&] {
-    model_.log(
-        chosen_->meets_wish ? 0 : 1,
-        text("bodies have ", chosen_->cost.elements, " boundary elements; errors by estimate: displacement ",
-             errors.displacement, ", reactions ", errors.reaction, ", stress intensity factors ", errors.intensity,
-             chosen_->meets_wish ? "" : "; smaller ones need more time or memory than the options allow"));
+    model_.log(chosen_->meets_wish ? 0 : 1,
+               text("bodies have ", chosen_->cost.elements, " boundary elements; errors by estimate: displacement ",
+                    errors.displacement, ", reactions ", errors.reaction, ", stress intensity factors ",
+                    errors.intensity, left_over));
   });
 }
 

@@ -26,9 +26,9 @@ namespace {
 
 // Number of the first event in `lines` at which equilibrium was lost; 0 if there is none.
 std::int64_t first_unstable(std::span<const fracture::HistoryEntry> lines) {
-  const auto unstable = [](const fracture::HistoryEntry& h) { return h.stretch_ratio > 1 + fracture::ratio_rounding; };
-  const auto found = std::find_if(lines.begin(), lines.end(), unstable);
-  return found == lines.end() ? 0 : found->event;
+  for (const fracture::HistoryEntry& line : lines)
+    if (line.stretch_ratio > 1 + fracture::ratio_rounding) return line.event;
+  return 0;
 }
 
 // Whether `nodes` belong to a piece inside one region that only cracks bound.
@@ -194,11 +194,7 @@ void Model::prepare() {
   if (scene_.region_ids().empty()) fail(Failure::order, "the scene has no region; add one first");
   regions::require_memory(scene_, options_);
   linalg::require_blas_buffer();
-  if (regions::has_bodies(scene_)) {
-    accuracy_.prepare();
-  } else {
-    prepared_ = build(nullptr);
-  }
+  accuracy_.prepare();
   ++generation_;
   prepared_->anchored_pieces = pieces_.anchored_count();
   say([&] { tell_of_preparation(); });

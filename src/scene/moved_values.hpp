@@ -4,7 +4,7 @@
 
 namespace bempd::scene {
 
-// The same values with the origin of the load factor moved to `load_factor`.
+// Values of which the origin of the load factor is moved to `load_factor`.
 SceneValues moved(const SceneValues& values, double load_factor);
 
 }  // namespace bempd::scene

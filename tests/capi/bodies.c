@@ -109,14 +109,15 @@ static void a_body_is_a_region(void) {
 /** The true errors of displacements and stress intensity factors are below those that are told, and those below what is
  * wanted. */
 static void errors_are_bounded(void) {
-  static const double wanted[4] = {0.1, 0.02, 0.005, 0.001};
+  static const double wanted[3] = {0.1, 0.01, 0.0005};
   answers exact;
   double elements = 0;
   int k;
-  bempd_model* finest = arm(2e-5);
+  bempd_model* finest = arm(0.01);
+  CHECK_OK(finest, bempd_set_option(finest, "test.halvings", 3));
   exact = answers_at(finest, 1e-3);
   bempd_model_free(finest);
-  for (k = 0; k < 4; ++k) {
+  for (k = 0; k < 3; ++k) {
     bempd_model* model = arm(wanted[k]);
     const answers found = answers_at(model, 1e-3);
     const bempd_body_plan plan = plan_of(model);
@@ -176,7 +177,7 @@ static void limits_are_kept(void) {
   static const struct {
     const char* name;
     double value;
-  } limits[2] = {{"memory.limit", 0.02}, {"budget.seconds", 1e-6}};
+  } limits[2] = {{"memory.limit", 0.15}, {"budget.seconds", 1e-6}};
   int k;
   for (k = 0; k < 2; ++k) {
     bempd_model* model = arm(1e-6);
@@ -184,7 +185,7 @@ static void limits_are_kept(void) {
     CHECK_OK(model, bempd_set_option(model, limits[k].name, limits[k].value));
     plan = plan_of(model);
     CHECK(plan.meets_wish == 0 && plan.displacement_error > 1e-6);
-    CHECK(k != 0 || plan.memory <= 0.02e9);
+    CHECK(k != 0 || plan.memory <= 0.15e9);
     step_to(model, 1e-3);
     CHECK(plan_of(model).boundary_elements == plan.boundary_elements);
     bempd_model_free(model);
@@ -204,7 +205,7 @@ static void errors_of_given_elements_are_told(void) {
     bempd_model* model = new_model();
     if (k < 0) {
       region = add_rectangle(model, 3, 1);
-      CHECK_OK(model, bempd_set_option(model, "error.wanted", 1e-5));
+      CHECK_OK(model, bempd_set_option(model, "test.halvings", 3));
     } else {
       region = add_bem_rectangle(model, add_sound_material(model), 0, 0, 3, 1, lengths[k]);
     }

@@ -22,8 +22,14 @@ void Scene::add_curved() {
       added = FUZZ_CALL(bempd_add_bem_disc, model_, material, x, y, bytes_.mostly(0.5 * size), length, nullptr);
       break;
     case 1:
-      added = FUZZ_CALL(bempd_add_bem_region_with_arcs, model_, material, 4, vertices.data(), bulges.data(), length,
-                        nullptr);
+      if (length > scale_) {
+        added = FUZZ_CALL(bempd_add_bem_region_with_arcs, model_, material, 4, vertices.data(), bulges.data(), length,
+                          nullptr);
+      } else {
+        added = bulges[0] == 0
+                    ? FUZZ_CALL(bempd_add_body, model_, material, 4, vertices.data(), nullptr)
+                    : FUZZ_CALL(bempd_add_body_with_arcs, model_, material, 4, vertices.data(), bulges.data(), nullptr);
+      }
       break;
     case 2:
       added = FUZZ_CALL(bempd_add_pd_region_with_arcs, model_, material, 4, vertices.data(), bulges.data(), scale_, 3,

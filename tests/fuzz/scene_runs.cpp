@@ -169,6 +169,12 @@ void Scene::read_books() {
   good("bempd_statistics_init", nullptr, bempd_statistics_init(&statistics, sizeof statistics));
   if (FUZZ_CALL(bempd_get_statistics, model_, &statistics))
     require_finite("bempd_get_statistics", &statistics.reciprocal_condition, 1);
+  bempd_body_plan plan;
+  bempd_errors errors;
+  good("bempd_body_plan_init", nullptr, bempd_body_plan_init(&plan, sizeof plan));
+  good("bempd_errors_init", nullptr, bempd_errors_init(&errors, sizeof errors));
+  if (FUZZ_CALL(bempd_plan, model_, &plan)) require_finite("bempd_plan", &plan.displacement_error, 1);
+  if (FUZZ_CALL(bempd_error_estimate, model_, &errors)) require_finite("bempd_error_estimate", &errors.displacement, 1);
   for (std::int32_t support = 0; support <= supports_; ++support) {
     std::array<double, 2> force;
     if (FUZZ_CALL(bempd_reaction, model_, support, force.data())) require_finite("bempd_reaction", force.data(), 2);

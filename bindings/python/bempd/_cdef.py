@@ -1032,7 +1032,7 @@ model [in]: a model with a body
 plan [in,out]: struct_size in, the rest out
 return: status
 since: 0.4""",
-    "bempd_error_source": """Where errors come from.
+    "bempd_error_source": """Sources of errors.
 
 since: 0.4""",
     "BEMPD_ERROR_SOURCE_BOUNDARY": """lengths of boundary elements""",
@@ -1074,8 +1074,8 @@ Estimate the errors of the present results, at the present loads and cracks, of 
 regions with given elements alike.
 
 The scene is solved with its elements merged in pairs and in fours, and the differences are
-extrapolated; this takes about a fifth of the time of preparing. Not possible once bonds have broken
-or a part has come off, which is an order error.
+extrapolated; this takes about a fifth of the time of preparing. With at most 100 elements they are
+halved instead. Once bonds have broken or a part has come off it is an order error.
 
 model [in]: the model
 errors [in,out]: struct_size in, the rest out

@@ -194,6 +194,24 @@ class BodyPlan:
                 f"{self.seconds:.2g} s; largest error {100 * worst:.2g} % for {100 * self.error_wanted:.2g} % wanted")
 
 
+    def plot(self, axes: Any = None) -> Any:
+        """Draw the errors beside the one wanted, with the size of the mesh as title; returns the axes of matplotlib."""
+        if axes is None:
+            import matplotlib.pyplot as plt
+
+            axes = plt.subplots(figsize=(5.6, 2.6), layout="constrained")[1]
+        errors = {"displacements": self.displacement_error, "reactions": self.reaction_error,
+                  "stress intensity factors": self.intensity_error, "load of first growth": self.growth_load_error}
+        least = 1e-3 * self.error_wanted  # below that a bar has no length
+        axes.barh(list(errors), [max(error, least) for error in errors.values()], left=0, height=0.6, color="#4477aa")
+        axes.axvline(self.error_wanted, color="#cc3311", label="error.wanted")
+        axes.set(xscale="log", xlim=(least, 10 * max(self.error_wanted, *errors.values())), xlabel="relative error")
+        axes.invert_yaxis()
+        axes.set_title(f"{self.boundary_elements} elements, {self.memory / 1e6:.3g} MB, {self.seconds:.2g} s", fontsize=10)
+        axes.legend(loc="lower right", fontsize=8)
+        return axes
+
+
 @dataclasses.dataclass(frozen=True)
 class Errors:
     """Errors of results by source, relative to the largest of their kind; sources are never added."""

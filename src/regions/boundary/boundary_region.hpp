@@ -48,8 +48,7 @@ class BoundaryRegion : public Region {
                     Eigen::Ref<Eigen::VectorXd> force) const override;
   std::vector<Point> forces_on_edge(const EdgeSpan& span, const std::vector<int>& nodes_of_scene,
                                     const FieldsOfRegion& fields) const override;
-  // Adds the nodal forces of a body force by a particular solution that carries the body force; the rest of the
-  // solution then has none.
+  // Adds the nodal forces of a body force, which a particular solution carries.
   void add_body_force(const BodyForce& body_force, Eigen::Ref<Eigen::VectorXd> force) const override;
 
   Eigen::Matrix2d work_within(const std::array<BodyForce, 2>& body_force,
@@ -58,8 +57,7 @@ class BoundaryRegion : public Region {
   coupling::Affine face_offsets(const std::array<BodyForce, 2>& body_force,
                                 const std::vector<CrackLoad>& crack_loads) const override;
 
-  // Takes a swelling strain. Throws Error (argument) if it is not linear in the place, because the interior could not
-  // swell without stress.
+  // Takes a swelling strain. Throws Error (argument) for one that is not linear: it causes stress in the interior.
   void swell(const Swelling& strain, LatticeSwelling& lattices) override;
   std::optional<Eigen::Matrix2d> free_displacement(const Point& place) const override;
 
@@ -98,8 +96,7 @@ class BoundaryRegion : public Region {
   virtual const coupling::SolutionMethod& solution_method() const { return coupling::symmetric_solution(); }
   virtual std::shared_ptr<const bem::BoundaryOperator> make_operator(const Preparation& preparation,
                                                                      const bem::AssemblyOptions& assembly) const;
-  // Stiffness on the mesh's nodes that replaces that of the operator, for schemes in which it depends on the neighbours
-  // of edges; empty to keep the operator's.
+  // Stiffness in schemes where it depends on the neighbours of edges; empty to keep that of the operator.
   virtual Eigen::MatrixXd own_stiffness(const Preparation& /*preparation*/) const { return {}; }
 
   const std::vector<PanelSource>& panels() const { return panels_; }

@@ -15,8 +15,8 @@ namespace {
 // the previous one.
 constexpr double ratio = 0.3;
 
-// With these divisions the error of displacements far from a crack tip drops to 2e-3 of its value, because it falls
-// like the size of the last element. It falls faster at other places.
+// Usual number of divisions. The error of displacements far from a crack tip drops to 2e-3 of its value by them,
+// because it falls like the size of the last element. It falls faster at other places.
 constexpr int usual_count = 5;
 
 // Largest angle of a corner [rad] without a stress singularity, for the conditions on its two sides. A support that

@@ -31,7 +31,7 @@ using DivisionRule = std::function<int(const BoundaryPiece& before, const Bounda
 // singularity depends on the other body too.
 int usual_divisions(const BoundaryPiece& before, const BoundaryPiece& after);
 
-// As many divisions at these places, and where loads begin or end, as make the error of displacements at the place less
+// Divisions at these places, and where loads begin or end, that make the error of displacements at the place less
 // than `wanted`, relative to the largest.
 DivisionRule divisions_for(double wanted, const PlaneElasticity& elasticity);
 

@@ -405,7 +405,7 @@ pub const BEMPD_ERROR_SOURCE_LATTICE: bempd_error_source = 2;
 pub const BEMPD_ERROR_SOURCE_PATCH: bempd_error_source = 3;
 /// growth criterion
 pub const BEMPD_ERROR_SOURCE_MODEL: bempd_error_source = 4;
-/// Where errors come from.
+/// Sources of errors.
 ///
 /// * since: 0.4
 pub type bempd_error_source = ::std::os::raw::c_uint;
@@ -460,8 +460,8 @@ extern "C" {
     /// of regions with given elements alike.
     ///
     /// The scene is solved with its elements merged in pairs and in fours, and the differences are
-    /// extrapolated; this takes about a fifth of the time of preparing. Not possible once bonds
-    /// have broken or a part has come off, which is an order error.
+    /// extrapolated; this takes about a fifth of the time of preparing. With at most 100 elements
+    /// they are halved instead. Once bonds have broken or a part has come off it is an order error.
     ///
     /// * model \[in\]: the model
     /// * errors \[in,out\]: struct_size in, the rest out

@@ -116,7 +116,7 @@ impl NextEvent {
     }
 }
 
-/// Where errors come from.
+/// Sources of errors.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[non_exhaustive]
 pub enum ErrorSource {

@@ -225,19 +225,19 @@ mirror! {
         seconds_spent: f64,
         /// Option error.wanted [-].
         error_wanted: f64,
-        /// Of displacements [-].
+        /// Error of displacements [-].
         displacement_error: f64,
-        /// Of reactions [-].
+        /// Error of reactions [-].
         reaction_error: f64,
-        /// Of stress intensity factors [-].
+        /// Error of stress intensity factors [-].
         intensity_error: f64,
-        /// Of the load factor of growth, relative [-].
+        /// Error of the load factor of growth, relative [-].
         growth_load_error: f64,
         /// Load factor at which a crack first grows [-].
         growth_load_factor: f64,
         /// Crack that grows then.
         growth_crack: CrackId,
-        /// Its end.
+        /// End of that crack.
         growth_end: TipEnd,
         /// Whether the errors are at most those wanted.
         meets_wish: bool,
@@ -251,19 +251,19 @@ mirror! {
     Errors of bempd_errors {
         /// Option error.wanted [-].
         wanted: f64,
-        /// Of displacements, from boundary elements [-].
+        /// Error of displacements, from boundary elements [-].
         displacement: f64,
-        /// Of reactions, from boundary elements [-].
+        /// Error of reactions, from boundary elements [-].
         reaction: f64,
-        /// Of stress intensity factors, from boundary elements [-].
+        /// Error of stress intensity factors, from boundary elements [-].
         stress_intensity: f64,
-        /// Of the next load factor of growth, from boundary elements [-].
+        /// Error of the next load factor of growth, from boundary elements [-].
         growth_load: f64,
-        /// From lattices; NaN where it is not estimated [-].
+        /// Errors from lattices; NaN where it is not estimated [-].
         lattice: f64,
-        /// From lattices in bodies [-].
+        /// Errors from lattices in bodies [-].
         patch: f64,
-        /// By the growth criterion [-].
+        /// Difference between the growth criteria [-].
         model: f64,
         /// The largest of those that are known.
         dominating: ErrorSource,
