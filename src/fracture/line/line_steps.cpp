@@ -93,9 +93,9 @@ std::optional<LineStep> LineSteps::next(const std::vector<GrowingTip>& tips, std
   const WilliamsFit fit = stress_.fitted(tip, law, displacement, body_.pressure_in(tip.id.crack));
   const AffineIntensity by_fit = intensity_of(tip, fit);
   const double present = load_way.ahead(load_way.present);
-  const AffineIntensity intensity = on_way(by_fit, load_way);
+  const AffineIntensity intensity = on_way(intensity_for_load(tip, fit), load_way);
   const AffineIntensity turning =
-      has_begun(tip) ? on_way(turning_of(tip, by_fit, displacement, present), load_way) : intensity;
+      on_way(has_begun(tip) ? turning_of(tip, by_fit, displacement, present) : by_fit, load_way);
   const std::optional<LineLoad> load =
       load_of_growth(intensity, turning, {growth_law(law, tip.direction), correction(tip), present, load_way.control});
   if (!load) return std::nullopt;

@@ -35,9 +35,8 @@ struct LineStep {
   // load, and the residual of the fit as a share of the stress.
   bool fit_holds = true, is_shut = false;  // shut: its faces press on each other at the tip
   double error = 0, residual = 0;
-  // Equivalent factor of the fit with its K_II as found over that with a smaller K_II (TipStress::as_read()), for a tip
-  // that is sheared and alone; 0 for others.
-  double whole_shear = 0;
+  // Whether the load by the fit counts beside that by an energy: for a sheared tip with no other tip near.
+  bool blends = false;
   // Whether the load comes from the energy of a trial step. If so: the ratio (see ratio_at) after the step over that
   // before it, and the energy that the step's bonds take [J].
   bool by_energy = false;
@@ -140,6 +139,7 @@ class LineSteps {
   // for a tip whose faces press on each other.
   AffineIntensity intensity_of(const GrowingTip& tip, const WilliamsFit& fit) const;
   bool faces_press_at(const GrowingTip& tip) const;
+  AffineIntensity intensity_for_load(const GrowingTip& tip, const WilliamsFit& fit) const;
   bool is_shut(const GrowingTip& tip, const WilliamsFit& fit) const;
   void judge_fit(const std::vector<GrowingTip>& tips, const WilliamsFit& fit, LineStep& step) const;
   KinkShape shape_of(const GrowingTip& tip, const coupling::Affine& displacement, const LineStep& step) const;
