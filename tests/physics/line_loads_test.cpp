@@ -1,9 +1,12 @@
 // Loads of cracks that grow as lines where the stress ahead of a tip is not the tip's own: behind a kink, under shear,
-// of short cracks, before another material. Against boundary elements with the same crack before each step.
+// of short and of pressed cracks, before another material. Against boundary elements with the same crack before each
+// step.
 #include <gtest/gtest.h>
 
 #include <claims.hpp>
+#include <cmath>
 #include <functional>
+#include <numbers>
 
 #include "host.hpp"
 
@@ -26,6 +29,7 @@ struct Scene {
   int steps;
   double sideways;     // motion of the upper edge, for a unit upwards
   double right_young;  // of the right part of the plate, where it is not 1
+  double upwards = 1;  // motion of the upper edge
 };
 
 void build(const Scene& scene, bool elements, Model& model) {
@@ -34,7 +38,7 @@ void build(const Scene& scene, bool elements, Model& model) {
     const int32_t id = model.add(solid(young));
     const int32_t body = elements ? model.bem(id, box, side / 16) : model.pd(id, box, 1, horizon_ratio);
     model.fix(body, 1, BEMPD_BOTH);
-    model.prescribe(body, 3, BEMPD_Y, 0, 1);
+    model.prescribe(body, 3, BEMPD_Y, 0, scene.upwards);
     model.prescribe(body, 3, BEMPD_X, 0, scene.sideways);
   };
   if (scene.right_young == 1) {
@@ -49,6 +53,7 @@ double known_load(const Scene& scene, const Outline& crack) {
   Model model;
   build(scene, true, model);
   model.crack(crack);
+  if (scene.upwards < 0) model.step(1e-3);  // so that the faces press on each other
   int64_t count = 0;
   model.check(bempd_tip_count(model.get(), &count));
   bempd_crack_tip tip;
@@ -103,6 +108,26 @@ TEST(LineLoads, of_sheared_tips) {
 TEST(LineLoads, of_a_short_crack) {
   const double worst = worst_of("crack of 6", {{{27.3, 30.4}, {33.3, 30.4}}, 1, 0, 1});
   EXPECT_LE(worst, claims::line_short_load / 100);
+}
+
+TEST(LineLoads, of_inclined_edge_cracks) {
+  for (const double degrees : {20.0, 30.0, 45.0, 60.0}) {
+    const double angle = degrees * std::numbers::pi / 180;
+    const double x = 14 * std::cos(angle), y = 7 * std::sin(angle);
+    const double worst = worst_of("inclined", {{{0, 30.3 - y}, {x, 30.3 + y}}, 1, 0, 1});
+    EXPECT_LE(worst, claims::line_inclined_load / 100) << degrees;
+  }
+}
+
+// Cracks at 45 and 60 degrees to the pressed edges, whose faces press on each other.
+TEST(LineLoads, of_pressed_cracks) {
+  for (const double half : {3.0, 6.0, 10.0})
+    for (const double degrees : {45.0, 60.0}) {
+      const double angle = degrees * std::numbers::pi / 180;
+      const double x = half * std::cos(angle), y = half * std::sin(angle);
+      const double worst = worst_of("pressed", {{{30.3 - x, 30.4 - y}, {30.3 + x, 30.4 + y}}, 1, 0, 1, -1});
+      EXPECT_LE(worst, claims::line_pressed_load / 100) << half << " at " << degrees;
+    }
 }
 
 TEST(LineLoads, before_a_stiffer_material) {

@@ -92,9 +92,9 @@ std::optional<LineStep> LineSteps::next(const std::vector<GrowingTip>& tips, std
   const WilliamsFit fit = stress_.fitted(tip, law, displacement, body_.pressure_in(tip.id.crack));
   const AffineIntensity by_fit = intensity_of(tip, fit);
   const double present = load_way.ahead(load_way.present);
-  const AffineIntensity intensity = on_way(by_fit, load_way);
+  const AffineIntensity intensity = on_way(intensity_for_load(tip, fit), load_way);
   const AffineIntensity turning =
-      has_begun(tip) ? on_way(turning_of(tip, by_fit, displacement, present), load_way) : intensity;
+      on_way(has_begun(tip) ? turning_of(tip, by_fit, displacement, present) : by_fit, load_way);
   LineCriterion criterion{growth_law(law, tip, tip.acts_at()), correction_of(tip), present, load_way.control};
   if (law.function) criterion.law.asking.t_stress = {fit.t_stress()[0], load_way.ahead(fit.t_stress()[1])};
   const std::optional<LineLoad> load = load_of_growth(intensity, turning, criterion);

@@ -41,9 +41,8 @@ struct LineStep {
   // ratio to those of the fit.
   bool at_border = false, fit_would_hold = true, by_factors = false;
   double rate_over_fit = 1;
-  // Equivalent factor of the fit with its K_II as found over that with a smaller K_II (TipStress::as_read()), for a tip
-  // that is sheared and alone; 0 for others.
-  double whole_shear = 0;
+  // Whether the load by the fit counts beside that by an energy: for a sheared tip with no other tip near.
+  bool blends = false;
   // Whether the load comes from the energy of a trial step. If so: the ratio (see ratio_at) after the step over that
   // before it, and the energy that the step's bonds take [J].
   bool by_energy = false;
@@ -158,6 +157,7 @@ class LineSteps {
   // for a tip whose faces press on each other.
   AffineIntensity intensity_of(const GrowingTip& tip, const WilliamsFit& fit) const;
   bool faces_press_at(const GrowingTip& tip) const;
+  AffineIntensity intensity_for_load(const GrowingTip& tip, const WilliamsFit& fit) const;
   bool is_shut(const GrowingTip& tip, const WilliamsFit& fit) const;
   void judge_fit(const std::vector<GrowingTip>& tips, const WilliamsFit& fit, LineStep& step) const;
   KinkShape shape_of(const GrowingTip& tip, const coupling::Affine& displacement, const LineStep& step) const;

@@ -29,10 +29,12 @@ class TipStress {
   AffineIntensity at(const GrowingTip& tip, const pd::TipLaw& law, const coupling::Affine& displacement,
                      const Eigen::RowVector2d& pressure) const;
   // fitted(): Williams' series fitted to the stress ahead of the tip. as_read(): the tip's stress intensity factors
-  // from those of the fit. If loads come from energies, it reduces K_II, which the fit gives too large.
+  // from those of the fit. If loads come from energies, it reduces K_II, which the fit gives too large. for_load():
+  // those that give the load of growth.
   WilliamsFit fitted(const GrowingTip& tip, const pd::TipLaw& law, const coupling::Affine& displacement,
                      const Eigen::RowVector2d& pressure) const;
   AffineIntensity as_read(AffineIntensity fitted) const;
+  AffineIntensity for_load(const WilliamsFit& fit, double horizon) const;
 
   // Stress intensity factors from the mean stress closely ahead. Their ratio K_II / K_I is more accurate if another tip
   // is closely behind.

@@ -138,7 +138,7 @@ TrialGrowth::AtTip TrialGrowth::at_tip(double load_factor) const {
   double off = 0;
   for (const Length& l : lengths_) off += l.length * std::pow(rate(l) - logarithm - slope * l.length / 2, 2) / weights;
   const double taken = lengths_.front().energy / lengths_.front().length;
-  const double here = std::sqrt(std::exp(logarithm) / taken) * kink_.of_criterion(load_factor);
+  const double here = std::sqrt(std::exp(logarithm) / taken);
   return {here, here * std::sqrt(kink_.at(first, load_factor) * std::exp(slope * first)), std::sqrt(off) / 2};
 }
 

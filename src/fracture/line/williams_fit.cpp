@@ -11,9 +11,8 @@ namespace bempd::fracture {
 
 namespace {
 
-// Limits on the energy release rate of a kink over its first spacings, relative to that at its beginning; and largest
-// ratio between the loads of the two growth criteria.
-constexpr double least_shape = 0.25, largest_shape = 4, largest_of_criteria = 1.1;
+// Limits on the energy release rate of a kink over its first spacings, relative to that at its beginning.
+constexpr double least_shape = 0.25, largest_shape = 4;
 
 constexpr int most_amplitudes = 2 * WilliamsFit::most_terms;
 
@@ -42,6 +41,7 @@ void WilliamsFit::add(double distance, double angle, const Stress& stress) {
   normal_ += distance * terms.transpose() * terms;
   right_ += distance * terms.transpose() * stress;
   squares_ += distance * stress.transpose() * stress;
+  reach_ = std::max(reach_, distance);
 }
 
 // Amplitudes of the first terms by least squares. The second term has no mode II; the decomposition leaves it out, as
@@ -87,14 +87,6 @@ double KinkShape::at(double length, double load_factor) const {
   const double all = first.squaredNorm();
   return all > 0 ? std::clamp((first + std::sqrt(length) * growing).squaredNorm() / all, least_shape, largest_shape)
                  : 1;
-}
-
-double KinkShape::of_criterion(double load_factor) const {
-  const Eigen::Vector2d at(1, load_factor);
-  const double all = of_kink(load_factor).first.norm();
-  if (!is_hoop_ || !(all > 0)) return 1;
-  const double hoop = hoop_factor({factors_.one.dot(at), factors_.two.dot(at)}, angle_);
-  return std::clamp(hoop / all, 1 / largest_of_criteria, largest_of_criteria);
 }
 
 }  // namespace bempd::fracture

@@ -30,6 +30,9 @@ class WilliamsFit {
   // T-stress: the stress along the tip's direction that is independent of the distance, constant and proportional part.
   Eigen::RowVector2d t_stress() const { return 4 * solution(terms_).row(2); }
 
+  // Distance of the farthest point [horizons].
+  double reach() const { return reach_; }
+
   // Residual: the part of the stress that the fitted terms do not describe, as a share of it, at a load factor. It is
   // small if the field is that of the tip alone.
   double residual(double load_factor) const;
@@ -40,6 +43,7 @@ class WilliamsFit {
   Parts solution(int terms) const;
 
   int terms_;
+  double reach_ = 0;
   Eigen::Matrix<double, amplitudes, amplitudes> normal_ = Eigen::Matrix<double, amplitudes, amplitudes>::Zero();
   Parts right_ = Parts::Zero();
   Eigen::Matrix2d squares_ = Eigen::Matrix2d::Zero();  // of the stress
@@ -51,16 +55,13 @@ class WilliamsFit {
 class KinkShape {
  public:
   KinkShape() = default;
-  // `factors` and `t_stress` are those of the tip before it turns by `angle`. `is_hoop`: the growth criterion is
-  // maximum hoop stress.
-  KinkShape(const AffineIntensity& factors, const Eigen::RowVector2d& t_stress, double angle, bool is_hoop)
-      : factors_(factors), t_stress_(t_stress), angle_(angle), is_hoop_(is_hoop) {}
+  // `factors` and `t_stress` are those of the tip before it turns by `angle`.
+  KinkShape(const AffineIntensity& factors, const Eigen::RowVector2d& t_stress, double angle)
+      : factors_(factors), t_stress_(t_stress), angle_(angle) {}
 
   // Energy release rate over that of a kink of zero length: mean over a length, and value at its end.
   double mean(double length, double load_factor) const;
   double at(double length, double load_factor) const;
-  // Equivalent factor of the growth criterion over the one that corresponds to the energy release rate.
-  double of_criterion(double load_factor) const;
 
  private:
   struct Factors {
@@ -71,7 +72,6 @@ class KinkShape {
   AffineIntensity factors_;
   Eigen::RowVector2d t_stress_{0, 0};
   double angle_ = 0;
-  bool is_hoop_ = false;
 };
 
 }  // namespace bempd::fracture
