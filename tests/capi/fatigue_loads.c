@@ -46,7 +46,8 @@ static void a_spectrum_of_two_cases_has_the_closed_form(void) {
   CHECK_OK(p.model, bempd_grow_fatigue_cases(p.model, 3, 2, high, low, cycles, &options, &report));
   for (int b = 0; b < 3; ++b) sum += cycles[b] * pow(ranges[b], 3.0), all += cycles[b];
   exact = (pow(half, -0.5) - pow(0.05, -0.5)) / (0.5e-6 * pow(pi, 1.5) * sum / all);
-  printf("cycles %.6g, closed form %.6g, relative difference %.1e\n", report.cycles, exact, report.cycles / exact - 1.0);
+  printf("cycles %.6g, closed form %.6g, relative difference %.1e\n", report.cycles, exact,
+         report.cycles / exact - 1.0);
   CHECK_CLOSE(report.cycles, exact, 1e-3 * exact);
   bempd_model_free(p.model);
 }

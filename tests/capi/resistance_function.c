@@ -160,15 +160,15 @@ static void misuse_is_told(void) {
   host h = new_host();
   CHECK_FAILS(p.model, BEMPD_ERROR_ARGUMENT, "function is NULL",
               bempd_set_resistance_function(p.model, p.material, NULL, NULL));
-  CHECK_FAILS(p.model, BEMPD_ERROR_ARGUMENT, "material",
-              bempd_set_resistance_function(p.model, 7, resistance, &h));
+  CHECK_FAILS(p.model, BEMPD_ERROR_ARGUMENT, "material", bempd_set_resistance_function(p.model, 7, resistance, &h));
   CHECK_FAILS(q.model, BEMPD_ERROR_ARGUMENT, "no fracture_energy",
               bempd_set_resistance_function(q.model, q.material, resistance, &h));
   CHECK_OK(p.model, bempd_set_resistance_function(p.model, p.material, resistance, &h));
   CHECK_FAILS(p.model, BEMPD_ERROR_ARGUMENT, "resistance function",
               bempd_set_resistance_curve(p.model, p.material, 2, extensions, energies));
   CHECK_OK(p.model, bempd_prepare(p.model));
-  CHECK_FAILS(p.model, BEMPD_ERROR_ORDER, "prepared", bempd_set_resistance_function(p.model, p.material, resistance, &h));
+  CHECK_FAILS(p.model, BEMPD_ERROR_ORDER, "prepared",
+              bempd_set_resistance_function(p.model, p.material, resistance, &h));
   bempd_model_free(p.model);
   bempd_model_free(q.model);
 }
