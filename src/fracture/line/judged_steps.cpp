@@ -51,6 +51,19 @@ double largest_residual(const pd::TipLaw& law) {
   return std::max(least_limit, limit_of_residual * std::pow(law.spacing / law.horizon, 2));
 }
 
+// Replaces factors, load and turn of a step's fit by those of sums around its tip. `correction` is that of the fit.
+void take(const TipFactors& found, const LineLoad& load, const LoadWay& way, double correction, LineStep& step) {
+  const double load_factor = way.ahead(load.load_factor);
+  const double by_fit = step.ratio_at(load_factor) / correction;
+  const double by_factors = load.constant + load.load_factor * load.growing;
+  const AffineIntensity& intensity = found.intensity;
+  step.by_factors = true, step.error = found.error;
+  step.rate_over_fit = by_fit > 0 ? std::pow(by_factors / by_fit, 2) : 1;
+  step.factors = {{intensity.one[0], intensity.two[0]}, {intensity.one[1], intensity.two[1]}};
+  step.load_factor = load_factor, step.constant = load.constant, step.growing = way.ahead(load.growing);
+  step.angle = load.angle;
+}
+
 }  // namespace
 
 bool LineSteps::faces_press_at(const GrowingTip& tip) const {
@@ -113,10 +126,9 @@ void LineSteps::judge_fit(const std::vector<GrowingTip>& tips, const WilliamsFit
   const bool is_told = is_sheared ? acts_longer && is_crowded && step.residual < residual_with_shape
                                   : !is_crowded && step.residual < largest_residual(law);
   const bool is_alone = !beside_tip && !faces_press_at(tip) && !stress_.meets_other_material(tip, law, clear);
-  const bool would_hold = laws_.criterion == KinkCriterion::hoop_stress && is_told && is_alone;
+  step.fit_would_hold = laws_.criterion == KinkCriterion::hoop_stress && is_told && is_alone;
   step.at_border = is_alone && stress_.lacks_points(tip, law);
-  step.fit_would_hold = would_hold;
-  step.fit_holds = would_hold && !step.at_border;
+  step.fit_holds = step.fit_would_hold && !step.at_border;
   step.blends = is_sheared && is_alone && step.residual < residual_with_shape;
   if (!step.blends) return;
   const double one = std::pow(factors.one.dot(at), 2), two = std::pow(factors.two.dot(at), 2);
@@ -168,19 +180,11 @@ bool LineSteps::take_factors(const GrowingTip& tip, const coupling::Affine& disp
   const AffineIntensity intensity = on_way(found->intensity, way);
   const std::optional<LineLoad> load = load_of_growth(
       intensity, intensity, {growth_law(law, tip, tip.acts_at()), 1, way.ahead(way.present), way.control});
-  if (!load) return false;
-  const Point direction = turned(tip.direction, load->angle);
+  const Point direction = load ? turned(tip.direction, load->angle) : tip.direction;
   const LineWay::Step its = way_.next(tip.place, direction, law);
-  if (its.bonds.empty()) return false;
-  const double load_factor = way.ahead(load->load_factor);
-  const double by_fit = step.ratio_at(load_factor) / correction_of(tip);
-  const double by_factors = load->constant + load->load_factor * load->growing;
-  step.by_factors = true, step.error = found->error;
-  step.rate_over_fit = by_fit > 0 ? std::pow(by_factors / by_fit, 2) : 1;
-  step.factors = {{found->intensity.one[0], found->intensity.two[0]},
-                  {found->intensity.one[1], found->intensity.two[1]}};
-  step.load_factor = load_factor, step.constant = load->constant, step.growing = way.ahead(load->growing);
-  step.angle = load->angle, step.direction = direction, step.way = its;
+  if (!load || its.bonds.empty()) return false;
+  take(*found, *load, way, correction_of(tip), step);
+  step.direction = direction, step.way = its;
   return true;
 }
 
@@ -188,8 +192,7 @@ bool LineSteps::take_factors(const GrowingTip& tip, const coupling::Affine& disp
 // follow into the step, which the energy does not contain.
 void LineSteps::try_step(const GrowingTip& tip, const coupling::Affine& displacement, const LoadWay& way,
                          TrialBody& body, LineStep& step) const {
-  if (step.at_border && take_factors(tip, displacement, way, body, step)) return;
-  if (step.fit_would_hold) return;
+  if ((step.at_border && take_factors(tip, displacement, way, body, step)) || step.fit_would_hold) return;
   if (!body_.pressure_in(tip.id.crack).isZero(0) || body_.has_fluid()) return;
   const pd::TipLaw& law = law_of(tip);
   if (step.residual > residual_without_direction && !has_begun(tip)) {
@@ -215,10 +218,9 @@ void LineSteps::try_step(const GrowingTip& tip, const coupling::Affine& displace
   // A tip that is overloaded at the start of the path is due there, even if a smaller load would suffice further on.
   const bool is_due = way.control == Control::load && way.ahead(load->load_factor) > way.ahead(way.present) &&
                       growth->opens(way.present) && growth->ratio(way.present) >= 1 + ratio_rounding;
-  const double after_step = growth->ratio_after(load->load_factor) / growth->ratio(load->load_factor);
+  step.after_step = growth->ratio_after(load->load_factor) / growth->ratio(load->load_factor);
   blend(*load, error_by_energy + growth->error(load->load_factor), step);
   if (is_due) step.load_factor = way.present;
-  step.after_step = after_step;
 }
 
 }  // namespace bempd::fracture

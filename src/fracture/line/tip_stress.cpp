@@ -2,6 +2,7 @@
 
 #include <Eigen/Dense>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -215,12 +216,18 @@ bool TipStress::meets_other_material(const GrowingTip& tip, const pd::TipLaw& la
   });
 }
 
-// The fit takes points up to two horizons away. Those within a horizon of a border have other bonds.
+// Points within a horizon of a border have other bonds. Along the crack (a slope below 1/4) it disturbs the fit less.
 bool TipStress::lacks_points(const GrowingTip& tip, const pd::TipLaw& law) const {
   const double reach = away_from_surfaces * law.horizon;
-  return std::ranges::any_of(near_.about(tip.place, reach), [&](int node) {
-    return laws_.is_joined(node) && (positions_[static_cast<std::size_t>(node)] - tip.place).norm() < reach;
-  });
+  std::array<Eigen::AlignedBox2d, 2> sides;  // of the crack: the border's nodes there, ahead and across
+  for (const int node : near_.about(tip.place, reach)) {
+    const Point step = positions_[static_cast<std::size_t>(node)] - tip.place;
+    if (!laws_.is_joined(node) || step.norm() >= reach) continue;
+    const double across = cross(tip.direction, step);
+    sides[across > 0 ? 1 : 0].extend(Eigen::Vector2d(step.dot(tip.direction), across));
+  }
+  const auto is_oblique = [](const auto& side) { return !side.isEmpty() && side.sizes().y() > side.sizes().x() / 4; };
+  return std::ranges::any_of(sides, is_oblique);
 }
 
 std::vector<TipStress::Station> TipStress::stations_closely_ahead(const GrowingTip& tip, const pd::TipLaw& law) const {
