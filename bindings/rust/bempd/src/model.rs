@@ -4,8 +4,8 @@ use std::path::Path;
 
 use crate::raw::Handle;
 use crate::{
-    CancelToken, CrackId, Error, LoadId, LogLevel, Material, MaterialId, PhaseProgress, ProgramColumn, Progress, RegionId,
-    Result, State, StepReport, SupportId, Turn, Until,
+    CancelToken, CrackId, Error, LoadId, LogLevel, Material, MaterialId, PhaseProgress, ProgramColumn, Progress,
+    RegionId, Result, State, StepReport, SupportId, Turn, Until,
 };
 
 /// A scene and its state. Dropping it frees everything.
