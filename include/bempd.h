@@ -2298,8 +2298,8 @@ BEMPD_API bempd_status bempd_fatigue_report_init(bempd_fatigue_report* report, i
  * fracture_energy.
  *
  * Growth ends at the critical factor of a tip, K_c of the law or the toughness of the material at that place, and where
- * a net section yields. The progress callback
- * is called after every step. After a failure, and where a callback cancels, the model is as it was.
+ * a net section yields. The progress callback is called after every step. After a failure, and where a callback
+ * cancels, the model is as it was.
  * @param[in] model the model @param[in] block_count number of blocks, >= 1; 1 is a constant amplitude
  * @param[in] high shape [block_count], high load factor of each block [-]
  * @param[in] low shape [block_count], low load factor, at most the high one [-]

@@ -154,6 +154,53 @@ static void growth_by_cycles_ends_there(void) {
   bempd_model_free(p.model);
 }
 
+/** A function that fails amid growth by cycles leaves the model as it was, also between load cases. */
+static void failures_amid_growth_by_cycles_are_taken_back(void) {
+  for (int by_cases = 0; by_cases < 2; ++by_cases) {
+    const plate p = plate_of(1.0, -0.1, 0.1, 0.25, 1.0);
+    const bempd_growth_rate rate = paris();
+    const double high = 0.5, low = 0.0;
+    const int32_t loads[] = {p.up, p.down};
+    host h = new_host();
+    double length = 0.0;
+    int64_t extensions = -1, all;
+    CHECK_OK(p.model, bempd_set_resistance_function(p.model, p.material, resistance, &h));
+    CHECK_OK(p.model, bempd_set_growth_rate(p.model, p.material, &rate));
+    CHECK_OK(p.model, bempd_load_case_add(p.model, 2, loads, 0, NULL, NULL));
+    for (int failing = 0; failing < 2; ++failing) {
+      const bempd_fatigue options = to_length(0.3);
+      all = h.calls;
+      h.calls = 0;
+      if (failing == 0) {
+        const plate q = plate_of(1.0, -0.1, 0.1, 0.25, 1.0);
+        const int32_t its_loads[] = {q.up, q.down};
+        CHECK_OK(q.model, bempd_set_resistance_function(q.model, q.material, resistance, &h));
+        CHECK_OK(q.model, bempd_set_growth_rate(q.model, q.material, &rate));
+        CHECK_OK(q.model, bempd_load_case_add(q.model, 2, its_loads, 0, NULL, NULL));
+        if (by_cases == 0) CHECK_OK(q.model, bempd_grow_fatigue(q.model, 1, &high, &low, NULL, &options, NULL));
+        if (by_cases == 1)
+          CHECK_OK(q.model, bempd_grow_fatigue_cases(q.model, 1, 1, &high, &low, NULL, &options, NULL));
+        bempd_model_free(q.model);
+        continue;
+      }
+      CHECK(all > 100);
+      h.good = all / 2, h.value = NAN;
+      if (by_cases == 0)
+        CHECK_FAILS(p.model, BEMPD_ERROR_ARGUMENT, "nan",
+                    bempd_grow_fatigue(p.model, 1, &high, &low, NULL, &options, NULL));
+      if (by_cases == 1)
+        CHECK_FAILS(p.model, BEMPD_ERROR_ARGUMENT, "nan",
+                    bempd_grow_fatigue_cases(p.model, 1, 1, &high, &low, NULL, &options, NULL));
+      h.good = INT64_MAX;
+      CHECK_OK(p.model, bempd_crack_length(p.model, p.crack, &length));
+      CHECK_CLOSE(length, 0.2, 0.0);
+      CHECK_OK(p.model, bempd_extension_count(p.model, &extensions));
+      CHECK(extensions == 0);
+    }
+    bempd_model_free(p.model);
+  }
+}
+
 static void misuse_is_told(void) {
   const double extensions[] = {0.0, 1.0}, energies[] = {1.0, 4.0};
   const plate p = plate_of(1.0, -0.1, 0.1, 0.5, 1.0), q = plate_of(1.0, -0.1, 0.1, 0.5, 0.0);
@@ -180,6 +227,7 @@ int main(void) {
     bad_values_end_the_call(lines);
   }
   growth_by_cycles_ends_there();
+  failures_amid_growth_by_cycles_are_taken_back();
   misuse_is_told();
   return check_finish();
 }
