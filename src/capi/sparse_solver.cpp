@@ -17,10 +17,7 @@ namespace {
 class HostSolver final : public linalg::ExternalSolver {
  public:
   HostSolver(bempd_sparse_function function, void* user) : function_(function), user_(user) {}
-  ~HostSolver() override {
-    bempd_sparse_task task = task_for(BEMPD_SPARSE_DETACH, 0);
-    function_(&task, user_);
-  }
+  ~HostSolver() override { end(); }
   HostSolver(const HostSolver&) = delete;
   HostSolver& operator=(const HostSolver&) = delete;
 
@@ -69,7 +66,13 @@ class HostSolver final : public linalg::ExternalSolver {
 
   void forget(std::int64_t factor) noexcept override {
     bempd_sparse_task task = task_for(BEMPD_SPARSE_FORGET, factor);
-    function_(&task, user_);
+    if (function_) function_(&task, user_);
+  }
+
+  void end() noexcept override {
+    bempd_sparse_task task = task_for(BEMPD_SPARSE_DETACH, 0);
+    if (function_) function_(&task, user_);
+    function_ = nullptr;
   }
 
  private:
@@ -96,6 +99,7 @@ class HostSolver final : public linalg::ExternalSolver {
 
   // Status of a request that has succeeded, or has met a matrix that is not positive definite; else throws.
   bempd_status ask(bempd_sparse_task& task) {
+    if (!function_) fail(Failure::order, "the solver of this factor was taken away");
     const std::int32_t status = function_(&task, user_);
     const std::string sentence = task.message ? task.message : "the attached solver gives no reason";
     switch (status) {

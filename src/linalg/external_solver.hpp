@@ -41,6 +41,8 @@ class ExternalSolver {
   // Second half, right after reduce(): finds all unknowns from the kept ones.
   virtual void expand(std::int64_t factor, const Eigen::MatrixXd& kept, Eigen::MatrixXd& values) = 0;
   virtual void forget(std::int64_t factor) noexcept = 0;
+  // Ends the solver: later requests throw, whoever still refers to it.
+  virtual void end() noexcept = 0;
 };
 
 // What a call uses for its sparse systems.

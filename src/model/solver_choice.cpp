@@ -36,6 +36,7 @@ void Model::set_external_solver(std::shared_ptr<linalg::ExternalSolver> solver) 
     prepared_->evolution->synchronize();
     prepared_->system->release_solver();
   }
+  if (external_solver_) external_solver_->end();
   external_solver_ = std::move(solver);
 }
 

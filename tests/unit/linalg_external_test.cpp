@@ -57,6 +57,7 @@ class DenseSolver final : public ExternalSolver {
     values(part.eliminated, Eigen::all) = part.half - part.inverse.solve(Eigen::MatrixXd(part.coupling * kept));
   }
   void forget(std::int64_t factor) noexcept override { parts.erase(factor); }
+  void end() noexcept override {}
 
   struct Part {
     std::vector<int> eliminated, kept;
