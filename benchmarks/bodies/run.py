@@ -149,7 +149,7 @@ def trade(quick: bool) -> list[str]:
     lines = ["| scene | wanted | told | true | elements | seconds |", "|---|---|---|---|---|---|"]
     told_enough = close = met = count = 0
     for name, scene in SCENES[:4] if quick else SCENES:
-        finest, body = scene(2e-5, {"budget.seconds": 20})
+        finest, body = scene(0.001, {"test.halvings": 3})
         exact = answers(finest, body)
         for wanted in WANTED[1:4:2] if quick else WANTED:
             model, body = scene(wanted, {})
