@@ -17,8 +17,8 @@ constexpr double infinite = std::numeric_limits<double>::infinity();
 // random bodies are 2.4 to 7.4 times the error, and 3 to 70 times.
 constexpr double least_order = 0.5, largest_order = 2.7, usual_order = 2.25, usual_order_of_intensity = 2.54;
 
-// Factor on estimates, chosen so that they are at least the error in 19 of 20 meshes of random bodies, and at most three
-// times the error in nine of ten (docs/bodies.md).
+// Factor on estimates, chosen so that they are at least the error in 19 of 20 meshes of random bodies, and at most
+// three times the error in nine of ten (docs/bodies.md).
 constexpr double caution = 1.6;
 
 double order_of(const std::vector<MeshErrors>& differences, double MeshErrors::*kind) {
