@@ -1,0 +1,93 @@
+"""Bodies: regions whose boundary elements the library chooses."""
+
+import math
+
+import bempd
+import numpy as np
+import pytest
+from bempd._loops import Loop
+
+
+def bar(wanted, make):
+    """Clamped bar of two halves, bent at its end; `make` adds the right half. The place at its lower right corner moves."""
+    model = bempd.Model(options={"error.wanted": wanted})
+    steel = model.add_material(young_modulus=1000, poisson_ratio=0.3)
+    left = model.add_body(steel, bempd.rectangle(0, 0, 1.5, 1))
+    right = make(model, steel)
+    model.fix_edge(left, 4)
+    model.add_traction(right, 2, "y", proportional=-1)
+    model.step(1)
+    return model, model.evaluate([(3, 0)], stress=False).displacement[0]
+
+
+def test_bodies_meet_regions_with_given_elements_and_lattices():
+    halves = {"body": lambda m, s: m.add_body(s, bempd.rectangle(1.5, 0, 3, 1)),
+              "given": lambda m, s: m.add_bem_region(s, bempd.rectangle(1.5, 0, 3, 1), 0.05),
+              "lattice": lambda m, s: m.add_pd_region(s, bempd.rectangle(1.5, 0, 3, 1), 0.05)}
+    found = {name: bar(0.003, make)[1] for name, make in halves.items()}
+    size = np.linalg.norm(found["body"])
+    assert np.linalg.norm(found["given"] - found["body"]) < 0.003 * size
+    assert np.linalg.norm(found["lattice"] - found["body"]) < 0.02 * size  # the lattice's own error
+
+
+def test_an_outline_keeps_its_names_and_holes():
+    outer = Loop(np.array([(0, 0), (2, 0), (2, 1), (0, 1)], float), np.zeros(4), ("", "pulled", "", "clamp"), ("",) * 4)
+    hole = Loop(np.array([(0.8, 0.4), (0.8, 0.6), (1.2, 0.6), (1.2, 0.4)]), np.zeros(4), ("",) * 4, ("",) * 4)
+    outline = bempd.outline.Outline(outer, (hole,))
+    model = bempd.Model(options={"error.wanted": 0.03})
+    body = model.add_body(model.add_material(young_modulus=1, poisson_ratio=0.3), outline)
+    model.fix_edge(body, "clamp")
+    model.add_traction(body, "pulled", "x", proportional=1)
+    assert model.edge_count(body) == 8
+    plan = model.plan()
+    assert plan.meets_wish and plan.boundary_elements > 8 and "boundary elements" in str(plan)
+    model.step(1)
+    assert model.reaction(1)[0] == pytest.approx(-1)
+
+
+def test_a_point_support_ends_the_halving():
+    told = []
+    model = bempd.Model(options={"error.wanted": 1e-5}, log=lambda level, message: told.append(message))
+    body = model.add_body(model.add_material(young_modulus=1, poisson_ratio=0.3), bempd.rectangle(0, 0, 2, 1))
+    model.fix_edge(body, 4, "x")
+    model.fix_point((2, 0), "y")
+    model.add_traction(body, 3, "y", proportional=-1)
+    model.prepare()
+    plan = model.plan()
+    assert not plan.meets_wish and plan.boundary_elements < 1500
+    assert any("act at a point" in message for message in told)
+
+
+def test_cracks_of_a_body_grow():
+    model = bempd.Model(options={"error.wanted": 0.01})
+    glass = model.add_material(young_modulus=70e9, poisson_ratio=0.2, fracture_energy=8)
+    body = model.add_body(glass, bempd.rectangle(0, 0, 0.1, 0.2))
+    crack = model.add_crack([(0, 0.1), (0.02, 0.1)])
+    model.fix_edge(body, 1)
+    model.prescribe_edge(body, 3, "y", 1e-5)
+    expected = model.plan().growth_load_factor
+    first = model.step_to_next_event(1e4)
+    assert first.load_factor == pytest.approx(expected, rel=0.02)
+    before = model.crack_length(crack)
+    for _ in range(3):
+        model.step_to_next_event(1e4)
+    assert model.crack_length(crack) > before
+    errors = model.error_estimate()
+    assert 0 < errors.stress_intensity < 0.01 and errors.model < 0.05
+    assert all(tip.error <= 0.02 * math.hypot(tip.stress_intensity_1, tip.stress_intensity_2) for tip in model.tips())
+
+
+def test_a_plan_can_be_drawn():
+    pytest.importorskip("matplotlib").use("Agg")
+    model = bempd.Model()
+    body = model.add_body(model.add_material(young_modulus=1, poisson_ratio=0.3), bempd.rectangle(0, 0, 2, 1))
+    model.fix_edge(body, 4)
+    model.add_traction(body, 2, "y", proportional=1)
+    axes = model.plan().plot()
+    assert len(axes.patches) == 4 and "elements" in axes.get_title()
+
+
+@pytest.mark.parametrize("name", ["error.wanted", "budget.seconds"])
+def test_options_are_checked(name):
+    with pytest.raises(bempd.ArgumentError, match=name):
+        bempd.Model(options={name: -1})
