@@ -8,6 +8,7 @@
 #include "model/clear_radius.hpp"
 #include "model/element_carrier.hpp"
 #include "model/element_growth.hpp"
+#include "model/line_factors.hpp"
 #include "model/model.hpp"
 #include "number_range.hpp"
 #include "regions/tips/lattice_openings.hpp"
@@ -74,19 +75,6 @@ void complete(regions::TipValues& tip, const scene::Options& options) {
                            law.directions ? tip.toughness * std::sqrt(law.share_in(0)) : tip.toughness);
 }
 
-regions::BondedBody Model::bonded_body(const PreparedScene& prepared) const {
-  const coupling::EquilibriumSystem& system = *prepared.system;
-  return {scene_,
-          prepared.discretization,
-          system.terms(),
-          system.present_stiffness(),
-          system.intact(),
-          prepared.cut_bonds,
-          prepared.in_lattices.cracks,
-          system.constraints(),
-          pressures_of(prepared.conditions)};
-}
-
 std::vector<regions::TipValues> Model::tips_of(const PreparedScene& prepared, regions::TipDetail detail) const {
   std::vector<regions::TipValues> tips;
   for (const auto& region : prepared.discretization.regions) {
@@ -123,7 +111,7 @@ std::vector<regions::TipValues> Model::compute_tips() const {
 
 // Tips found among the broken bonds of the lattices, in growth bond by bond.
 std::vector<regions::TipValues> Model::tips_in_lattices() const {
-  const regions::BondedBody body = bonded_body(*prepared_);
+  const regions::BondedBody body = bonded_body(scene_, *prepared_);
   std::vector<regions::TipValues> tips =
       regions::lattice_tips(body, regions::find_lattice_tips(body), solution(), options_);
   for (regions::TipValues& tip : tips) complete(tip, options_);
@@ -139,7 +127,7 @@ std::vector<regions::TipValues> Model::tips_of_lines() const {
     if (tip.id.end == 0) std::reverse(path.begin(), path.end());
     known.push_back({tip.id.crack, tip.id.end, tip.direction, std::move(path), has_extensions(tip.id, extensions())});
   }
-  const regions::BondedBody body = bonded_body(*prepared_);
+  const regions::BondedBody body = bonded_body(scene_, *prepared_);
   std::vector<regions::TipValues> tips =
       regions::lattice_tips(body, regions::lattice_tips_at(body, known), solution(), options_);
   for (std::size_t k = 0; k < tips.size(); ++k) {
@@ -171,7 +159,7 @@ std::vector<regions::CrackPicture> Model::crack_pictures() const {
   }
   const std::vector<std::vector<Point>> paths = paths_in_lattices();
   const auto in_lattices =
-      regions::lattice_crack_pictures(bonded_body(*prepared_), solution().displacement,
+      regions::lattice_crack_pictures(bonded_body(scene_, *prepared_), solution().displacement,
                                       [&](const Point& place) { return crack_nearest(place, paths); });
   cracks.insert(cracks.end(), in_lattices.begin(), in_lattices.end());
   return cracks;
@@ -222,7 +210,7 @@ std::vector<Point> Model::openings_in_lattices(int crack, const std::vector<doub
   const std::vector<std::vector<Point>> paths = paths_in_lattices();
   const auto number = static_cast<std::size_t>(crack) - 1;
   require(paths[number].size() > 1, "crack ", crack, " was removed; ask for the openings of one that there is");
-  return regions::lattice_openings(bonded_body(*prepared_), paths, number, fractions, solution().displacement);
+  return regions::lattice_openings(bonded_body(scene_, *prepared_), paths, number, fractions, solution().displacement);
 }
 
 int Model::crack_count() const {
@@ -236,7 +224,7 @@ std::vector<PathVertex> Model::crack_path(int crack) const {
   if (crack < 1 || crack > crack_count()) scene_.crack(crack);  // throws
   const auto number = static_cast<std::size_t>(crack) - 1;
   if (crack > described || scene_.cracks()[number].has_begun) return path_of(crack, {}, extensions());
-  if (prepared_ && prepared_->discretization.cracks[number].cuts_bonds()) return path_in(*prepared_, crack);
+  if (prepared_ && prepared_->discretization.cracks[number].cuts_bonds()) return path_in(scene_, *prepared_, crack);
   const scene::Crack& found = scene_.cracks()[number];
   if (found.points.empty()) return {};
   return path_of(crack, found.given(), extensions());

@@ -10,6 +10,11 @@
 
 namespace bempd::model {
 
+Seconds seconds_of(const PreparedScene& prepared) {
+  const coupling::SolverCounters& counters = prepared.system->counters();
+  return {counters.seconds_solve, counters.seconds_update, prepared.evolution->seconds_search()};
+}
+
 ElementCarrier::ElementCarrier(Model& model, const scene::SceneValues* on_way, bool grows)
     : model_(model),
       on_way_(on_way),

@@ -1,19 +1,30 @@
+#include "model/line_factors.hpp"
+
 #include <algorithm>
 #include <cmath>
 
 #include "coupling/affine.hpp"
-#include "model/model.hpp"
 #include "regions/tips/lattice_tips.hpp"
 
-// Stress intensity factors of crack lines by sums around their tips, for the run itself.
 namespace bempd::model {
 
-// Path of a crack that cuts bonds. An end that has grown lies where its cut ended; an end that has not grown lies at
-// its effective tip.
-std::vector<PathVertex> Model::path_in(const PreparedScene& prepared, int crack) const {
+regions::BondedBody bonded_body(const scene::Scene& scene, const PreparedScene& prepared) {
+  const coupling::EquilibriumSystem& system = *prepared.system;
+  return {scene,
+          prepared.discretization,
+          system.terms(),
+          system.present_stiffness(),
+          system.intact(),
+          prepared.cut_bonds,
+          prepared.in_lattices.cracks,
+          system.constraints(),
+          pressures_of(prepared.conditions)};
+}
+
+std::vector<PathVertex> path_in(const scene::Scene& scene, const PreparedScene& prepared, int crack) {
   const std::span<const fracture::CrackExtension> extensions = prepared.evolution->progress().extensions;
   const auto number = static_cast<std::size_t>(crack) - 1;
-  const bool is_described = number < scene_.cracks().size() && !scene_.cracks()[number].has_begun;
+  const bool is_described = number < scene.cracks().size() && !scene.cracks()[number].has_begun;
   if (!is_described) return path_of(crack, {}, extensions);
   const scene::Crack& found = prepared.in_lattices.cracks[number];
   if (found.points.empty()) return {};
@@ -27,10 +38,10 @@ std::vector<PathVertex> Model::path_in(const PreparedScene& prepared, int crack)
   return path_of(crack, given, extensions);
 }
 
-std::optional<fracture::TipFactors> Model::factors_around(const PreparedScene& prepared,
-                                                          const fracture::GrowingTip& tip,
-                                                          const coupling::Affine& displacement) const {
-  std::vector<Point> path = places_of(path_in(prepared, tip.id.crack));
+std::optional<fracture::TipFactors> factors_around(const scene::Scene& scene, const scene::Options& options,
+                                                   const PreparedScene& prepared, const fracture::GrowingTip& tip,
+                                                   const coupling::Affine& displacement) {
+  std::vector<Point> path = places_of(path_in(scene, prepared, tip.id.crack));
   if (tip.id.end == 0) std::reverse(path.begin(), path.end());
   if (path.size() < 2) return std::nullopt;
   const double load_factor = prepared.evolution->progress().load_factor;
@@ -41,10 +52,10 @@ std::optional<fracture::TipFactors> Model::factors_around(const PreparedScene& p
                                    .body_forces = {},
                                    .parts = &displacement,
                                    .load_factor = load_factor};
-  const regions::BondedBody body = bonded_body(prepared);
+  const regions::BondedBody body = bonded_body(scene, prepared);
   const regions::KnownTip known{tip.id.crack, tip.id.end, tip.direction, std::move(path), tip.grown > 0};
   const regions::TipValues found =
-      regions::lattice_tips(body, regions::lattice_tips_at(body, {known}), solution, options_).front();
+      regions::lattice_tips(body, regions::lattice_tips_at(body, {known}), solution, options).front();
   if (found.contours == 0 || found.closed) return std::nullopt;
   const Point &constant = found.constant_factors, &proportional = found.proportional_factors;
   if (!constant.allFinite() || !proportional.allFinite()) return std::nullopt;

@@ -85,7 +85,7 @@ void Model::add_crack_fluid(PreparedScene& p) const {
                                 std::move(cut), terms, p.discretization.positions});
 }
 
-fracture::CrackPressures Model::pressures_of(const regions::DofConditions& conditions) {
+fracture::CrackPressures pressures_of(const regions::DofConditions& conditions) {
   fracture::CrackPressures sums;
   for (const regions::CrackPressure& pressure : conditions.crack_pressures) {
     sums.try_emplace(pressure.crack, Eigen::RowVector2d::Zero());

@@ -12,6 +12,7 @@
 #include "model/crack_way.hpp"
 #include "model/element_carrier.hpp"
 #include "model/growth_options.hpp"
+#include "model/line_factors.hpp"
 #include "model/stepping_options.hpp"
 #include "regions/crack_places.hpp"
 #include "regions/incompressible.hpp"
@@ -94,11 +95,6 @@ std::vector<char> nodes_where_material_goes_on(const scene::Scene& scene, const 
 
 }  // namespace
 
-Seconds seconds_of(const PreparedScene& prepared) {
-  const coupling::SolverCounters& counters = prepared.system->counters();
-  return {counters.seconds_solve, counters.seconds_update, prepared.evolution->seconds_search()};
-}
-
 scene::Scene& Model::editable_scene() {
   if (prepared_) {
     fail(Failure::order,
@@ -178,7 +174,9 @@ void Model::grow_lines(PreparedScene& p) const {
   p.evolution->grow_lines(
       std::move(laws), std::move(tips),
       [this](int crack, const std::vector<double>& fractions) { return openings_in_lattices(crack, fractions); },
-      [this, &p](const auto& tip, const auto& displacement) { return factors_around(p, tip, displacement); });
+      [this, &p](const auto& tip, const auto& displacement) {
+        return factors_around(scene_, options_, p, tip, displacement);
+      });
 }
 
 fracture::ContactPlan Model::contact_plan(const PreparedScene& p) const {

@@ -128,7 +128,6 @@ class Model {
   Fatigue& fatigue() { return fatigue_; }
   const Fatigue& fatigue() const { return fatigue_; }
   Accuracy& accuracy() { return accuracy_; }
-  const Accuracy& accuracy() const { return accuracy_; }
   LoadCases& load_cases() { return load_cases_; }
   const LoadCases& load_cases() const { return load_cases_; }
   // Whether the body counts as separated although bonds still connect the held part and the loaded part, like a hinge.
@@ -208,13 +207,9 @@ class Model {
   // (recording.cpp).
   void run_recording(double target, fracture::Goal goal, const fracture::SteppingOptions& stepping,
                      ElementCarrier& elements, StepResult& result);
-  regions::BondedBody bonded_body(const PreparedScene& prepared) const;
   std::vector<regions::TipValues> compute_tips() const;
   std::vector<regions::TipValues> tips_in_lattices() const;
   std::vector<regions::TipValues> tips_of_lines() const;
-  std::vector<PathVertex> path_in(const PreparedScene& prepared, int crack) const;
-  std::optional<fracture::TipFactors> factors_around(const PreparedScene& prepared, const fracture::GrowingTip& tip,
-                                                     const coupling::Affine& displacement) const;
   std::vector<Point> openings_in_lattices(int crack, const std::vector<double>& fractions) const;
   std::vector<std::vector<Point>> paths_in_lattices() const;  // none of a crack with elements
   int crack_nearest(const Point& place, const std::vector<std::vector<Point>>& paths) const;
@@ -242,7 +237,6 @@ class Model {
   void grow_lines(PreparedScene& prepared) const;
   fracture::ContactPlan contact_plan(const PreparedScene& prepared) const;
   void add_crack_fluid(PreparedScene& prepared) const;
-  static fracture::CrackPressures pressures_of(const regions::DofConditions& conditions);
   regions::Solution solution() const { return solution_of(*prepared_); }
   void log(int level, const std::string& message) const;
   // Runs code that only reports on finished work. Failures are ignored: a call must not fail for lack of memory for a

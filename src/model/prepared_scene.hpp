@@ -33,4 +33,7 @@ struct PreparedScene {
   std::optional<std::vector<regions::SingularPlace>> singular_places;  // once they are asked for
 };
 
+// Fluid pressures in cracks under given conditions.
+fracture::CrackPressures pressures_of(const regions::DofConditions& conditions);
+
 }  // namespace bempd::model

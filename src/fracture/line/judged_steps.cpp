@@ -64,6 +64,21 @@ void take(const TipFactors& found, const LineLoad& load, const LoadWay& way, dou
   step.angle = load.angle;
 }
 
+// Takes the load by the energy, with its relative error; for a sheared tip the mean of both loads, weighted by the
+// squares of their errors. The fit's load of such a tip depends less on its place between points, that of the energy
+// less on what lies around (docs/cracks.md).
+void blend(const LineLoad& by_energy, double error, LineStep& step) {
+  const double share = step.blends ? error * error / (error * error + step.error * step.error) : 0;
+  const double constant = std::lerp(by_energy.constant, step.constant, share);
+  const double growing = std::lerp(by_energy.growing, step.growing, share);
+  const std::optional<double> root = load_ratio(1 - constant, growing);
+  const bool is_same_way = root && *root * by_energy.load_factor > 0;
+  step.constant = is_same_way ? constant : by_energy.constant;
+  step.growing = is_same_way ? growing : by_energy.growing;
+  step.load_factor = is_same_way ? *root : by_energy.load_factor;
+  step.error = std::sqrt(1 - share) * error;
+}
+
 }  // namespace
 
 bool LineSteps::faces_press_at(const GrowingTip& tip) const {
@@ -137,7 +152,7 @@ void LineSteps::judge_fit(const std::vector<GrowingTip>& tips, const WilliamsFit
                (is_crowded ? error_of_crowded : 0);
 }
 
-bool LineSteps::need_body(const std::vector<LineStep>& steps, const LoadWay& way) {
+bool need_body(const std::vector<LineStep>& steps, const LoadWay& way) {
   double first = std::numeric_limits<double>::infinity();
   for (const LineStep& step : steps) first = std::min(first, std::abs(way.place_of(step.load_factor)));
   return std::ranges::any_of(steps, [&](const LineStep& step) {
@@ -155,21 +170,6 @@ KinkShape LineSteps::shape_of(const GrowingTip& tip, const coupling::Affine& dis
   if (share == 0 || step.is_shut) return {};
   const WilliamsFit fit = stress_.fitted(tip, law, displacement, body_.pressure_in(tip.id.crack));
   return {stress_.as_read(fit.factors(law.horizon)), share * fit.t_stress(), step.angle};
-}
-
-// Takes the load by the energy, with its relative error; for a sheared tip the mean of both loads, weighted by the
-// squares of their errors. The fit's load of such a tip depends less on its place between points, that of the energy
-// less on what lies around (docs/cracks.md).
-void LineSteps::blend(const LineLoad& by_energy, double error, LineStep& step) const {
-  const double share = step.blends ? error * error / (error * error + step.error * step.error) : 0;
-  const double constant = std::lerp(by_energy.constant, step.constant, share);
-  const double growing = std::lerp(by_energy.growing, step.growing, share);
-  const std::optional<double> root = load_ratio(1 - constant, growing);
-  const bool is_same_way = root && *root * by_energy.load_factor > 0;
-  step.constant = is_same_way ? constant : by_energy.constant;
-  step.growing = is_same_way ? growing : by_energy.growing;
-  step.load_factor = is_same_way ? *root : by_energy.load_factor;
-  step.error = std::sqrt(1 - share) * error;
 }
 
 bool LineSteps::take_factors(const GrowingTip& tip, const coupling::Affine& displacement, const LoadWay& way,

@@ -52,6 +52,10 @@ struct LineStep {
   double ratio_at(double at) const { return constant + at * growing; }
 };
 
+// Whether one of the steps whose fits do not hold may be the first, where `steps` have the loads of their fits. Its
+// load then has to come from the energy of a trial step, which a TrialBody is needed for.
+bool need_body(const std::vector<LineStep>& steps, const LoadWay& way);
+
 // Steps of crack lines for given displacements, which need to be known around tips only. The tip that first reaches its
 // toughness grows by a spacing in the direction of maximum hoop stress. The load factor is corrected by the energy that
 // the last steps released, so that the growth absorbs the fracture energy.
@@ -85,9 +89,6 @@ class LineSteps {
   // is used all the same.
   std::vector<LineStep> all(const std::vector<GrowingTip>& tips, const coupling::Affine& displacement,
                             const LoadWay& way, TrialBody* body = nullptr, bool with_frozen = false) const;
-  // Whether one of the steps whose fits do not hold may be the first, where `steps` have the loads of their fits. Its
-  // load then has to come from the energy of a trial step, which a TrialBody is needed for.
-  static bool need_body(const std::vector<LineStep>& steps, const LoadWay& way);
   // Candidates for the order of growth: the load factors of the steps.
   static std::vector<crack::Candidate> candidates(const std::vector<LineStep>& steps, const LoadWay& way);
   // Tip that grows first on a path (crack/order.hpp), used for the whole body and in windows alike.
@@ -157,6 +158,7 @@ class LineSteps {
   // for a tip whose faces press on each other.
   AffineIntensity intensity_of(const GrowingTip& tip, const WilliamsFit& fit) const;
   bool faces_press_at(const GrowingTip& tip) const;
+  // Factors that give the load of growth.
   AffineIntensity intensity_for_load(const GrowingTip& tip, const WilliamsFit& fit) const;
   bool is_shut(const GrowingTip& tip, const WilliamsFit& fit) const;
   void judge_fit(const std::vector<GrowingTip>& tips, const WilliamsFit& fit, LineStep& step) const;
@@ -168,7 +170,6 @@ class LineSteps {
   // Replaces factors, load and direction of the fit by those of sums around the tip; false if it has no room for them.
   bool take_factors(const GrowingTip& tip, const coupling::Affine& displacement, const LoadWay& way, TrialBody& body,
                     LineStep& step) const;
-  void blend(const LineLoad& by_energy, double error, LineStep& step) const;
   AffineIntensity turning_of(const GrowingTip& tip, const AffineIntensity& by_fit, const coupling::Affine& displacement,
                              double present) const;
   int law_ahead_of(const GrowingTip& tip) const;

@@ -16,17 +16,8 @@ namespace {
 // Distances in horizons between which Williams' series is fitted. With three terms, or farther out, the load of an
 // inclined crack's first growth is too small; nearer the lattice smooths the stress by a few percent. A surface within
 // three horizons disturbs it more, so then nearer points are used (docs/directions.md).
-constexpr double inner_reach = 1, outer_reach = 2, fitted_cosine = 0;
-constexpr double inner_reach_beside = 0.5, outer_reach_beside = 1.25;
+constexpr double inner_reach = 1, fitted_cosine = 0, inner_reach_beside = 0.5;
 constexpr double beside_surface = 1, away_from_surfaces = 3;
-
-// K_II of a fit over that of boundary elements: measured as 1.06 to 1.11 on inclined cracks (docs/directions.md). Under
-// shear the effective tip lies some 0.15 horizons farther ahead than under opening.
-constexpr double shear_as_fitted = 1.08;
-// The same over the K_II by which a tip grows: the shear acts farther ahead, so a part of the difference is real. With
-// points nearer to the tip, as beside an edge, K_I is too small by as much as K_II is too large. Measured on first
-// loads of kinks of 10 to 70 degrees and of edge cracks at 20 to 70 degrees.
-constexpr double shear_for_load = 1.05, shear_for_load_beside = 1;
 
 // Mean stress closely ahead, used for cracks that have begun in the run: reach and least cosine to the tip's direction
 // of its points. Then its ratios to the field of K_I and K_II, measured for horizons of 3 and 4 spacings and valid
@@ -272,23 +263,6 @@ WilliamsFit TipStress::fitted(const GrowingTip& tip, const pd::TipLaw& law, cons
     series.add(r, std::atan2(across, ahead), s);
   }
   return series;
-}
-
-AffineIntensity TipStress::at(const GrowingTip& tip, const pd::TipLaw& law, const coupling::Affine& displacement,
-                              const Eigen::RowVector2d& pressure) const {
-  return as_read(fitted(tip, law, displacement, pressure).factors(law.horizon));
-}
-
-AffineIntensity TipStress::as_read(AffineIntensity fitted) const {
-  if (laws_.loads_by_energy) fitted.two /= shear_as_fitted;
-  return fitted;
-}
-
-AffineIntensity TipStress::for_load(const WilliamsFit& fit, double horizon) const {
-  AffineIntensity found = fit.factors(horizon);
-  const double away = (fit.reach() - outer_reach_beside) / (outer_reach - outer_reach_beside);
-  if (laws_.loads_by_energy) found.two /= std::lerp(shear_for_load_beside, shear_for_load, std::clamp(away, 0.0, 1.0));
-  return found;
 }
 
 AffineIntensity TipStress::closely_ahead_of(const GrowingTip& tip, const pd::TipLaw& law,

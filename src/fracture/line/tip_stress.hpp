@@ -22,6 +22,9 @@ namespace bempd::fracture {
 // crack.
 class TipStress {
  public:
+  // Distance in horizons of the farthest points of the fit: away from surfaces, and beside one.
+  static constexpr double outer_reach = 2, outer_reach_beside = 1.25;
+
   TipStress(const coupling::EquilibriumSystem& system, const std::vector<Point>& positions, const pd::TipLaws& laws);
 
   // Stress intensity factors of a tip. `pressure` is the fluid pressure in its crack (constant and proportional part):

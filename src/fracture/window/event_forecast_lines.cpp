@@ -15,7 +15,7 @@ bool EventForecast::choose_place_of_lines(const BodyState& state, double load_fa
   std::vector<WindowLocator::Way> ways;
   const LoadWay load_way{state.load_factor, true, options_.control};
   const std::vector<LineStep> steps = lines_->all(state.tips, state.displacement, load_way);
-  if (LineSteps::need_body(steps, load_way)) return false;
+  if (need_body(steps, load_way)) return false;
   for (const LineStep& step : steps) {
     if (!LineSteps::is_driven(step, load_way, load_factor)) continue;
     const GrowingTip& tip = state.tips[step.tip];

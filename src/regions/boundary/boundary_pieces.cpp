@@ -12,7 +12,20 @@ namespace {
 // Factor between two distances that differ by more than rounding. Among nearly equal distances the first counts.
 constexpr double clearly_farther = 1 + 1e-6;
 
+// Nodes of the scene for all nodes of a mesh, some of which are none (-1). An end of an element at a crack's mouth then
+// gets the number of the element's other end, which lies on the same side of the crack; a mid node that of the start.
+std::vector<int> with_neighbours(std::vector<int> nodes, const BoundaryMesh& mesh) {
+  for (const BoundaryElement& element : mesh.elements)
+    for (const int k : {0, 2})
+      if (nodes[element.nodes[k]] < 0) nodes[element.nodes[k]] = nodes[element.nodes[2 - k]];
+  for (const BoundaryElement& element : mesh.elements)
+    if (nodes[element.nodes[1]] < 0) nodes[element.nodes[1]] = nodes[element.nodes[0]];
+  return nodes;
+}
+
 }  // namespace
+
+std::vector<int> BoundaryRegion::nodes_of_entries() const { return with_neighbours(node_of_mesh_node_, mesh_); }
 
 int BoundaryRegion::piece_count() const { return cracks_ ? cracks_->elements().pieces.count : 1; }
 
@@ -51,19 +64,6 @@ std::vector<coupling::BodyPiece> BoundaryRegion::pieces() const {
     pieces[p].holdable = {node_of_mesh_node_[one], node_of_mesh_node_[other]};
   }
   return pieces;
-}
-
-std::vector<int> BoundaryRegion::nodes_of_entries() const {
-  std::vector<int> nodes = node_of_mesh_node_;
-  // An end of an element at a crack's mouth may be no node of the scene: it gets the number of the element's other end,
-  // which lies on the same side of the crack.
-  for (const BoundaryElement& element : mesh_.elements)
-    for (const int k : {0, 2})
-      if (nodes[element.nodes[k]] < 0) nodes[element.nodes[k]] = nodes[element.nodes[2 - k]];
-  // A mid node that is no node of the scene gets the number of the node at the start of its element.
-  for (const BoundaryElement& element : mesh_.elements)
-    if (nodes[element.nodes[1]] < 0) nodes[element.nodes[1]] = nodes[element.nodes[0]];
-  return nodes;
 }
 
 InteriorOfPieces BoundaryRegion::inside_without(const LinearBodyForce& particular, const Solution& solution) const {
