@@ -52,7 +52,8 @@ double largest_residual(const pd::TipLaw& law) {
 }
 
 // Replaces factors, load and turn of a step's fit by those of sums around its tip. `correction` is that of the fit.
-void take(const TipFactors& found, const LineLoad& load, const LoadWay& way, double correction, LineStep& step) {
+void set_by_factors(const TipFactors& found, const LineLoad& load, const LoadWay& way, double correction,
+                    LineStep& step) {
   const double load_factor = way.ahead(load.load_factor);
   const double by_fit = step.ratio_at(load_factor) / correction;
   const double by_factors = load.constant + load.load_factor * load.growing;
@@ -183,7 +184,7 @@ bool LineSteps::take_factors(const GrowingTip& tip, const coupling::Affine& disp
   const Point direction = load ? turned(tip.direction, load->angle) : tip.direction;
   const LineWay::Step its = way_.next(tip.place, direction, law);
   if (!load || its.bonds.empty()) return false;
-  take(*found, *load, way, correction_of(tip), step);
+  set_by_factors(*found, *load, way, correction_of(tip), step);
   step.direction = direction, step.way = its;
   return true;
 }
