@@ -25,7 +25,7 @@ constexpr double shear_as_fitted = 1.08;
 // The same over the K_II by which a tip grows: the shear acts farther ahead, so a part of the difference is real. With
 // points nearer to the tip, as beside an edge, K_I is too small by as much as K_II is too large. Measured on first
 // loads of kinks of 10 to 70 degrees and of edge cracks at 20 to 70 degrees.
-constexpr double shear_for_load = 1.05, shear_for_load_beside = 1;
+constexpr double shear_for_load = 1.03, shear_for_load_beside = 0.94;
 
 // Mean stress closely ahead, used for cracks that have begun in the run: reach and least cosine to the tip's direction
 // of its points. Then its ratios to the field of K_I and K_II, measured for horizons of 3 and 4 spacings and valid
