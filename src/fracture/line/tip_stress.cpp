@@ -272,8 +272,7 @@ AffineIntensity TipStress::as_read(AffineIntensity fitted) const {
 AffineIntensity TipStress::for_load(const WilliamsFit& fit, double horizon) const {
   AffineIntensity found = fit.factors(horizon);
   const double away = (fit.reach() - outer_reach_beside) / (outer_reach - outer_reach_beside);
-  if (laws_.loads_by_energy)
-    found.two /= std::lerp(shear_for_load_beside, shear_for_load, std::clamp(away, 0.0, 1.0));
+  if (laws_.loads_by_energy) found.two /= std::lerp(shear_for_load_beside, shear_for_load, std::clamp(away, 0.0, 1.0));
   return found;
 }
 
