@@ -23,6 +23,10 @@ constexpr double residual_without_direction = 0.2;
 // Residual up to which a fit fully determines how the energy release rate begins behind a kink; from here to
 // residual_without_direction its influence fades out.
 constexpr double residual_with_shape = 0.1;
+// T stress by which the rate behind a kink changes, over that of the fit. In a lattice a kink acts longer than the
+// bonds that it cuts: with this value first loads by energy are those of boundary elements for any T stress, in the
+// mean.
+constexpr double t_stress_at_kinks = 1.2;
 // Largest K_II / K_I for which the fit holds. With more shear K_II dominates, which the fit gives less accurately.
 constexpr double largest_shear = 0.7;
 // Least K_II of a shut crack over the K_I that the fit takes from the pressure across the crack. A smaller K_II is an
@@ -170,7 +174,7 @@ KinkShape LineSteps::shape_of(const GrowingTip& tip, const coupling::Affine& dis
       (residual_without_direction - step.residual) / (residual_without_direction - residual_with_shape), 0.0, 1.0);
   if (share == 0 || step.is_shut) return {};
   const WilliamsFit fit = stress_.fitted(tip, law, displacement, body_.pressure_in(tip.id.crack));
-  return {stress_.as_read(fit.factors(law.horizon)), share * fit.t_stress(), step.angle};
+  return {stress_.as_read(fit.factors(law.horizon)), share * t_stress_at_kinks * fit.t_stress(), step.angle};
 }
 
 bool LineSteps::take_factors(const GrowingTip& tip, const coupling::Affine& displacement, const LoadWay& way,
