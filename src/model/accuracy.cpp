@@ -24,7 +24,7 @@ constexpr double least_ratio = 2, largest_ratio = 8;
 // Scenes with at most so many elements are solved with halved elements to tell errors: that is quick, and needs no
 // order of convergence. The error is the difference times 8/7 for the order 3, times 2 for the order 1.
 constexpr std::int64_t few_elements = 100;
-constexpr double caution_of_halved = 1.5;
+constexpr double caution_of_halved = 2.25;
 
 // Meshes with more halvings than this would only be needed for errors within rounding.
 constexpr int most_halvings = 8;
