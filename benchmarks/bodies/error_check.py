@@ -67,7 +67,8 @@ def table(first: int, count: int) -> list[str]:
     ratios.sort()
     enough, close = sum(ratio >= 1 for ratio in ratios), sum(ratio <= 3 for ratio in ratios)
     return [f"* Random bodies, seeds {first} to {first + count - 1}, of at most 500 elements when halved three times, have {len(ratios)} "
-            f"meshes: {enough} tell at least the true error, {close} at most three times it.",
+            "meshes.",
+            f"* {enough} of them tell at least the true error, {close} at most three times it.",
             f"* Told over true is {ratios[0]:.2f} to {ratios[-1]:.1f}, {ratios[len(ratios) // 2]:.1f} in the middle."]
 
 
