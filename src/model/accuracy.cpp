@@ -32,8 +32,8 @@ constexpr int most_halvings = 8;
 const scene::OptionGroup accuracy_group(scene::OptionPlace::general, [] {
   scene::OptionDescription budget = scene::number_option(
       "budget.seconds",
-      "Time that the choice of a body's elements may take by estimate: a mesh that would take longer is not tried, and "
-      "the errors stay larger than error.wanted, which is told to the log. 0: no limit.",
+      "Time that the choice of a body's elements may take by estimate. A mesh that would take longer is not tried, and "
+      "the log tells the errors that are left. 0: no limit.",
       0, 0, 1e9, false);
   budget.unit = "s";
   return std::vector<scene::OptionDescription>{

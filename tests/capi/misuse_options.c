@@ -69,7 +69,7 @@ static void options_are_described_within_their_count(void) {
   memset(&info, 0, sizeof info);
   info.struct_size = (int64_t)sizeof info;
   CHECK_OK(NULL, bempd_option_count(&count));
-  CHECK(count > 0 && count <= 27);
+  CHECK(count > 0 && count <= 29);
   CHECK_FAILS(NULL, BEMPD_ERROR_ARGUMENT, "index", bempd_option_describe(-1, &info));
   CHECK_FAILS(NULL, BEMPD_ERROR_ARGUMENT, "index", bempd_option_describe(count, &info));
   CHECK_FAILS(NULL, BEMPD_ERROR_ARGUMENT, "index", bempd_option_describe(INT64_MAX, &info));
