@@ -183,8 +183,8 @@ bool LineSteps::take_factors(const GrowingTip& tip, const coupling::Affine& disp
   if (!found || !(found->error < largest_error_around)) return false;
   const pd::TipLaw law = law_of(tip).at(tip.acts_at(), tip.grown);
   const AffineIntensity intensity = on_way(found->intensity, way);
-  const std::optional<LineLoad> load = load_of_growth(
-      intensity, intensity, {growth_law(law, tip, tip.acts_at()), 1, way.ahead(way.present), way.control});
+  LineCriterion criterion{growth_law(law, tip, tip.acts_at()), 1, way.ahead(way.present), way.control};
+  const std::optional<LineLoad> load = load_of_growth(intensity, intensity, criterion);
   const Point direction = load ? turned(tip.direction, load->angle) : tip.direction;
   const LineWay::Step its = way_.next(tip.place, direction, law);
   if (!load || its.bonds.empty()) return false;
