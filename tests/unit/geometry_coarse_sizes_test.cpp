@@ -20,7 +20,7 @@ std::vector<Panel> panels_of(const std::vector<Point>& loop) {
   return panels;
 }
 
-std::vector<Panel> circle(const Point& centre, double radius) {
+std::vector<Panel> circle_of_panels(const Point& centre, double radius) {
   std::vector<Panel> panels;
   for (int k = 0; k < 4; ++k) {
     const auto at = [&](int quarter) {
@@ -39,14 +39,14 @@ double longest(const std::vector<double>& stations) {
 }
 
 TEST(CoarseSizes, elements_are_at_most_an_eighth_of_the_outline_and_of_a_circle) {
-  const CoarseSizes sizes({panels_of(box_loop(0, 0, 4, 4)), circle({2, 2}, 1)});
+  const CoarseSizes sizes({panels_of(box_loop(0, 0, 4, 4)), circle_of_panels({2, 2}, 1)});
   for (int panel = 0; panel < 4; ++panel) EXPECT_EQ(sizes.stations(panel), (std::vector<double>{0, 0.5, 1}));
   for (int panel = 4; panel < 8; ++panel) EXPECT_EQ(sizes.stations(panel).size(), 3u);
 }
 
 TEST(CoarseSizes, elements_along_a_narrow_ligament_are_at_most_twice_as_long_as_it_is_wide) {
   for (const double gap : {0.4, 0.1, 0.02}) {
-    const CoarseSizes sizes({panels_of(box_loop(0, 0, 4, 4)), circle({2, 1 + gap}, 1)});
+    const CoarseSizes sizes({panels_of(box_loop(0, 0, 4, 4)), circle_of_panels({2, 1 + gap}, 1)});
     const std::vector<double> below = sizes.stations(0);
     double beside = 0;  // length of the element under the hole's lowest point
     for (std::size_t i = 1; i < below.size(); ++i)
@@ -66,7 +66,7 @@ TEST(CoarseSizes, elements_grow_away_from_a_short_panel) {
 }
 
 TEST(CoarseSizes, loops_that_touch_take_a_bounded_number_of_elements) {
-  const CoarseSizes sizes({panels_of(box_loop(0, 0, 4, 4)), circle({2, 1}, 1)});
+  const CoarseSizes sizes({panels_of(box_loop(0, 0, 4, 4)), circle_of_panels({2, 1}, 1)});
   for (int panel = 0; panel < 8; ++panel) EXPECT_LT(sizes.stations(panel).size(), 300u);
 }
 
