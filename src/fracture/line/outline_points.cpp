@@ -2,6 +2,7 @@
 
 #include <Eigen/Dense>
 #include <algorithm>
+#include <cmath>
 
 #include "fracture/line/deep_points.hpp"
 #include "fracture/line/point_moments.hpp"
@@ -106,8 +107,10 @@ void OutlinePoints::find_stresses(const coupling::Terms& terms, const std::vecto
     const Eigen::Matrix3d as_inside = whole * laws.laws[static_cast<std::size_t>(law)].point_volume();
     if (share_[n] == 0 && (sums[n] - as_inside).norm() < alike_inside * as_inside.norm()) continue;
     const Eigen::Vector3d resistance = Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(sums[n]).eigenvalues();
-    if (resistance[0] > least_resistance * resistance[2])
-      stress_of_moments_[static_cast<int>(n)] = whole * sums[n].inverse();
+    if (!(resistance[0] > least_resistance * resistance[2])) continue;
+    // Scaled by a power of two, which changes no digit: the determinant of small moments is below the range of numbers.
+    const double scale = std::ldexp(1.0, -std::ilogb(resistance[2]));
+    stress_of_moments_[static_cast<int>(n)] = whole * (scale * sums[n]).inverse() * scale;
   }
 }
 
