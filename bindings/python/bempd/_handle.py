@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import threading
-from typing import Any
+from typing import Any, Callable
 
 from ._interrupts import Heard
 from ._library import call, check, ffi, invoke, lib
