@@ -1,8 +1,8 @@
 """Sentences speak to Python users: no name of a C function, constant or type is left in them."""
 
 import ast
-import pathlib
 import importlib
+import pathlib
 import re
 
 import bempd

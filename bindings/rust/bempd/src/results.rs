@@ -1,6 +1,6 @@
 use crate::{
-    BodyPlan, BondState, CrackExtension, CrackId, CrackTip, Errors, Explanation, Face, Field, Growth, HistoryEntry, LoadId, Model,
-    PathVertex, Piece, RegionId, Result, Singularity, Statistics, SupportId, TipEnd, TipRecord, View,
+    BodyPlan, BondState, CrackExtension, CrackId, CrackTip, Errors, Explanation, Face, Field, Growth, HistoryEntry,
+    LoadId, Model, PathVertex, Piece, RegionId, Result, Singularity, Statistics, SupportId, TipEnd, TipRecord, View,
 };
 
 /// Node indices, from 0, of the boundary elements or lattice cells of a region.
