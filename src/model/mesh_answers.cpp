@@ -40,15 +40,21 @@ int find_place(const std::vector<Point>& places, const Point& x, double toleranc
   return -1;
 }
 
-double relative(double error, double scale) { return error > 0 ? error / scale : 0; }
+// Lengths of vectors whose squares may be beyond the range of numbers.
+double length_of(const Point& v) { return std::hypot(v.x(), v.y()); }
+
+double relative(double error, double scale) {
+  if (!(error > 0)) return 0;
+  return scale > 0 ? error / scale : std::numeric_limits<double>::max();
+}
 
 double displacement_error(const MeshAnswers& fine, const MeshAnswers& coarse, double tolerance) {
   double error = 0, scale = 0;
-  for (const Eigen::Vector2d& u : fine.displacements) scale = std::max(scale, u.norm());
+  for (const Eigen::Vector2d& u : fine.displacements) scale = std::max(scale, length_of(u));
   for (std::size_t i = 0; i < coarse.places.size(); ++i) {
     const int same = find_place(fine.places, coarse.places[i], tolerance);
     if (same >= 0)
-      error = std::max(error, (fine.displacements[static_cast<std::size_t>(same)] - coarse.displacements[i]).norm());
+      error = std::max(error, length_of(fine.displacements[static_cast<std::size_t>(same)] - coarse.displacements[i]));
   }
   return relative(error, scale);
 }
@@ -56,8 +62,8 @@ double displacement_error(const MeshAnswers& fine, const MeshAnswers& coarse, do
 double reaction_error(const MeshAnswers& fine, const MeshAnswers& coarse) {
   double error = 0, scale = 0;
   for (std::size_t s = 0; s < fine.reactions.size(); ++s) {
-    scale = std::max(scale, fine.reactions[s].norm());
-    error = std::max(error, (fine.reactions[s] - coarse.reactions[s]).norm());
+    scale = std::max(scale, length_of(fine.reactions[s]));
+    error = std::max(error, length_of(fine.reactions[s] - coarse.reactions[s]));
   }
   return relative(error, scale);
 }
@@ -65,10 +71,10 @@ double reaction_error(const MeshAnswers& fine, const MeshAnswers& coarse) {
 double intensity_error(const MeshAnswers& fine, const MeshAnswers& coarse) {
   double error = 0, scale = 0;
   for (const regions::TipValues& tip : fine.tips) {
-    scale = std::max(scale, tip.factors.norm());
+    scale = std::max(scale, length_of(tip.factors));
     for (const regions::TipValues& other : coarse.tips)
       if (other.crack == tip.crack && other.end == tip.end)
-        error = std::max(error, (tip.factors - other.factors).norm());
+        error = std::max(error, length_of(tip.factors - other.factors));
   }
   return relative(error, scale);
 }
