@@ -43,9 +43,12 @@ int find_place(const std::vector<Point>& places, const Point& x, double toleranc
 // Lengths of vectors whose squares may be beyond the range of numbers.
 double length_of(const Point& v) { return std::hypot(v.x(), v.y()); }
 
+// An error that is not known in relation to anything, as that of results that are zero, counts as `largest`.
 double relative(double error, double scale) {
+  constexpr double largest = 1e300;
   if (!(error > 0)) return 0;
-  return scale > 0 ? error / scale : std::numeric_limits<double>::max();
+  const double ratio = error / scale;
+  return ratio < largest ? ratio : largest;
 }
 
 double displacement_error(const MeshAnswers& fine, const MeshAnswers& coarse, double tolerance) {
