@@ -11,6 +11,7 @@
 #include "elasticity/kinked_tip.hpp"
 #include "fracture/line/on_limits.hpp"
 #include "geometry/turning.hpp"
+#include "number_range.hpp"
 
 namespace bempd::fracture {
 
@@ -247,8 +248,8 @@ crack::Extension LineSteps::remember(const LineStep& step, double ratio, double 
       law.function ? fracture_energy : there.toughness * there.toughness / there.modulus * share_of_direction;
   const double mean_energy = (fracture_energy + energy_there) / 2;
   extension.surface_energy = mean_energy * law.thickness * step.way.length;
-  extension.rate_before = fracture_energy * before * before;
-  extension.rate_after = arrives ? 0 : fracture_energy * after * after;
+  extension.rate_before = in_range(fracture_energy * before * before);
+  extension.rate_after = arrives ? 0 : in_range(fracture_energy * after * after);
   return extension;
 }
 
