@@ -220,6 +220,20 @@ static void misuse_is_told(void) {
   bempd_model_free(q.model);
 }
 
+static double jumping(int32_t crack, int32_t end, double equivalent, double ratio, double k1, double k2,
+                      double t_stress, double length, double x, double y, void* user) {
+  (void)crack, (void)end, (void)ratio, (void)k1, (void)k2, (void)t_stress, (void)length, (void)x, (void)y, (void)user;
+  return equivalent > 1.0 ? 0.25 : 4.0;
+}
+
+/** The crack would grow at K = 2 by the energy below K = 1, and at K = 0.5 by that above: at no load. */
+static void energies_without_a_load_are_told(void) {
+  const plate p = pulled(1, 0.0);
+  CHECK_OK(p.model, bempd_set_resistance_function(p.model, p.material, jumping, NULL));
+  CHECK_FAILS(p.model, BEMPD_ERROR_ARGUMENT, "changes too fast", bempd_step_to_next_event(p.model, 1e9, NULL));
+  bempd_model_free(p.model);
+}
+
 int main(void) {
   for (int lines = 0; lines < 2; ++lines) {
     functions_give_the_load(lines);
@@ -229,5 +243,6 @@ int main(void) {
   growth_by_cycles_ends_there();
   failures_amid_growth_by_cycles_are_taken_back();
   misuse_is_told();
+  energies_without_a_load_are_told();
   return check_finish();
 }

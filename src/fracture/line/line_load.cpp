@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "crack/growth_law.hpp"
+#include "error.hpp"
 #include "fracture/event_source.hpp"
 
 namespace bempd::fracture {
@@ -151,9 +152,12 @@ std::optional<LineLoad> load_of_growth(const AffineIntensity& intensity, const A
     const double before = load->load_factor;
     criterion.law = asking.met(factors, before);
     load = load_by_numbers(intensity, turning, criterion);
-    if (load && std::abs(load->load_factor - before) <= same * std::abs(before)) break;
+    if (!load || std::abs(load->load_factor - before) <= same * std::abs(before)) return load;
   }
-  return load;
+  if (!load) return load;
+  fail(Failure::argument, "no load factor was found at which crack ", asking.asking.id.crack,
+       " grows: the fracture energy that the resistance function gives changes too fast with the factors of the tip; "
+       "let it change more slowly than they do");
 }
 
 }  // namespace bempd::fracture
