@@ -72,6 +72,19 @@ def test_warnings_as_errors_come_out_of_the_call():
             model.step(1)
 
 
+def test_parts_of_a_body_that_is_torn_in_two_are_no_warning():
+    said = []
+    model = bempd.Model(log=lambda level, message: said.append((level, message)))
+    glass = model.add_material(young_modulus=3e9, poisson_ratio=1 / 3, fracture_energy=300)
+    strip = model.add_body(glass, rectangle(0, 0, 0.06, 0.02))
+    model.add_crack([(0.0295, 0), (0.0295, 0.0045)])
+    model.fix_edge(strip, 4)
+    model.prescribe_edge(strip, 2, "x", 1e-6)
+    assert model.run_to_separation(1e4).separated
+    assert [level for level, message in said if "parts can move freely" in message] == [2]
+    assert not [message for level, message in said if level == 1]
+
+
 def test_a_wrong_log_is_refused_and_python_s_own_class_stays():
     with pytest.raises(bempd.ArgumentError, match="log is 'loud'; give \"warnings\""):
         bempd.Model(log="loud")
