@@ -155,8 +155,8 @@ void write_file(const fs::path& path, std::string_view content, bool to_disk) {
     if (errno != ENOENT) fail(path, errno);
     return replace(path, place.target, nullptr, content, to_disk);
   }
-  // A file that the process has open already is appended to, as its other output is; other files are replaced as a
-  // whole.
+  // Content is appended to a file that this process has open for its own output. Another regular file is replaced as a
+  // whole, so that it never has half of the content.
   if (S_ISDIR(found.st_mode)) fail(path, EISDIR, ", which is a folder; give the name of a file");
   if (S_ISSOCK(found.st_mode)) fail(path, ENOTSUP, ", which is a socket; give the name of a file");
   if (S_ISBLK(found.st_mode)) fail(path, ENOTSUP, ", which is a disk; give the name of a file");

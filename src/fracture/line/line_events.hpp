@@ -19,8 +19,8 @@ class LineEvents final : public EventSource {
 
   const Event* next(double target, const SteppingOptions& options) override;
   Outcome perform() override;
-  // Event at which a tip takes its next step at the present load factor, whatever its load; null if no bond lies ahead
-  // of it. perform() then performs it.
+  // Event by which this tip takes its next step now, at the present load factor, even if its load of growth is another;
+  // null if no bond lies ahead of the tip. The next perform() performs this event.
   const Event* step_of(const crack::TipId& tip);
 
   const LineSteps& steps() const { return steps_; }
@@ -51,8 +51,8 @@ class LineEvents final : public EventSource {
   WholeBodyEvents& whole_body_;
   LineSteps steps_;
   WholeBodyTrials trials_;
-  std::optional<LineStep> step_;  // that the event told is
-  std::optional<Birth> birth_;    // likewise
+  std::optional<LineStep> step_;  // the step of a tip, if event_ is one
+  std::optional<Birth> birth_;    // the crack that begins, if event_ is one
   Event event_;
   int ties_ = 0;  // others that would have grown as soon
 };

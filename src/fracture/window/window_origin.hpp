@@ -34,10 +34,11 @@ struct WindowOrigin {
   WindowOptions options;
   double load_factor = 0;
   coupling::Affine displacement{0, 2};
-  std::vector<GrowingTip> tips;    // then
-  std::optional<FaceState> faces;  // likewise, if places have closed or opened in the window since
+  std::vector<GrowingTip> tips;    // when the window was opened
+  std::optional<FaceState> faces;  // when it was opened, if places have closed or opened in the window since
+  // A time at which the window computed events ahead.
   struct Look {
-    std::int64_t after = 0;  // events performed
+    std::int64_t after = 0;  // number of the window's events performed before
     double load_factor = 0, largest_force = 0;
   };
   std::vector<Look> looks;

@@ -82,8 +82,8 @@ struct WindowSettings {
   // after which every uncertified state is computed.
   static constexpr int breaks_between_snapshots = 40;
   static constexpr int most_rounds = 6;
-  // Certificate: number of classes of bonds outside that are proven together, and least range of the logarithms of
-  // their stretch ratios per root of energy.
+  // Certificate: bonds outside the window are sorted into classes by the logarithm of their stretch per root of energy.
+  // One bound proves a whole class. Here are the number of classes, and the least range that they divide.
   static constexpr int classes = 8;
   static constexpr double least_class_width = 1e-12;
   // Number of states solved at once, enough for fast products; and number of states compared at once with each bond,
