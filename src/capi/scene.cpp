@@ -4,7 +4,7 @@
 
 #include "capi/guard.hpp"
 #include "regions/boundary/boundary_description.hpp"
-#include "regions/outlined/outlined_description.hpp"
+#include "regions/lattice/peridynamic_description.hpp"
 
 using namespace bempd;
 using namespace bempd::capi;

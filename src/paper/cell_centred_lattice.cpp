@@ -14,7 +14,7 @@ constexpr double same_place = 1e-6;  // in spacings
 
 }  // namespace
 
-CellCentredLattice::CellCentredLattice(int id, const LatticeDescription& described, const scene::Material& material)
+CellCentredLattice::CellCentredLattice(int id, const PeridynamicDescription& described, const scene::Material& material)
     : UncorrectedLattice(id, described, material) {
   use_grid(pd::CellLattice::centres_of(grid()), origin() + Point::Constant(0.5 * spacing()));
 }

@@ -8,7 +8,7 @@ namespace bempd::paper {
 // boundary elements there.
 class CellCentredLattice final : public UncorrectedLattice {
  public:
-  CellCentredLattice(int id, const regions::LatticeDescription& described, const scene::Material& material);
+  CellCentredLattice(int id, const regions::PeridynamicDescription& described, const scene::Material& material);
 
   // Rank 0, that of boundary elements: the points of the cells do not lie on interfaces.
   int rank_at_interfaces() const override { return 0; }

@@ -21,7 +21,7 @@ class PaperScheme final : public regions::Scheme {
     return std::make_unique<CollocationRegion>(id, described, material, rules_);
   }
 
-  std::unique_ptr<regions::Region> lattice_region(int id, const regions::LatticeDescription& described,
+  std::unique_ptr<regions::Region> lattice_region(int id, const regions::PeridynamicDescription& described,
                                                   const scene::Material& material) const override {
     require(pd::is_bond_based(material.elasticity), "region ", id, " is peridynamic with Poisson's ratio ",
             material.elasticity.poisson_ratio, "; bonds as published, of scheme paper, need ",

@@ -43,7 +43,7 @@ const scene::OptionGroup scheme_group(scene::OptionPlace::schemes, &describe_opt
 
 }  // namespace
 
-std::unique_ptr<Region> Scheme::outlined_region(int id, const OutlinedDescription&, const scene::Material&) const {
+std::unique_ptr<Region> Scheme::outlined_region(int id, const PeridynamicDescription&, const scene::Material&) const {
   fail(Failure::argument, "peridynamic region ", id,
        " has edges that are not parallel to the axes, or points on its outline were asked for; the chosen scheme has "
        "lattices only, scheme symmetric has both");

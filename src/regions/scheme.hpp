@@ -10,8 +10,7 @@
 namespace bempd::regions {
 
 class BoundaryDescription;
-class LatticeDescription;
-class OutlinedDescription;
+class PeridynamicDescription;
 
 // Scheme: discretization method of the scene. It chooses the class that each described region is built as, such as
 // symmetric Galerkin or collocation boundary elements.
@@ -21,11 +20,11 @@ class Scheme {
 
   virtual std::unique_ptr<Region> boundary_region(int id, const BoundaryDescription& described,
                                                   const scene::Material& material) const = 0;
-  virtual std::unique_ptr<Region> lattice_region(int id, const LatticeDescription& described,
+  virtual std::unique_ptr<Region> lattice_region(int id, const PeridynamicDescription& described,
                                                  const scene::Material& material) const = 0;
   // Builds a peridynamic region with an outline of any shape. Throws Error (argument) if the scheme has only lattices
   // along the axes.
-  virtual std::unique_ptr<Region> outlined_region(int id, const OutlinedDescription& described,
+  virtual std::unique_ptr<Region> outlined_region(int id, const PeridynamicDescription& described,
                                                   const scene::Material& material) const;
 
   // Throws Error (argument) if two regions (ids) with regular grids of nodes cannot share an interface in this scheme.

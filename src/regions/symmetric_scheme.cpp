@@ -14,11 +14,11 @@ class SymmetricScheme final : public Scheme {
                                           const scene::Material& material) const override {
     return std::make_unique<BoundaryRegion>(id, described, material);
   }
-  std::unique_ptr<Region> lattice_region(int id, const LatticeDescription& described,
+  std::unique_ptr<Region> lattice_region(int id, const PeridynamicDescription& described,
                                          const scene::Material& material) const override {
     return std::make_unique<LatticeRegion>(id, described, material);
   }
-  std::unique_ptr<Region> outlined_region(int id, const OutlinedDescription& described,
+  std::unique_ptr<Region> outlined_region(int id, const PeridynamicDescription& described,
                                           const scene::Material& material) const override {
     return std::make_unique<OutlinedRegion>(id, described, material);
   }

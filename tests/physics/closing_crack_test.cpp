@@ -12,7 +12,7 @@
 #include "error.hpp"
 #include "regions/boundary/boundary_description.hpp"
 #include "regions/boundary/boundary_region.hpp"
-#include "regions/lattice/lattice_description.hpp"
+#include "regions/lattice/peridynamic_description.hpp"
 #include "regions/places/edge_part.hpp"
 #include "regions/places/single_point.hpp"
 
@@ -225,7 +225,7 @@ TEST(ClosingCrack, beside_a_lattice_that_breaks) {
     material.critical_stretch = 1e-3;
     const int id = scene.add_material(material);
     regions::add_boundary_region(scene, id, {{0, 0}, {24, 0}, {24, 10}, {0, 10}}, 2);
-    regions::add_lattice_region(scene, id, {{0, 10}, {24, 10}, {24, 22}, {0, 22}}, 1, 3);
+    regions::add_peridynamic_region(scene, id, {{0, 10}, {24, 10}, {24, 22}, {0, 22}}, 1, 3);
     for (const auto& crack : cracks) scene.add_crack(crack);
     contact_bodies::hold(*model, 1, 2, 0, 0);
     return model;

@@ -5,7 +5,7 @@
 #include <array>
 
 #include "error.hpp"
-#include "regions/lattice/lattice_description.hpp"
+#include "regions/lattice/peridynamic_description.hpp"
 #include "regions/places/edge_part.hpp"
 
 namespace contact_bodies {
@@ -19,8 +19,8 @@ std::unique_ptr<model::Model> plate(const Size& size, const std::vector<std::vec
   material.elasticity = {1, poisson_ratio, PlaneState::stress, 1};
   if (critical_stretch > 0) material.critical_stretch = critical_stretch;
   const double n = size.cells;
-  regions::add_lattice_region(scene, scene.add_material(material), {{0, 0}, {n, 0}, {n, n}, {0, n}}, 1,
-                              size.horizon_ratio);
+  regions::add_peridynamic_region(scene, scene.add_material(material), {{0, 0}, {n, 0}, {n, n}, {0, n}}, 1,
+                                  size.horizon_ratio);
   for (const std::vector<Point>& crack : cracks) scene.add_crack(crack);
   return model;
 }

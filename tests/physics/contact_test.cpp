@@ -12,7 +12,7 @@
 #include "contact_bodies.hpp"
 #include "error.hpp"
 #include "fracture/contact/gap_rule.hpp"
-#include "regions/lattice/lattice_description.hpp"
+#include "regions/lattice/peridynamic_description.hpp"
 #include "regions/places/edge_part.hpp"
 #include "thorough.hpp"
 

@@ -6,7 +6,7 @@
 #include "dense.hpp"
 #include "regions/boundary/boundary_description.hpp"
 #include "regions/discretization.hpp"
-#include "regions/lattice/lattice_description.hpp"
+#include "regions/lattice/peridynamic_description.hpp"
 
 namespace coupled_operator_test {
 namespace {
@@ -27,7 +27,7 @@ Scene sandwich(PlaneState state, int horizon_ratio) {
   material.elasticity = {30e9, bond_based_poisson_ratio(state), state, 0.02};
   const int id = scene.add_material(material);
   add_boundary_region(scene, id, rectangle(0, 0, 4, 7), 2.0);
-  add_lattice_region(scene, id, rectangle(4, 0, 16, 7), 1.0, horizon_ratio);
+  add_peridynamic_region(scene, id, rectangle(4, 0, 16, 7), 1.0, horizon_ratio);
   add_boundary_region(scene, id, rectangle(16, 0, 20, 7), 2.0);
   return scene;
 }
@@ -39,7 +39,7 @@ Scene box_in_plate(PlaneState state, int horizon_ratio) {
   const int id = scene.add_material(material);
   const int plate = add_boundary_region(scene, id, rectangle(0, 0, 24, 20), 4.0);
   scene.add_hole(plate, {{6, 5}, {6, 15}, {16, 15}, {16, 5}});
-  add_lattice_region(scene, id, rectangle(6, 5, 16, 15), 1.0, horizon_ratio);
+  add_peridynamic_region(scene, id, rectangle(6, 5, 16, 15), 1.0, horizon_ratio);
   return scene;
 }
 

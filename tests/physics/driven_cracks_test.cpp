@@ -11,7 +11,7 @@
 #include "contact_bodies.hpp"
 #include "error.hpp"
 #include "regions/boundary/boundary_description.hpp"
-#include "regions/lattice/lattice_description.hpp"
+#include "regions/lattice/peridynamic_description.hpp"
 #include "regions/places/edge_part.hpp"
 #include "regions/places/single_point.hpp"
 #include "scene/load_table.hpp"
@@ -283,7 +283,7 @@ TEST(DrivenCracks, beside_a_lattice) {
     const int id = scene.add_material(material);
     if (lattice) {
       regions::add_boundary_region(scene, id, {{0, 0}, {24, 0}, {24, 12}, {0, 12}}, 2);
-      regions::add_lattice_region(scene, id, {{0, 12}, {24, 12}, {24, 24}, {0, 24}}, 1, 3);
+      regions::add_peridynamic_region(scene, id, {{0, 12}, {24, 12}, {24, 24}, {0, 24}}, 1, 3);
     } else {
       regions::add_boundary_region(scene, id, {{0, 0}, {24, 0}, {24, 24}, {0, 24}}, 2);
     }

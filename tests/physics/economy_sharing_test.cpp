@@ -33,12 +33,12 @@ TEST(Sharing, lattices_of_equal_cells_horizon_and_material_have_one_network) {
   for (const std::string& scheme : scheme_names()) {
     Scene scene;
     const int id = scene.add_material(stiff(3e9)), other = scene.add_material(stiff(4e9));
-    add_lattice_region(scene, id, rectangle(0.1, 0.2, 1, 0.6), 0.1, 3);
-    add_lattice_region(scene, id, rectangle(1.3, 0.3, 1, 0.6), 0.1, 3);
-    add_lattice_region(scene, id, rectangle(2.7, 0.3, 5, 3), 0.5, 3);
-    add_lattice_region(scene, id, rectangle(0.1, 1.2, 1, 0.6), 0.1, 4);
-    add_lattice_region(scene, id, rectangle(1.3, 1.2, 1, 0.7), 0.1, 3);
-    add_lattice_region(scene, other, rectangle(0.1, 2.2, 1, 0.6), 0.1, 3);
+    add_peridynamic_region(scene, id, rectangle(0.1, 0.2, 1, 0.6), 0.1, 3);
+    add_peridynamic_region(scene, id, rectangle(1.3, 0.3, 1, 0.6), 0.1, 3);
+    add_peridynamic_region(scene, id, rectangle(2.7, 0.3, 5, 3), 0.5, 3);
+    add_peridynamic_region(scene, id, rectangle(0.1, 1.2, 1, 0.6), 0.1, 4);
+    add_peridynamic_region(scene, id, rectangle(1.3, 1.2, 1, 0.7), 0.1, 3);
+    add_peridynamic_region(scene, other, rectangle(0.1, 2.2, 1, 0.6), 0.1, 3);
     Options options;
     options.set_text("scheme", scheme);
     const Discretization d = discretize(scene, options);

@@ -10,14 +10,14 @@
 #include "fracture/crack_evolution.hpp"
 #include "regions/boundary/boundary_description.hpp"
 #include "regions/discretization.hpp"
-#include "regions/lattice/lattice_description.hpp"
+#include "regions/lattice/peridynamic_description.hpp"
 
 namespace free_expansion_test {
 namespace {
 
 using namespace bempd;
 using regions::add_boundary_region;
-using regions::add_lattice_region;
+using regions::add_peridynamic_region;
 using regions::Discretization;
 using scene::Scene;
 
@@ -35,7 +35,7 @@ int add_material(Scene& scene) {
 
 Scene lattice_with_hole() {
   Scene scene;
-  const int region = add_lattice_region(scene, add_material(scene), rectangle(0, 0, 20, 14), 1.0, 3);
+  const int region = add_peridynamic_region(scene, add_material(scene), rectangle(0, 0, 20, 14), 1.0, 3);
   scene.add_hole(region, {{8, 5}, {8, 9}, {13, 9}, {13, 5}});
   return scene;
 }
@@ -43,8 +43,8 @@ Scene lattice_with_hole() {
 Scene two_lattices() {
   Scene scene;
   const int id = add_material(scene);
-  add_lattice_region(scene, id, rectangle(0, 0, 10, 12), 1.0, 4);
-  add_lattice_region(scene, id, rectangle(10, 0, 22, 12), 1.0, 3);
+  add_peridynamic_region(scene, id, rectangle(0, 0, 10, 12), 1.0, 4);
+  add_peridynamic_region(scene, id, rectangle(10, 0, 22, 12), 1.0, 3);
   return scene;
 }
 
@@ -52,7 +52,7 @@ Scene lattice_between_boundary_regions() {
   Scene scene;
   const int id = add_material(scene);
   add_boundary_region(scene, id, rectangle(0, 0, 4, 8), 2.0);
-  add_lattice_region(scene, id, rectangle(4, 0, 16, 8), 1.0, 3);
+  add_peridynamic_region(scene, id, rectangle(4, 0, 16, 8), 1.0, 3);
   add_boundary_region(scene, id, rectangle(16, 0, 20, 8), 4.0);
   return scene;
 }
@@ -62,7 +62,7 @@ Scene lattice_in_a_plate() {
   const int id = add_material(scene);
   const int plate = add_boundary_region(scene, id, rectangle(0, 0, 24, 20), 4.0);
   scene.add_hole(plate, {{6, 5}, {6, 15}, {16, 15}, {16, 5}});
-  add_lattice_region(scene, id, rectangle(6, 5, 16, 15), 1.0, 4);
+  add_peridynamic_region(scene, id, rectangle(6, 5, 16, 15), 1.0, 4);
   return scene;
 }
 
@@ -72,7 +72,7 @@ Scene lattice_tied_to_a_boundary_region() {
   const int id = add_material(scene);
   const int left = add_boundary_region(scene, id, rectangle(0, 0, 6, 12), 3.0);
   scene.set_edge_mesh(left, 2, {3, 1});
-  add_lattice_region(scene, id, rectangle(6, 0, 20, 12), 1.0, 3);
+  add_peridynamic_region(scene, id, rectangle(6, 0, 20, 12), 1.0, 3);
   return scene;
 }
 

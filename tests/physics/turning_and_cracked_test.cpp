@@ -10,7 +10,7 @@
 #include "contact_bodies.hpp"
 #include "geometry/turning.hpp"
 #include "regions/boundary/boundary_description.hpp"
-#include "regions/lattice/lattice_description.hpp"
+#include "regions/lattice/peridynamic_description.hpp"
 #include "regions/places/crack_faces.hpp"
 #include "regions/places/edge_part.hpp"
 #include "regions/places/heated_region.hpp"
@@ -316,7 +316,7 @@ double bar_error(bool lattice, double size) {
   const int id = scene.add_material(material);
   const std::vector<Point> corners{{-a, -b}, {a, -b}, {a, b}, {-a, b}};
   if (lattice) {
-    regions::add_lattice_region(scene, id, corners, size, 3);
+    regions::add_peridynamic_region(scene, id, corners, size, 3);
   } else {
     regions::add_boundary_region(scene, id, corners, size);
   }

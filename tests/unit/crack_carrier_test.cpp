@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "model/model.hpp"
-#include "regions/lattice/lattice_description.hpp"
+#include "regions/lattice/peridynamic_description.hpp"
 #include "regions/places/edge_part.hpp"
 
 namespace {
@@ -61,7 +61,7 @@ std::unique_ptr<model::Model> cracked_lattice() {
   scene::Material material;
   material.elasticity = {1, 1.0 / 3, PlaneState::stress, 1};
   material.fracture_energy = 1;
-  regions::add_lattice_region(scene, scene.add_material(material), {{0, 0}, {24, 0}, {24, 24}, {0, 24}}, 1, 3);
+  regions::add_peridynamic_region(scene, scene.add_material(material), {{0, 0}, {24, 0}, {24, 24}, {0, 24}}, 1, 3);
   scene.add_crack({{8, 12.3}, {16, 12.3}});
   for (const int edge : {1, 3})
     for (const int component : {1, 2})

@@ -12,7 +12,7 @@
 #include "linalg/expected_time.hpp"
 #include "model/host_listener.hpp"
 #include "model/model.hpp"
-#include "regions/lattice/lattice_description.hpp"
+#include "regions/lattice/peridynamic_description.hpp"
 #include "regions/places/edge_part.hpp"
 #include "stop_request.hpp"
 
@@ -45,7 +45,7 @@ std::unique_ptr<model::Model> edge_crack() {
   scene::Material material;
   material.elasticity = {1, 1.0 / 3, PlaneState::stress, 1};
   material.fracture_energy = 1;
-  regions::add_lattice_region(scene, scene.add_material(material), {{0, 0}, {24, 0}, {24, 24}, {0, 24}}, 1, 3);
+  regions::add_peridynamic_region(scene, scene.add_material(material), {{0, 0}, {24, 0}, {24, 24}, {0, 24}}, 1, 3);
   scene.add_crack({{12.5, 0}, {12.5, 6.5}});
   for (const int edge : {4, 2})
     scene.add_support({std::make_shared<const regions::EdgePart>(1, edge, 0, 1), 3,

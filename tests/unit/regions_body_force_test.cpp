@@ -10,7 +10,7 @@
 #include "error.hpp"
 #include "model/model.hpp"
 #include "regions/boundary/boundary_description.hpp"
-#include "regions/lattice/lattice_description.hpp"
+#include "regions/lattice/peridynamic_description.hpp"
 #include "regions/places/edge_part.hpp"
 #include "regions/places/whole_region.hpp"
 #include "regions/scheme.hpp"
@@ -168,7 +168,7 @@ double lattice_error(const char* scheme, double spacing, double* reaction_error)
   Model m;
   m.options().set_text("scheme", scheme);
   m.editable_scene().add_material({bar.elasticity});
-  regions::add_lattice_region(m.editable_scene(), 1, bar.corners(), spacing, 3);
+  regions::add_peridynamic_region(m.editable_scene(), 1, bar.corners(), spacing, 3);
   hang(bar, m);
   m.advance(1, fracture::Goal::load_factor);
   const double load = weight * width * height * thickness;
@@ -209,7 +209,7 @@ TEST(BodyForce, passes_from_boundary_elements_to_a_lattice) {
   scene::Scene& scene = m.editable_scene();
   scene.add_material({bar.elasticity});
   const std::vector<Point> c = bar.corners();
-  regions::add_lattice_region(scene, 1, {{c[0].x(), 1}, {c[1].x(), 1}, c[2], c[3]}, 0.05, 3);
+  regions::add_peridynamic_region(scene, 1, {{c[0].x(), 1}, {c[1].x(), 1}, c[2], c[3]}, 0.05, 3);
   regions::add_boundary_region(scene, 1, {c[0], c[1], {c[1].x(), 1}, {c[0].x(), 1}}, 0.1);
   hang(bar, m);
   const auto force = [bar](const Point&, double) -> scene::BoundaryValue {

@@ -29,9 +29,9 @@ class NeighbourLattice final : public regions::LatticeRegion {
   }
 };
 
-class NeighbourDescription final : public regions::LatticeDescription {
+class NeighbourDescription final : public regions::PeridynamicDescription {
  public:
-  using LatticeDescription::LatticeDescription;
+  using PeridynamicDescription::PeridynamicDescription;
   const char* adjective() const override { return "nearest-neighbour"; }
   std::unique_ptr<regions::Region> build(int id, const regions::Preparation& preparation) const override {
     return std::make_unique<NeighbourLattice>(id, *this, preparation.scene.material(material()));
@@ -58,7 +58,7 @@ void build_strip(scene::Scene& scene) {
   const PlaneElasticity elasticity{young, 1.0 / 3, PlaneState::stress, 0.01};
   const int lasting = scene.add_material({elasticity}), brittle = scene.add_material({elasticity, 1e-3});
   regions::add_boundary_region(scene, lasting, rectangle(0, 0, 1, 1), 0.25);
-  regions::add_lattice_region(scene, lasting, rectangle(1, 0, 2, 1), spacing, 3);
+  regions::add_peridynamic_region(scene, lasting, rectangle(1, 0, 2, 1), spacing, 3);
   add_neighbour_region(scene, brittle, rectangle(2, 0, 3, 1), spacing);
   scene.add_support({std::make_shared<const regions::EdgePart>(1, 4, 0, 1), 1, values(0, 0)});
   scene.add_support({std::make_shared<const regions::SinglePoint>(Point(0, 0)), 2, values(0, 0)});

@@ -15,7 +15,7 @@
 #include "geometry/turning.hpp"
 #include "regions/discretization.hpp"
 #include "regions/initial_cracks.hpp"
-#include "regions/outlined/outlined_description.hpp"
+#include "regions/lattice/peridynamic_description.hpp"
 
 namespace regions_tip_fit_test {
 namespace {

@@ -7,7 +7,7 @@
 
 #include "model/model.hpp"
 #include "regions/boundary/boundary_description.hpp"
-#include "regions/lattice/lattice_description.hpp"
+#include "regions/lattice/peridynamic_description.hpp"
 #include "regions/places/edge_part.hpp"
 
 namespace second_bond_law_test {
@@ -48,7 +48,7 @@ constexpr int along_x = 1, along_y = 2;
 void notched_strip(scene::Scene& scene, const coupling::TermLaw& law) {
   const int id = scene.add_material(material_of(law));
   regions::add_boundary_region(scene, id, rectangle(0, 0, 0.02, 0.02), 0.005);
-  regions::add_lattice_region(scene, id, rectangle(0.02, 0, 0.04, 0.02), 0.001, 4);
+  regions::add_peridynamic_region(scene, id, rectangle(0.02, 0, 0.04, 0.02), 0.001, 4);
   regions::add_boundary_region(scene, id, rectangle(0.04, 0, 0.06, 0.02), 0.005);
   scene.add_crack({{0.0295, 0}, {0.0295, 0.0045}});
   hold(scene, 1, 4, along_x, 0, 0);
@@ -60,7 +60,7 @@ void notched_strip(scene::Scene& scene, const coupling::TermLaw& law) {
 // A lattice plate with a crack, whose ends are both moved, with a constant part from the start.
 void cracked_plate(scene::Scene& scene, const coupling::TermLaw& law) {
   const int id = scene.add_material(material_of(law));
-  regions::add_lattice_region(scene, id, rectangle(0, 0, 31, 31), 1, 3);
+  regions::add_peridynamic_region(scene, id, rectangle(0, 0, 31, 31), 1, 3);
   scene.add_crack({{15.5, 11.5001}, {15.5, 19.4999}});
   hold(scene, 1, 4, along_x, -1e-3, -1e-3);
   hold(scene, 1, 4, along_y, 0, 0);

@@ -9,9 +9,9 @@
 
 namespace bempd::regions {
 
-LatticeRegion::LatticeRegion(int id, const LatticeDescription& described, const scene::Material& material)
-    : BondedRegion(id, material, described.lattice().spacing, described.horizon_ratio()),
-      outline_(described.lattice()) {
+LatticeRegion::LatticeRegion(int id, const PeridynamicDescription& described, const scene::Material& material)
+    : BondedRegion(id, material, described.spacing(), described.horizon_ratio()),
+      outline_(described.lattice().value()) {
   use_grid(pd::CellLattice(outline_.loops), outline_.origin);
 }
 

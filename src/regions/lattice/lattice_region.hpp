@@ -6,7 +6,7 @@
 #include "geometry/rectilinear.hpp"
 #include "pd/cell_lattice.hpp"
 #include "regions/lattice/bonded_region.hpp"
-#include "regions/lattice/lattice_description.hpp"
+#include "regions/lattice/peridynamic_description.hpp"
 
 namespace bempd::regions {
 
@@ -16,7 +16,7 @@ class LatticeGroup;
 // virtual functions.
 class LatticeRegion : public BondedRegion {
  public:
-  LatticeRegion(int id, const LatticeDescription& described, const scene::Material& material);
+  LatticeRegion(int id, const PeridynamicDescription& described, const scene::Material& material);
 
   void mesh(const Preparation& preparation) override;
   void build(const Preparation& preparation, Contributions& contributions) override;

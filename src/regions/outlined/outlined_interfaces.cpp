@@ -10,10 +10,10 @@ namespace bempd::regions {
 // equal, and the interface must end at lattice points of the neighbour.
 void OutlinedRegion::require_common_points(const Preparation& preparation, const Contact& contact) const {
   const int other = contact.other_region + 1;
-  const auto* points = dynamic_cast<const LatticeDescription*>(&preparation.scene.region(other));
+  const auto* points = dynamic_cast<const PeridynamicDescription*>(&preparation.scene.region(other));
   if (!points) return;
-  require(std::abs(points->lattice().spacing / spacing() - 1) < 1e-9, "peridynamic regions ", id(), " and ", other,
-          " touch, but their spacings are ", spacing(), " and ", points->lattice().spacing, "; give them the same one");
+  require(std::abs(points->spacing() / spacing() - 1) < 1e-9, "peridynamic regions ", id(), " and ", other,
+          " touch, but their spacings are ", spacing(), " and ", points->spacing(), "; give them the same one");
   const auto grid = points->node_grid();
   const Edge edge = preparation.scene.region(id()).edge(contact.edge + 1);
   for (const Point& end : {edge.at(contact.from), edge.at(contact.to)}) {

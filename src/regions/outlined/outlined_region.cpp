@@ -36,8 +36,8 @@ double degrees(double angle) { return angle * 180 / std::numbers::pi; }
 
 }  // namespace
 
-OutlinedRegion::OutlinedRegion(int id, const OutlinedDescription& described, const scene::Material& material)
-    : BondedRegion(id, material, described.lattice().spacing, described.horizon_ratio()), choice_(described.choice()) {
+OutlinedRegion::OutlinedRegion(int id, const PeridynamicDescription& described, const scene::Material& material)
+    : BondedRegion(id, material, described.spacing(), described.horizon_ratio()), choice_(described.choice()) {
   origin_ = bounding_box(described.outline()).min();
 }
 

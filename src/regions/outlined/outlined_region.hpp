@@ -6,7 +6,7 @@
 #include "pd/outlined/cell_stencils.hpp"
 #include "pd/outlined/outlined_body.hpp"
 #include "regions/lattice/bonded_region.hpp"
-#include "regions/outlined/outlined_description.hpp"
+#include "regions/lattice/peridynamic_description.hpp"
 
 namespace bempd::regions {
 
@@ -14,7 +14,7 @@ namespace bempd::regions {
 // Uniform stress is in balance with the tractions on the chords, which coincide with straight edges.
 class OutlinedRegion final : public BondedRegion {
  public:
-  OutlinedRegion(int id, const OutlinedDescription& described, const scene::Material& material);
+  OutlinedRegion(int id, const PeridynamicDescription& described, const scene::Material& material);
 
   void mesh(const Preparation& preparation) override;
   void build(const Preparation& preparation, Contributions& contributions) override;

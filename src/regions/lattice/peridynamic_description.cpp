@@ -1,5 +1,6 @@
-#include "regions/lattice/lattice_description.hpp"
+#include "regions/lattice/peridynamic_description.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -52,8 +53,7 @@ LatticeOutline require_lattice(const Outline& outline, double spacing) {
               "be counted");
       break;
     case LatticeMisfit::oblique_edge:
-      require(false, "edge ", fit.edge + 1,
-              " is parallel to neither axis; the outline of a peridynamic region must be rectilinear");
+      require(false, "edge ", fit.edge + 1, " is parallel to neither axis");
       break;
     case LatticeMisfit::indivisible_edge:
       require(false, "spacing ", spacing, " does not divide edge ", fit.edge + 1, " of length ", fit.length, advice);
@@ -86,47 +86,76 @@ Outline checked_outline(int material_id, const scene::Material& material, Outlin
   return outline;
 }
 
-}  // namespace
-
-LatticeDescription::LatticeDescription(int material_id, const scene::Material& material, Outline outline,
-                                       double spacing, int horizon_ratio)
-    : LatticeDescription(material_id, material, std::move(outline), spacing, horizon_ratio, true) {}
-
-LatticeDescription::LatticeDescription(int material_id, const scene::Material& material, Outline outline,
-                                       double spacing, int horizon_ratio, bool on_rows)
-    : Region(material_id, checked_outline(material_id, material, std::move(outline), spacing, horizon_ratio)),
-      horizon_ratio_(horizon_ratio),
-      squares_per_cell_(static_cast<double>(pd::cell_squares(material.elasticity).size())) {
-  lattice_.spacing = spacing;
-  if (on_rows) lattice_ = require_lattice(this->outline(), spacing);
+bool is_rectilinear(const Outline& outline) {
+  if (!outline.curved.empty()) return false;
+  const double tolerance = geometric_tolerance(bounding_box(outline));
+  const std::vector<Edge> edges = edges_of(outline);
+  return std::all_of(edges.begin(), edges.end(),
+                     [&](const Edge& edge) { return edge.direction().cwiseAbs().minCoeff() <= tolerance; });
 }
 
-void LatticeDescription::set_outline(Outline changed) {
-  lattice_ = require_lattice(changed, lattice_.spacing);
+// Throws Error (argument) for a horizon of less than three spacings: points on an outline need more bonds than those to
+// their nearest neighbours.
+void require_horizon(int horizon_ratio) {
+  require(horizon_ratio >= 3, "horizon_ratio is ", horizon_ratio,
+          "; a peridynamic region with slanted or round edges needs at least 3");
+}
+
+}  // namespace
+
+PeridynamicDescription::PeridynamicDescription(int material_id, const scene::Material& material, Outline outline,
+                                               double spacing, int horizon_ratio, const PointChoice& choice)
+    : Region(material_id, checked_outline(material_id, material, std::move(outline), spacing, horizon_ratio)),
+      spacing_(spacing),
+      horizon_ratio_(horizon_ratio),
+      choice_(choice),
+      squares_per_cell_(static_cast<double>(pd::cell_squares(material.elasticity).size())),
+      lattice_(lattice_along(this->outline())) {}
+
+std::optional<LatticeOutline> PeridynamicDescription::lattice_along(const Outline& outline) const {
+  if (choice_.is_plain() && is_rectilinear(outline)) return require_lattice(outline, spacing_);
+  require_horizon(horizon_ratio_);
+  return std::nullopt;
+}
+
+void PeridynamicDescription::set_outline(Outline changed) {
+  lattice_ = lattice_along(changed);
   take_outline(std::move(changed));
 }
 
-void LatticeDescription::add_size(scene::SizeEstimate& size) const {
-  const double bonds = bonds_of(outline(), lattice_.spacing, horizon_ratio_);
-  size.bonds += bonds;
-  size.bytes += bytes_per_bond * bonds + bytes_per_square * squares_per_cell_ * cells_of(outline(), lattice_.spacing);
+std::optional<scene::NodeGrid> PeridynamicDescription::node_grid() const {
+  if (!lattice_) return std::nullopt;
+  return scene::NodeGrid{lattice_->origin, lattice_->spacing};
 }
 
-void LatticeDescription::identify(Hash& hash) const {
+void PeridynamicDescription::add_size(scene::SizeEstimate& size) const {
+  const double bonds = bonds_of(outline(), spacing_, horizon_ratio_);
+  size.bonds += bonds;
+  size.bytes += bytes_per_bond * bonds + bytes_per_square * squares_per_cell_ * cells_of(outline(), spacing_);
+}
+
+void PeridynamicDescription::identify(Hash& hash) const {
   Region::identify(hash);
   hash.add(horizon_ratio_);
-  hash.add(lattice_.spacing);
+  hash.add(spacing_);
+  if (choice_.balance != pd::OutlineBalance::constant_stress && !lattice_) hash.add(2);
+  if (choice_.is_plain()) return;
+  hash.add(choice_.on_outline ? 1 : 0);
+  hash.add(choice_.angle);
 }
 
-std::unique_ptr<regions::Region> LatticeDescription::build(int id, const Preparation& preparation) const {
-  return preparation.scheme.lattice_region(id, *this, preparation.scene.material(material()));
+std::unique_ptr<regions::Region> PeridynamicDescription::build(int id, const Preparation& preparation) const {
+  const scene::Material& own = preparation.scene.material(material());
+  return lattice_ ? preparation.scheme.lattice_region(id, *this, own)
+                  : preparation.scheme.outlined_region(id, *this, own);
 }
 
-int add_lattice_region(scene::Scene& scene, int material, const std::vector<Point>& vertices, double spacing,
-                       int horizon_ratio) {
-  scene::require_points(vertices, "vertex");
-  return scene.add_region(std::make_unique<LatticeDescription>(material, scene.material(material), Outline{{vertices}},
-                                                               spacing, horizon_ratio));
+int add_peridynamic_region(scene::Scene& scene, int material, const std::vector<Point>& vertices, double spacing,
+                           int horizon_ratio, const PointChoice& choice, const std::vector<double>& bulges) {
+  Outline outline;
+  scene::append_loop(outline, vertices, bulges);
+  return scene.add_region(std::make_unique<PeridynamicDescription>(material, scene.material(material),
+                                                                   std::move(outline), spacing, horizon_ratio, choice));
 }
 
 }  // namespace bempd::regions
