@@ -146,7 +146,8 @@ OTHERWISE = {
 
 def marked(text: str) -> str:
     """Plain words of a comment as reST, with names of the interface as links."""
-    text = text.replace("\\", "\\\\").replace("*", "\\*").replace("`", "\\`").replace("|", "\\|")
+    text = text.replace("\\", "\\\\").replace("*", "\\*").replace("|", "\\|")
+    text = re.sub(r"`(\w+)`", r"``\1``", text)
     text = re.sub(r"(?<![\w`:])(bempd_\w+)\(\)", r":c:func:`\1`", text)
     text = re.sub(r"(?<![\w`:])(bempd_\w+)\b(?!`)(?!\()", r":c:type:`\1`", text)
     text = re.sub(r"(?<![\w`:])(BEMPD_[A-Z][A-Z_0-9]*)\b(?!`)", r":c:enumerator:`\1`", text)

@@ -75,5 +75,5 @@ printed = subprocess.run([python, "-c", program], check=True, cwd=empty, env=env
                          text=True)
 line, library = printed.stdout.splitlines()
 print(line, library, sep="\n")
-assert line.startswith("in two at ")
+assert line.startswith("growth at ")
 assert pathlib.Path(library).is_relative_to(work / "venv"), library

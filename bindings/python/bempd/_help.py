@@ -20,7 +20,9 @@ IN_C = {"point": "x", "centre": "x", "about": "x", "axis": "x", "part": "from", 
 TEXT_OF = {"point": "(x, y) of the place [m]", "centre": "(x, y) of the centre [m]", "about": "(x, y) of the place [m]",
            "axis": "(x, y) of the place about which the region turns [m]", "part": "start and end as fractions of the edge [-]",
            "name": "name of a field", "edge": "number of an edge, or its name", "bulges": "one number for each edge, 0 for straight ones",
-           "function": "called as f(x, y)"}
+           "function": "called as f(x, y)", "rising": "whether the load factor rises"}
+#: Methods whose own words say all: the manual's are of handles.
+ALONE = {"close"}
 #: What a sentence of the C manual says of pointers, counts and structs, and its Python form.
 REPLACED = (
     (re.compile(r"; (?:may be )?NULL(?: when capacity is 0| if not wanted)?(?=[;.,\s)]|$)(?! for)"), ""),
@@ -31,6 +33,7 @@ REPLACED = (
     (re.compile(r"\bshape \[(\d+)\]"), r"shape (\1,)"),
     (re.compile(r"\bshape \[\w+\]"), "shape (n,)"),
     (re.compile(r" ?Fill it with [\w.]+(?:\(\))?\."), ""),
+    (re.compile(r"; free it with [^.;]*"), ""),
     (re.compile(r"\bvertex_count\b"), "number of vertices"),
 )
 
@@ -50,7 +53,7 @@ def complete(kind: type) -> None:
     for name, member in inspect.getmembers(kind):
         function = "" if name.startswith("_") else function_behind(kind.__name__, name)
         target: Any = member.fget if isinstance(member, property) else member
-        if not function or not (inspect.isfunction(target) or isinstance(member, property)):
+        if not function or name in ALONE or not (inspect.isfunction(target) or isinstance(member, property)):
             continue
         if not isinstance(member, property):
             target.__doc__ = "\n\n".join([inspect.cleandoc(target.__doc__ or ""), *manual(target, DOCS[function]), RAISES])
@@ -109,7 +112,7 @@ def returned(annotation: Any, parameters: dict[str, tuple[str, str]]) -> str:
     kind = annotation if isinstance(annotation, str) else getattr(annotation, "__name__", "")
     outs = [pythonic(words) for direction, words in parameters.values() if direction == "out"]
     told = [f"{name}: {pythonic(words)}" for name, (direction, words) in parameters.items()
-            if direction == "out" and "shape" in words]
+            if direction == "out" and "shape" in words and name != "buffer"]
     status = re.sub(r"^status(; )?", "", pythonic(parameters.get("return", ("", ""))[1]))
     lines = []
     if kind not in ("None", ""):

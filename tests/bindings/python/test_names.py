@@ -101,7 +101,8 @@ def test_help_has_units_shapes_and_errors():
 def test_help_speaks_of_python():
     checked = 0
     for name, text in documented():
-        assert not re.search(r"\bNULL\b|struct_size|\bcapacity\b|\[in\]|\[out\]|BEMPD_(?!LIBRARY)|shape \[", text), (name, text)
+        assert not re.search(r"\bNULL\b|struct_size|\bcapacity\b|\bbuffer:|zero-terminated|free it with|exception\(|\[in\]|\[out\]|"
+                             r"BEMPD_(?!LIBRARY)|shape \[", text), (name, text)
         for owner, part in re.findall(r"\b(Model|State)\.(\w+)", text):
             assert hasattr(getattr(bempd, owner), part), f"{name} speaks of {owner}.{part}, which does not exist"
             checked += 1

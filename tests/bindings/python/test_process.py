@@ -36,7 +36,7 @@ sys.modules["kept"] = scene
 
 
 def test_the_package_run_as_a_program_says_what_is_at_work():
-    """Version, library and BLAS, and the crack of examples/first_crack."""
+    """Version, library and BLAS, and the strip of the tutorial."""
     shown = subprocess.run([sys.executable, "-m", "bempd"], capture_output=True, text=True, timeout=120)
     rows = dict(line.split(maxsplit=1) if not line.startswith("first") else ("first crack", line) for line in shown.stdout.splitlines())
     assert shown.returncode == 0 and shown.stderr == "", shown
