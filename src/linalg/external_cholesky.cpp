@@ -80,6 +80,7 @@ class ExternalCholesky final : public SparseCholesky {
         expand(kept, values);
       }
       part = scale_.asDiagonal() * values;
+      check_cancelled();
     }
   }
 
@@ -99,6 +100,7 @@ class ExternalCholesky final : public SparseCholesky {
       Eigen::MatrixXd kept = reduced(values);
       solve_lower(schur_.lower(), kept);
       part.bottomRows(plan_.kept) = kept;
+      check_cancelled();
     }
   }
 
@@ -120,6 +122,7 @@ class ExternalCholesky final : public SparseCholesky {
       solver_->solve(number_, values);
       values = scale_.asDiagonal() * values;
       part.leftCols(others()) = values(order_, Eigen::all).topRows(others()).transpose();
+      check_cancelled();
     }
   }
 

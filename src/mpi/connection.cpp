@@ -12,9 +12,23 @@ namespace bempd::mpi {
 
 namespace {
 
+// Calls until it returns true, without using the processor in between: rank 0 may work alone for a long time.
+template <class Happened>
+void wait_for(const Happened& happened) {
+  using namespace std::chrono_literals;
+  for (auto pause = 0us; !happened(); pause = std::min<std::chrono::microseconds>(pause + 10us, 1000us))
+    std::this_thread::sleep_for(pause);
+}
+
 MPI_Comm copy_of(MPI_Comm comm) {
   MPI_Comm copy = MPI_COMM_NULL;
-  MPI_Comm_dup(comm, &copy);
+  MPI_Request all_have_come = MPI_REQUEST_NULL;
+  MPI_Comm_idup(comm, &copy, &all_have_come);
+  wait_for([&] {
+    int done = 0;
+    MPI_Test(&all_have_come, &done, MPI_STATUS_IGNORE);
+    return done != 0;
+  });
   return copy;
 }
 
@@ -31,15 +45,12 @@ Used& used() {
 
 constexpr int numbers_of_an_order = sizeof(Order) / sizeof(std::int64_t);
 
-// Waits for the next order without using the processor: rank 0 may work alone for a long time.
 Order next_order(MPI_Comm comm) {
-  using namespace std::chrono_literals;
-  int has_come = 0;
-  for (auto pause = 0us; true; pause = std::min<std::chrono::microseconds>(pause + 10us, 1000us)) {
+  wait_for([&] {
+    int has_come = 0;
     MPI_Iprobe(0, tag_of_orders, comm, &has_come, MPI_STATUS_IGNORE);
-    if (has_come) break;
-    std::this_thread::sleep_for(pause);
-  }
+    return has_come != 0;
+  });
   Order order;
   MPI_Recv(&order, numbers_of_an_order, MPI_INT64_T, 0, tag_of_orders, comm, MPI_STATUS_IGNORE);
   return order;

@@ -82,8 +82,8 @@ Verdict MumpsFactor::verdict(const char* doing) const {
     case -22:
       return {BEMPD_ERROR_MEMORY, numbers};
     case -90:
-      return {BEMPD_ERROR_IO, numbers + ": it could not use the folder '" + scratch_ +
-                                  "' of the option linalg.scratch; is its disk full?"};
+      return {BEMPD_ERROR_IO, "the factor could not be written to or read from the folder '" + scratch_ +
+                                  "' of the option linalg.scratch: disk full? " + numbers};
     default:
       return {BEMPD_ERROR_INTERNAL, numbers};
   }
@@ -108,11 +108,14 @@ Verdict MumpsFactor::analyse(const Order& order, const bempd_sparse_task* task) 
 Verdict MumpsFactor::use_scratch(const std::string& folder) {
   const bool fits = folder.size() < sizeof mumps_.ooc_tmpdir;
   if (!on_all(fits && can_write_in(folder, rank_), comm_))
-    return {BEMPD_ERROR_IO, "no file can be made in the folder '" + folder +
-                                "' of the option linalg.scratch on every process; make it, or give one of at most " +
+    return {BEMPD_ERROR_IO, "a process can write no file in the folder '" + folder +
+                                "' of the option linalg.scratch; make it writable, or give another of at most " +
                                 std::to_string(sizeof mumps_.ooc_tmpdir - 1) + " bytes"};
   std::memcpy(mumps_.ooc_tmpdir, folder.c_str(), folder.size() + 1);
   control(mumps_, 22) = 1;
+  // Files are written when MUMPS calls for it. Its thread for that ends at the first error, and ranks wait for it for
+  // ever.
+  mumps_.keep[98] = 3;
   return {};
 }
 

@@ -2,11 +2,9 @@
  * An MPI host that embeds the library: rank 0 has the model, the others serve. Run with 1, 2 and 4 ranks.
  *   mpi_host FOLDER [single]     FOLDER: for factors out of core; single: MPI_Init() in place of MPI_Init_thread()
  */
-#define _DEFAULT_SOURCE
 #include "bempd_mpi.h"
 #define CRACK_RULE "bond"
 #include <pthread.h>
-#include <unistd.h>
 
 #include "../capi/scenes.h"
 
@@ -154,33 +152,6 @@ static void errors_come_to_rank_0(void) {
   }
 }
 
-static int32_t cancels(const char* phase, double share, double seconds, double expected, void* user) {
-  (void)share, (void)seconds, (void)expected;
-  if (strstr(phase, "sparse factorization") == NULL) {
-    usleep(120000); /* what begins sooner than a tenth of a second later goes untold */
-    return 0;
-  }
-  ++*(int*)user;
-  return 1;
-}
-
-/** A cancelled call ends between the phases of MUMPS; the next one works. */
-static void calls_can_be_cancelled(void) {
-  if (rank == 0) {
-    int heard = 0;
-    bempd_model* model = strip();
-    attach(model);
-    CHECK_OK(model, bempd_set_phase_progress(model, cancels, &heard));
-    CHECK_FAILS(model, BEMPD_ERROR_CANCELLED, "stop", bempd_step(model, 1.0, NULL));
-    CHECK(heard == 1);
-    CHECK_OK(model, bempd_set_phase_progress(model, NULL, NULL));
-    CHECK_OK(model, bempd_step(model, 1.0, NULL));
-    bempd_model_free(model);
-  } else {
-    serve();
-  }
-}
-
 static void* steps_elsewhere(void* user) {
   bempd_model* model = (bempd_model*)user;
   CHECK_FAILS(model, BEMPD_ERROR_ORDER, "thread", bempd_step(model, 1.0, NULL));
@@ -220,7 +191,6 @@ int main(int count, char** words) {
   freeing_a_model_lets_the_others_go();
   a_refused_attachment_lets_the_others_go();
   errors_come_to_rank_0();
-  calls_can_be_cancelled();
   other_threads_are_refused(level);
   /* The host's communicator is its own: nothing of the library travels on it. */
   MPI_Allreduce(&rank, &sum, 1, MPI_INT, MPI_SUM, MPI_COMM_WORLD);

@@ -1,0 +1,69 @@
+"""The same bonds by the library and by MUMPS on 1, 2 and 4 ranks: prints a line of JSON for each body.
+
+usage: mpirun -np 4 python3 compare.py FINE EVENTS
+"""
+
+from __future__ import annotations
+
+import json
+import sys
+import time
+from typing import Any
+
+from mpi4py import MPI
+
+import bempd
+import bempd.mpi
+from bodies import BODIES
+from worker import events
+
+WORLD = MPI.COMM_WORLD
+RANKS = 1, 2, 4
+TOLERANCE = 1e-8  # largest relative difference of the load factors of one event
+
+
+def run(body: str, fine: int, most: int, comm: Any) -> dict[str, Any]:
+    """Events of a body, on rank 0; without a communicator by the library's own factorization."""
+    model = BODIES[body](fine)
+    if comm:
+        bempd.mpi.attach(model, comm)
+    begin = time.process_time()
+    found = events(model, most)
+    sizes = model.statistics()
+    answer = {"events": found, "seconds": time.process_time() - begin, "unknowns": sizes.sparse_unknowns,
+              "factorizations": sizes.sparse_factorizations, "applications": sizes.solver_iterations}
+    if comm:
+        bempd.mpi.detach(model)
+    return answer
+
+
+def difference(one: list[Any], other: list[Any]) -> str:
+    """How two runs differ: empty if the same bonds break in the same order, at the same loads."""
+    for number, (first, second) in enumerate(zip(one, other), 1):
+        if first[:2] != second[:2]:
+            return f"other bonds break at event {number}"
+        if abs(first[2] - second[2]) > TOLERANCE * abs(first[2]):
+            return f"load factor of event {number}: {first[2]:.12g} and {second[2]:.12g}"
+    return "" if len(one) == len(other) else "one run ends before the other"
+
+
+def main() -> None:
+    fine, most = map(int, sys.argv[1:])
+    comms = {ranks: WORLD.Split(0 if WORLD.rank < ranks else 1, WORLD.rank) for ranks in RANKS}
+    for body in BODIES:
+        own = run(body, fine, most, None) if WORLD.rank == 0 else {}
+        found: dict[str, Any] = {"body": body, "own": own, "ranks": {}}
+        for ranks, comm in comms.items():
+            if WORLD.rank == 0:
+                answer = run(body, fine, most, comm)
+                found["ranks"][ranks] = answer | {"difference": difference(own["events"], answer.pop("events"))}
+            elif WORLD.rank < ranks:
+                bempd.mpi.serve(comm)
+        if own:
+            own["events"] = len(own["events"])
+            print(json.dumps(found), flush=True)
+    WORLD.Barrier()
+
+
+if __name__ == "__main__":
+    main()
