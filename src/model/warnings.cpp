@@ -89,7 +89,7 @@ void Model::warn_of_held_parts() {
     if (crack > 0) places += text(" by initial crack ", crack);
   }
   if (held.size() > most_named) places += text(" and at ", held.size() - most_named, " places more");
-  // Of a body that has come apart the report says so, and its parts are expected to move freely.
+  // The report tells of a body that has come apart, whose parts are expected to move freely.
   const int level = prepared_->evolution->progress().separated ? 2 : 1;
   log(level,
       "parts can move freely, cut off or left hanging on a hinge, at " + places + "; they are held where they are");
