@@ -16,6 +16,7 @@
 #   benchmarks/run.sh subdomains      large bodies of boundary elements, whole and cut, into docs/scaling.md with --write
 #   benchmarks/run.sh bodies          bodies: errors wanted, told and true, promises, cost over size, into docs/bodies.md with --write
 #   benchmarks/run.sh mpi             one body on several processes by MUMPS, into docs/scaling.md with --write
+#   benchmarks/run.sh factorization   the library's own sparse factorization beside CHOLMOD's, into docs/research/tables
 #   --with-peers, last, installs the peers first: FreeFem++, dolfinx and CalculiX; LAMMPS and dolfinx; or dolfinx
 set -euo pipefail
 export BEMPD_TEST_HOOKS=1  # some compare with ways that the library does not choose by itself
@@ -40,7 +41,8 @@ case "$name" in
   subdomains) programs=() peers=() ;;
   bodies) programs=() peers=() ;;
   mpi) programs=(bempd_mpi) peers=() ;;
-  *) sed -n '2,18s/^# *//p' "$0" >&2; exit 2 ;;
+  factorization) programs=(bempd_factorization) peers=() ;;
+  *) sed -n '2,20s/^# *//p' "$0" >&2; exit 2 ;;
 esac
 shift
 if [ "${*: -1}" = --with-peers ]; then set -- "${@:1:$#-1}"; else peers=(); fi
