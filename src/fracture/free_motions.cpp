@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include "cancellation.hpp"
 #include "error.hpp"
@@ -26,16 +27,6 @@ constexpr double free_elongation = 1e-9, free_bending = 1e-6;
 // Displacement of a node over the largest one of a free motion below which the node counts as not moving.
 constexpr double moved_share = 1e-6;
 
-// Nodes of a dense body that the sparse system has not eliminated, which show how the body moves.
-std::vector<int> visible_nodes(const EquilibriumSystem& system, const std::vector<int>& body) {
-  const auto is_visible = [&](int dof) { return system.is_unknown(dof) || system.is_prescribed(dof); };
-  std::vector<int> nodes;
-  for (int node : body) {
-    if (is_visible(2 * node) && is_visible(2 * node + 1)) nodes.push_back(node);
-  }
-  return nodes;
-}
-
 bool is_free(const EquilibriumSystem& system, const std::vector<Point>& positions, const coupling::SoftMotion& soft) {
   if (soft.resistance > free_motion_resistance) return false;
   for (std::size_t t = 0; t < system.terms().size(); ++t) {
@@ -43,7 +34,9 @@ bool is_free(const EquilibriumSystem& system, const std::vector<Point>& position
     if (std::abs(system.terms().elongation(t, soft.motion.data())) > free_elongation) return false;
   }
   return std::all_of(system.dense_bodies().begin(), system.dense_bodies().end(), [&](const std::vector<int>& body) {
-    const std::vector<int> nodes = visible_nodes(system, body);
+    std::vector<int> nodes;
+    std::copy_if(body.begin(), body.end(), std::back_inserter(nodes),
+                 [&](int node) { return shows_motion(system, node); });
     return coupling::nearest_rigid_motion(positions, nodes, soft.motion).deviation <= free_bending;
   });
 }
@@ -66,6 +59,11 @@ std::vector<int> pushed_nodes(const EquilibriumSystem& system, const Eigen::Vect
 }
 
 }  // namespace
+
+bool shows_motion(const EquilibriumSystem& system, int node) {
+  const auto is_there = [&](int dof) { return system.is_unknown(dof) || system.is_prescribed(dof); };
+  return is_there(2 * node) && is_there(2 * node + 1);
+}
 
 HeldMotions solve_and_hold(LoadedBody& body, std::span<const int> broken, const Eigen::VectorXd& before,
                            const std::function<bool()>& looks_free) {

@@ -7,6 +7,10 @@
 
 namespace bempd::fracture {
 
+// Whether both displacements of a node are unknowns or prescribed: the node shows how a dense body moves, whose other
+// nodes the sparse system has eliminated.
+bool shows_motion(const coupling::EquilibriumSystem& system, int node);
+
 // Parts that had to be held to make the equilibrium unique.
 struct HeldMotions {
   std::vector<int> nodes;      // where a spring was put

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "coupling/rigid_motion.hpp"
+#include "fracture/free_motions.hpp"
 
 namespace bempd::fracture {
 
@@ -26,10 +27,7 @@ void add_free_motions(const std::vector<int>& body, const std::vector<Point>& po
 void complete(const coupling::EquilibriumSystem& system, const std::vector<int>& body,
               const std::vector<Point>& positions, Eigen::VectorXd& motion) {
   std::vector<int> hidden, visible;
-  for (const int node : body) {
-    const bool shows = system.is_unknown(2 * node) || system.is_prescribed(2 * node);
-    (shows ? visible : hidden).push_back(node);
-  }
+  for (const int node : body) (shows_motion(system, node) ? visible : hidden).push_back(node);
   const coupling::RigidFit fit = coupling::nearest_rigid_motion(positions, visible, motion);
   for (const int node : hidden) {
     const Point arm = positions[node] - fit.centre;

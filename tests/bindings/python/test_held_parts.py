@@ -65,3 +65,19 @@ def test_windows_in_which_faces_close_and_nothing_breaks() -> None:
     model.prescribe_edge(body, 3, "y", -0.018)
     model.prescribe_edge(body, 3, "x", 0.018)
     tear(model, 40)
+
+
+def test_faces_do_not_press_on_a_piece_that_slides_along_a_support() -> None:
+    """The crack comes to an edge that is held in x: the end of its faces there, whose other component no support knows,
+    closed and pushed the piece along the edge."""
+    model = bempd.Model()
+    material = model.add_material(young_modulus=1, poisson_ratio=1 / 3, fracture_energy=1.6e-6)
+    body = model.add_bem_region(material, bempd.rectangle(0, 0, 13, 6), 2)
+    model.add_crack([(2.21024885418835, 6), (3.7901015494690635, 1.7573967604503584)])
+    model.fix_edge(body, 4, "both")
+    model.fix_point((0, 0), "y")
+    model.prescribe_edge(body, 2, "x", 0.013)
+    model.prescribe_edge(body, 1, "x", 0.002, constant=0.001, part=(0.25, 0.5))
+    report = tear(model, 40)
+    assert model.extensions()[-1].state == bempd.TipState.AT_EDGE
+    assert report.stop_reason == bempd.StopReason.NO_FURTHER_EVENT and model.piece_count == 2
