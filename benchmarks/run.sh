@@ -15,7 +15,7 @@
 #   benchmarks/run.sh line_loads      loads of lines against boundary elements on the same paths, into docs/cracks.md with --write
 #   benchmarks/run.sh subdomains      large bodies of boundary elements, whole and cut, into docs/scaling.md with --write
 #   benchmarks/run.sh bodies          bodies: errors wanted, told and true, promises, cost over size, into docs/bodies.md with --write
-#   benchmarks/run.sh mpi             one body on several processes by MUMPS, into docs/scaling.md with --write
+#   benchmarks/run.sh mpi             one body on several processes by MUMPS, and ensembles, into docs/scaling.md with --write
 #   benchmarks/run.sh factorization   the library's own sparse factorization beside CHOLMOD's, into docs/research/tables
 #   --with-peers, last, installs the peers first: FreeFem++, dolfinx and CalculiX; LAMMPS and dolfinx; or dolfinx
 set -euo pipefail
@@ -40,7 +40,7 @@ case "$name" in
   fatigue) programs=() peers=() ;;
   subdomains) programs=() peers=() ;;
   bodies) programs=() peers=() ;;
-  mpi) programs=(bempd_mpi) peers=() ;;
+  mpi) programs=(bempd_mpi bempd_schur) peers=() ;;
   factorization) programs=(bempd_factorization) peers=() ;;
   *) sed -n '2,20s/^# *//p' "$0" >&2; exit 2 ;;
 esac
@@ -51,7 +51,7 @@ if [ "${*: -1}" = --with-peers ]; then set -- "${@:1:$#-1}"; else peers=(); fi
 export PATH="/usr/bin:/bin:$PATH"
 .ci/require_packages.sh cmake ninja-build gcc g++ libeigen3-dev libsuitesparse-dev libopenblas-dev libbenchmark-dev \
   python3 python3-cffi python3-numpy python3-matplotlib "${peers[@]}"
-if [ "$name" = mpi ]; then .ci/require_packages.sh python3-mpi4py openmpi-bin libopenmpi-dev libmumps-dev; fi
+if [ "$name" = mpi ]; then .ci/require_packages.sh python3-mpi4py python3-distributed openmpi-bin libopenmpi-dev libmumps-dev; fi
 
 if [ "$name" != windows ]; then  # which builds a library of its own
   cmake --preset release -Wno-dev -D BEMPD_BUILD_BENCHMARKS=ON -D BEMPD_COMPILE_TOGETHER=ON >/dev/null

@@ -5,6 +5,7 @@ usage: mpirun -np 4 python3 compare.py FINE EVENTS
 
 from __future__ import annotations
 
+import hashlib
 import json
 import sys
 import time
@@ -15,11 +16,30 @@ from mpi4py import MPI
 import bempd
 import bempd.mpi
 from bodies import BODIES
-from worker import events
 
 WORLD = MPI.COMM_WORLD
 RANKS = 1, 2, 4
 TOLERANCE = 1e-8  # largest relative difference of the load factors of one event
+
+
+def is_lattice(model: bempd.Model, region: int) -> bool:
+    try:
+        return bool(model.bonds(region).states.size)
+    except bempd.ArgumentError:
+        return False
+
+
+def events(model: bempd.Model, most: int) -> list[list[Any]]:
+    """Bonds broken so far (as a digest of all states) and load factor after each event."""
+    found = []
+    regions = [region for region in range(1, model.region_count + 1) if is_lattice(model, region)]
+    while len(found) < most:
+        report = model.step_to_next_event(1e9)
+        states = b"".join(model.bonds(region).states.tobytes() for region in regions)
+        found.append([hashlib.sha1(states).hexdigest()[:12], report.broken_bonds, model.load_factor])
+        if report.stop_reason.name != "EVENT":
+            break
+    return found
 
 
 def run(body: str, fine: int, most: int, comm: Any) -> dict[str, Any]:

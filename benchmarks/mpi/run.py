@@ -1,8 +1,8 @@
-"""One body on several processes by MUMPS: the tables of docs/scaling.md.
+"""Beyond one process: one body by MUMPS, and ensembles. The tables of docs/scaling.md.
 
-usage: benchmarks/run.sh mpi [--write] [--quick] [--one-rank] [--large]
-    --write: into docs/scaling.md;  --quick: small bodies only;  --one-rank: events by one rank, as on a machine that is busy;
-    --large: a plate of 318,400 unknowns too
+usage: benchmarks/run.sh mpi [--write] [--quick] [--large] [--only PART,...]
+    --write: into docs/scaling.md;  --quick: small bodies only;  --large: a plate of a million unknowns too, with up to 16 GB
+    --only:  events, costs, schur, ensembles
        run.py --events short|long     only whether the same bonds break in the same order, as a test
 """
 
@@ -14,95 +14,181 @@ import re
 import subprocess
 import sys
 import tempfile
+import time
 from pathlib import Path
 from typing import Any
 
 PAGE = Path(__file__).resolve().parents[2] / "docs" / "scaling.md"
-WORKER = Path(__file__).resolve().parent / "worker.py"
-BODIES = ("plate, bond by bond", "plate, as a line", "paper: centre crack", "paper: inclined crack", "paper: two edge cracks",
-          "body with holes, as lines")
-RANKS = 1, 2, 4
+HERE = Path(__file__).resolve().parent
 EVENTS = 300  # at most, of a body in the table
-TOLERANCE = 1e-8  # largest relative difference of the load factors of one event
+PARTS = "events", "costs", "schur", "ensembles"
 
 Answer = dict[str, Any]
+Lines = list[str]
 
 
-def work(ranks: int, body: str, fine: int, solver: str, goal: str, events: int = 0, scratch: str = "") -> Answer:
-    """Answer of the worker in processes of its own, so that their peaks of memory are known."""
-    environment = {**os.environ, "OMPI_ALLOW_RUN_AS_ROOT": "1", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1",
-                   "OMPI_MCA_mpi_yield_when_idle": "1", "OPENBLAS_NUM_THREADS": "1"}
-    command = ["mpirun", "-np", str(ranks), "--oversubscribe", sys.executable, "-W", "ignore", "-B", str(WORKER), body, str(fine), solver,
-               goal, str(events), *([scratch] if scratch else [])]
-    ended = subprocess.run(command, capture_output=True, text=True, env=environment)
+def environment() -> dict[str, str]:
+    """Open MPI runs as root and with more ranks than cores; OpenBLAS knows processors that it takes for old ones."""
+    given = {"OMPI_ALLOW_RUN_AS_ROOT": "1", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1", "OMPI_MCA_mpi_yield_when_idle": "1",
+             "OPENBLAS_NUM_THREADS": "1"}
+    if "avx2" in Path("/proc/cpuinfo").read_text(encoding="utf-8"):
+        given["OPENBLAS_CORETYPE"] = "Haswell"
+    return {**given, **os.environ}
+
+
+def lines_of(command: list[str], ranks: int = 0) -> list[Answer]:
+    """Lines of JSON of a command, started by mpirun if it has ranks."""
+    start = ["mpirun", "-np", str(ranks), "--oversubscribe"] if ranks else []
+    ended = subprocess.run([*start, *command], capture_output=True, text=True, env=environment())
     if ended.returncode != 0:
-        raise SystemExit(f"{' '.join(command)}\n{ended.stdout}{ended.stderr}")
-    return json.loads(ended.stdout)  # type: ignore[no-any-return]
+        raise SystemExit(f"{' '.join([*start, *command])}\n{ended.stdout}{ended.stderr}")
+    return [json.loads(line) for line in ended.stdout.splitlines()]
 
 
-def difference(one: Answer, other: Answer) -> str:
-    """How two runs differ: empty if the same bonds break in the same order, at the same loads."""
-    for number, (first, second) in enumerate(zip(one["events"], other["events"]), 1):
-        if first[:2] != second[:2]:
-            return f"other bonds break at event {number}"
-        if abs(first[2] - second[2]) > TOLERANCE * abs(first[2]):
-            return f"load factor of event {number}: {first[2]:.12g} and {second[2]:.12g}"
-    return "" if len(one["events"]) == len(other["events"]) else "one run ends before the other"
+def python(script: str, *arguments: Any) -> list[str]:
+    return [sys.executable, "-W", "ignore", "-B", str(HERE / script), *map(str, arguments)]
 
 
-def same_events(fine: int, most: int, ranks_of: Any) -> tuple[list[str], bool]:
-    lines = ["| body | unknowns | events | broken bonds in the same order by ranks | library [s] | 1 rank [s] |", "|---|---|---|---|---|---|"]
-    good = True
-    for body in BODIES:
-        own = work(1, body, fine, "own", "run", most)
-        words, seconds = [], 0.0
-        for ranks in ranks_of(body):
-            answer = work(ranks, body, fine, "mumps", "run", most)
-            how = difference(own, answer)
-            good = good and not how and len(own["events"]) > 3
-            print(body, ranks, how or "the same", f"{answer['seconds']:.2f} s", file=sys.stderr)
-            words.append(f"{ranks}" if not how else f"NOT {ranks} ({how})")
-            if ranks == 1:
-                seconds = answer["seconds"]
-        lines.append(f"| {body} | {own['unknowns']:,} | {len(own['events'])} | {', '.join(words)} | {own['seconds']:.2f} | "
-                     + (f"{seconds:.2f} |" if seconds else "|"))
-    return lines, good
+def note(lines: Lines, line: str) -> None:
+    lines.append(line)
+    print(line, file=sys.stderr, flush=True)
 
 
 def megabytes(answer: Answer) -> str:
     return " / ".join(f"{one:,.0f}" for one in answer["memory"])
 
 
-def costs(quick: bool) -> list[str]:
-    lines = ["| unknowns | solver | elastic solve [s] | memory of each process [MB] | entries of the factor |", "|---|---|---|---|---|"]
-    for fine in (1, 2) if quick else (2, 5, 10) if "--large" in sys.argv else (2, 5):
-        with tempfile.TemporaryDirectory() as scratch:
+def same_events(most: int) -> tuple[Lines, bool]:
+    lines: Lines = []
+    note(lines, "| body | unknowns | events | same bonds in the same order by ranks | library [s] | 1 rank [s] | factorizations: library, MUMPS |")
+    lines.append("|---|---|---|---|---|---|---|")
+    good = True
+    for found in lines_of(python("compare.py", 1, most), 4):
+        own, ranks = found["own"], found["ranks"]
+        wrong = [f"NOT by {count}: {one['difference']}" for count, one in ranks.items() if one["difference"]]
+        good = good and not wrong and own["events"] > 3
+        note(lines, f"| {found['body']} | {own['unknowns']:,} | {own['events']} | {'; '.join(wrong) or ', '.join(ranks)} | {own['seconds']:.2f} | "
+                    f"{ranks['1']['seconds']:.2f} | {own['factorizations']}, {ranks['1']['factorizations']} |")
+    return lines, good
+
+
+def costs(fines: tuple[int, ...]) -> tuple[Lines, list[Answer]]:
+    """Elastic solutions of a plate; and the library's own figures of each size."""
+    lines: Lines = []
+    note(lines, "| unknowns | solver | elastic solve [s] | over the library | memory of each process [MB] | entries of the factor |")
+    lines.append("|---|---|---|---|---|---|")
+    of_library: list[Answer] = []
+    for fine in fines:
+        with tempfile.TemporaryDirectory(dir="/var/tmp") as scratch:
             for name, ranks, solver, folder in (("the library", 1, "own", ""), ("MUMPS, 1 rank", 1, "mumps", ""),
                                                 ("MUMPS, 2 ranks", 2, "mumps", ""), ("MUMPS, 4 ranks", 4, "mumps", ""),
                                                 ("MUMPS, 1 rank, out of core", 1, "mumps", scratch)):
-                answer = work(ranks, BODIES[0], fine, solver, "solve", 0, folder)
-                lines.append(f"| {answer['unknowns']:,} | {name} | {answer['seconds']:.2f} | {megabytes(answer)} | {answer['entries']:,} |")
-                print(lines[-1], file=sys.stderr)
+                if fine > 12 and ranks == 4:
+                    continue
+                answer = lines_of(python("worker.py", "plate, bond by bond", fine, solver, *([folder] if folder else [])), ranks)[0]
+                if solver == "own":
+                    of_library.append(answer)
+                note(lines, f"| {answer['unknowns']:,} | {name} | {answer['seconds']:.2f} | {answer['seconds'] / of_library[-1]['seconds']:.2f} | "
+                            f"{megabytes(answer)} | {answer['entries']:,} |")
+    return lines, of_library
+
+
+def schur(points: int) -> Lines:
+    lines: Lines = []
+    note(lines, "| unknowns | kept | ranks | analysis [s] | factorization [s] | memory of each process [MB] |")
+    lines.append("|---|---|---|---|---|---|")
+    program = str(Path(os.environ["BEMPD_BENCHMARKS"]) / "bempd_schur")
+    for ranks in (1, 2):
+        for kept in (0, 300, 1000, 2000):
+            one = lines_of([program, str(points), str(kept)], ranks)[0]
+            note(lines, f"| {one['unknowns']:,} | {kept:,} | {ranks} | {one['analysis']:.2f} | {one['factorization']:.2f} | {megabytes(one)} |")
     return lines
+
+
+def ensembles(cases: int) -> tuple[Lines, float]:
+    """Runs an hour, what starting and ending takes, and what the executor adds to a run; and seconds of a run alone."""
+    lines: Lines = []
+    note(lines, "| executor | workers | runs an hour | start and end [s] | added to a run [ms] |")
+    lines.append("|---|---|---|---|---|")
+    alone, reference = 0.0, None
+    for executor, workers in (("serial", 1), ("processes", 1), ("processes", 2), ("mpi", 1), ("mpi", 2), ("dask", 1), ("dask", 2)):
+        walls = []
+        for count in (2, cases):
+            command = python("plates.py", executor, workers, count)
+            if executor == "mpi":
+                command[1:1] = ["-m", "mpi4py.futures"]
+                command[3:6] = []
+            begin = time.perf_counter()
+            answer = lines_of(command, workers + 1 if executor == "mpi" else 0)[0]
+            walls.append(time.perf_counter() - begin)
+        reference = reference or answer["values"]
+        if answer["errors"] or answer["values"] != reference:
+            raise SystemExit(f"{executor}: other results")
+        inside = answer["inside"] / cases
+        alone = alone or inside
+        each = (walls[1] - walls[0]) / (cases - 2)  # wall time
+        start = walls[1] - each * cases
+        note(lines, f"| {executor} | {workers} | {3600 / each:,.0f} | {start:.1f} | {1e3 * max(0.0, each * workers - inside):.1f} |")
+    return lines, alone
+
+
+def on_paper(solves: list[Answer], run: float) -> Lines:
+    """What 10^7 points, 16 nodes and 10^6 runs need, from the two largest plates and from one run."""
+    from math import log
+
+    small, large = solves[-2:]
+    wanted = 2e7
+
+    def power(name: str) -> float:
+        return log(large[name] / small[name]) / log(large["unknowns"] / small["unknowns"])
+
+    grown = wanted / large["unknowns"]
+    factor = 8e-9 * large["entries"] * grown ** power("entries")
+    seconds = large["seconds"] * grown ** power("seconds")
+    rest = 1e-3 * (large["memory"][0] - 8e-6 * large["entries"]) * grown
+    return [f"On paper, by the growth between the two largest plates: 10^7 points have a factor of {factor:,.0f} GB, which is "
+            f"{factor / 16:,.0f} GB on each of 16 nodes, and one elastic solve takes {seconds / 3600:.1f} hours of one core, or "
+            f"{seconds / 960:,.0f} minutes of 16 if they share the work evenly. Rank 0 needs {rest:,.0f} GB more for lattice, bonds and "
+            f"matrix, and is the limit. 10^6 runs of {run:.2g} s take {run * 1e6 / 3600:,.0f} hours of one core, and "
+            f"{run * 1e6 / 3600 / 128:.1f} hours of 16 nodes with 8 cores each."]
+
+
+def measure(parts: list[str]) -> tuple[dict[str, Lines], bool]:
+    quick = "--quick" in sys.argv
+    found: dict[str, Lines] = {}
+    solves: list[Answer] = []
+    run, good = 0.0, True
+    if "events" in parts:
+        found["events"], good = same_events(12 if quick else EVENTS)
+    if "costs" in parts:
+        found["costs"], solves = costs((1, 2) if quick else (2, 5, 10, 18) if "--large" in sys.argv else (2, 5, 10))
+    if "schur" in parts:
+        found["schur"] = schur(100 if quick else 400)
+    if "ensembles" in parts:
+        found["ensembles"], run = ensembles(10 if quick else 100)
+    kept = Path(os.environ.get("BEMPD_OUTPUT", "out/mpi")) / "figures.json"  # for parts that are measured one by one
+    figures = json.loads(kept.read_text(encoding="utf-8")) if kept.exists() else {}
+    figures |= {name: value for name, value in (("solves", solves), ("run", run)) if value}
+    kept.parent.mkdir(parents=True, exist_ok=True)
+    kept.write_text(json.dumps(figures), encoding="utf-8")
+    if {"solves", "run"} <= set(figures):
+        found["paper"] = on_paper(figures["solves"], figures["run"])
+    return found, good
 
 
 def main() -> int:
     if "--events" in sys.argv:
-        is_long = sys.argv[-1] == "long"
-        lines, good = same_events(1, 10**6 if is_long else 12,
-                                  lambda body: RANKS if is_long else (4,) if body == BODIES[0] else (2,) if "paper" in body else (1,))
-        print("\n".join(lines))
+        lines, good = same_events(10**6 if sys.argv[-1] == "long" else 12)
         return 0 if good else 1
-    quick = "--quick" in sys.argv
-    lines, good = same_events(1, 12 if quick else EVENTS, lambda body: RANKS[:1] if "--one-rank" in sys.argv else RANKS)
-    lines += ["", *costs(quick)]
-    print("\n".join(lines))
+    parts = sys.argv[sys.argv.index("--only") + 1].split(",") if "--only" in sys.argv else list(PARTS)
+    found, good = measure(parts)
+    text = PAGE.read_text(encoding="utf-8")
+    for part, lines in found.items():
+        print("\n".join(["", *lines]))
+        begin, end = f"<!-- benchmarks/mpi: {part} -->\n", "<!-- end of it -->"
+        text = re.sub(re.escape(begin) + ".*?" + re.escape(end), lambda _: begin + "\n".join(lines) + "\n" + end, text, flags=re.DOTALL)
     if "--write" in sys.argv:
-        begin, end = "<!-- table of benchmarks/mpi -->\n", "<!-- end of it -->"
-        found = begin + "\n".join(lines) + "\n" + end
-        text = PAGE.read_text(encoding="utf-8")
-        PAGE.write_text(re.sub(re.escape(begin) + ".*?" + re.escape(end), lambda _: found, text, flags=re.DOTALL),
-                        encoding="utf-8")
+        PAGE.write_text(text, encoding="utf-8")
     return 0 if good else 1
 
 
