@@ -116,7 +116,7 @@ def draw_fatigue_scene(folder: pathlib.Path) -> None:
     figure, (axes, load) = plt.subplots(1, 2, figsize=(7.6, 3.6), width_ratios=[1, 1.3], layout="constrained")
     axes.add_patch(plt.Rectangle((-100, -300), 200, 600, facecolor=BODY, edgecolor=GREY))
     axes.plot([-5, 5], [0, 0], color=RED, linewidth=3)
-    axes.annotate("crack,\n10 mm", (3, 6), (12, 60), color=RED, fontsize=9, arrowprops={"arrowstyle": "-", "color": RED, "linewidth": 0.8})
+    axes.annotate("crack,\n10 mm", (-3, 6), (-92, 60), color=RED, fontsize=9, arrowprops={"arrowstyle": "-", "color": RED, "linewidth": 0.8})
     for x in (-75, -25, 25, 75):
         for sign in (-1, 1):
             axes.annotate("", (x, sign * 370), (x, sign * 304), arrowprops={"arrowstyle": "-|>", "color": ORANGE, "linewidth": 1.4})
