@@ -73,7 +73,7 @@ def draw_strip_scene(folder: pathlib.Path) -> None:
     rows, columns = np.meshgrid(np.arange(0, 21), np.arange(20, 41))
     axes.plot(columns.ravel(), rows.ravel(), ".", color=GREY, markersize=1.6)
     axes.plot([29.5, 29.5], [0, 4.5], color=RED, linewidth=2.5)
-    for x, text in ((10, "left: boundary elements"), (30, "middle: lattice"), (50, "right: boundary elements")):
+    for x, text in ((10, "boundary elements"), (30, "lattice"), (50, "boundary elements")):
         axes.text(x, 13, text, ha="center", fontsize=9, bbox={"facecolor": "white", "alpha": 0.8, "linewidth": 0, "pad": 1})
     clamp(axes, (0, 0), (0, 20), (-1.5, 0))
     axes.text(0.8, 8, "edge 4:\nheld", color=BLUE, fontsize=9)
@@ -108,6 +108,54 @@ def draw_strip_scene(folder: pathlib.Path) -> None:
     for one in (axes, near):
         one.axis("off")
     figure.savefig(folder / "tutorial_scene.png", dpi=110, bbox_inches="tight", pad_inches=0.05)
+    plt.close(figure)
+
+
+def draw_fatigue_scene(folder: pathlib.Path) -> None:
+    """The plate of docs/fatigue.md in millimetres, and its load over the cycles."""
+    figure, (axes, load) = plt.subplots(1, 2, figsize=(7.6, 3.6), width_ratios=[1, 1.3], layout="constrained")
+    axes.add_patch(plt.Rectangle((-100, -300), 200, 600, facecolor=BODY, edgecolor=GREY))
+    axes.plot([-5, 5], [0, 0], color=RED, linewidth=3)
+    axes.annotate("crack,\n10 mm", (-3, 6), (-92, 60), color=RED, fontsize=9, arrowprops={"arrowstyle": "-", "color": RED, "linewidth": 0.8})
+    for x in (-75, -25, 25, 75):
+        for sign in (-1, 1):
+            axes.annotate("", (x, sign * 370), (x, sign * 304), arrowprops={"arrowstyle": "-|>", "color": ORANGE, "linewidth": 1.4})
+    axes.text(112, 338, "100 MPa per unit", color=ORANGE, fontsize=9, va="center")
+    dimension(axes, (-100, -230), (100, -230), "200 mm", at=(0, -222), ha="center", va="bottom")
+    dimension(axes, (118, -300), (118, 300), "600 mm", at=(126, 0), va="center")
+    axes.set(xlim=(-110, 260), ylim=(-385, 385), aspect="equal")
+    axes.axis("off")
+    cycles = np.linspace(0, 4, 400)
+    load.plot(cycles, 0.55 - 0.45 * np.cos(2 * np.pi * cycles), color=BLUE)
+    load.axhline(1, color=GREY, linewidth=0.7, linestyle="--")
+    load.axhline(0.1, color=GREY, linewidth=0.7, linestyle="--")
+    load.text(4.05, 1.01, "high = 1", va="bottom", fontsize=9)
+    load.text(4.05, 0.11, "low = 0.1", va="bottom", fontsize=9)
+    load.set(xlim=(0, 5), ylim=(0, 1.15), xlabel="cycles", ylabel="load factor", xticks=range(5))
+    load.grid(False)
+    figure.savefig(folder / "fatigue_scene.png", dpi=110, bbox_inches="tight", pad_inches=0.05)
+    plt.close(figure)
+
+
+def draw_body_scene(folder: pathlib.Path) -> None:
+    """The plate of docs/bodies.md in metres."""
+    figure, axes = plt.subplots(figsize=(7.0, 2.6), layout="constrained")
+    axes.add_patch(plt.Rectangle((0, 0), 3, 1, facecolor=BODY, edgecolor=GREY))
+    axes.add_patch(plt.Circle((2, 0.5), 0.2, facecolor="white", edgecolor=GREY))
+    axes.text(2, 0.5, "hole", ha="center", va="center", fontsize=9)
+    axes.plot([1, 1.2], [0.35, 0.65], color=RED, linewidth=2.5)
+    axes.text(1.2, 0.4, "crack", color=RED, fontsize=9)
+    clamp(axes, (0, 0), (0, 1), (-0.06, 0))
+    axes.text(0.04, 0.5, "edge 4: held", color=BLUE, fontsize=9, va="center")
+    axes.plot([3, 3], [0, 1], color=BLUE, linewidth=2.5)
+    axes.text(2.96, 0.9, "edge 2", color=BLUE, fontsize=9, ha="right", va="center")
+    for y in (0.15, 0.5, 0.85):
+        axes.annotate("", (3.25, y), (3.02, y), arrowprops={"arrowstyle": "-|>", "color": ORANGE, "linewidth": 1.6})
+    axes.text(3.3, 0.5, "1 MPa\nper unit", color=ORANGE, fontsize=9, va="center")
+    dimension(axes, (0, -0.09), (3, -0.09), "3 m", at=(1.5, -0.11), ha="center", va="top")
+    axes.set(xlim=(-0.1, 3.75), ylim=(-0.3, 1.05), aspect="equal")
+    axes.axis("off")
+    figure.savefig(folder / "body_scene.png", dpi=110, bbox_inches="tight", pad_inches=0.05)
     plt.close(figure)
 
 
@@ -187,4 +235,6 @@ def draw_import(folder: pathlib.Path) -> None:
 def draw_scenes(folder: pathlib.Path) -> None:
     draw_plate_scene(folder)
     draw_strip_scene(folder)
+    draw_fatigue_scene(folder)
+    draw_body_scene(folder)
     draw_coupling_scene(folder)

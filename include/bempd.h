@@ -1180,9 +1180,10 @@ BEMPD_API bempd_status bempd_set_log(bempd_model* model, bempd_log_function func
 BEMPD_API bempd_status bempd_request_cancel(bempd_model* model);
 
 /** @brief Ask the step that runs in another thread, or calls back, to end and to keep the events that it has done: it
- * succeeds with BEMPD_STOP_REQUESTED. An event that takes long is given up, and short ones are finished.
- * Calls that are not steps do not hear it, nor does the search for equilibrium before the first event. A request made
- * while no call runs is forgotten.
+ * succeeds with BEMPD_STOP_REQUESTED. An event that takes long is given up, and short ones are finished. A step that
+ * hears it while its scene is prepared or its first equilibrium is sought has done nothing: the load factor stays, and
+ * a scene that was prepared completely stays prepared. Calls that are not steps do not hear it, but for
+ * bempd_grow_fatigue(). A request made while no call runs is forgotten.
  * @param[in] model the model @return status @since 0.3 */
 BEMPD_API bempd_status bempd_request_stop(bempd_model* model);
 

@@ -7,7 +7,7 @@
 namespace bempd {
 
 // Thrown where the host's wish to end a step is heard inside an event: the event is given up, and the step ends as it
-// was before it. It is no error, and only the loop over events that let it be thrown may catch it.
+// was before it. It is no error, and only what let it be thrown may catch it: the loop over events, or the whole step.
 struct EventGivenUp {};
 
 // Scope in which check_cancelled() of the same thread reads the host's requests. Long loops call check_cancelled()

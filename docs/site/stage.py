@@ -126,6 +126,19 @@ def shrink_gallery(target: pathlib.Path) -> None:
     index.write_text(text[:start] + re.sub(r"(!\[[^\]]*\]\()([\w.]+\))", r"\1thumbnails/\2", gallery) + text[end:], encoding="utf-8")
 
 
+def program_tabs(target: pathlib.Path) -> None:
+    """Gives the page of languages the first program once, with a tab for each language. On a forge each has its section."""
+    page, programs = target / "docs/languages.md", target / "examples/first_crack"
+    text = page.read_text(encoding="utf-8")
+    files = {"Python": "main.py", "C": "main.c", "Fortran": "main.f90", "Rust": "main.rs"}
+    marks = [f'<input type="radio" name="language" id="tab-{name}"{" checked" if name == "Python" else ""}>'
+             f'<label for="tab-{name}">{name}</label>' for name in files]
+    panels = [f'```{{raw}} html\n<div class="panel">\n```\n\n```{name.lower()}\n{(programs / file).read_text(encoding="utf-8")}```\n\n'
+              "```{raw} html\n</div>\n```\n" for name, file in files.items()]
+    tabs = "\n".join(["```{raw} html", '<div class="tabs">', *marks, "```", "", *panels, "```{raw} html", "</div>", "```", ""])
+    page.write_text(text[:text.index("## Fortran")] + "## The first program\n\n" + tabs, encoding="utf-8")
+
+
 def give_title(page: pathlib.Path) -> None:
     """READMEs of examples begin with the sentence that lists show; a page needs a title."""
     text = page.read_text(encoding="utf-8")
@@ -148,6 +161,9 @@ def stage(root: pathlib.Path, target: pathlib.Path) -> None:
         give_title(target / page.relative_to(root))
     (target / "docs/python_reference.md").write_text(PYTHON, encoding="utf-8")
     shrink_gallery(target)
+    for file in root.glob("examples/first_crack/main.*"):
+        copy(file, target / file.relative_to(root))
+    program_tabs(target)
     languages = target / "docs/languages.md"
     languages.write_text(languages.read_text(encoding="utf-8").replace("<!-- reference -->\n", REFERENCE), encoding="utf-8")
     with open(target / "docs/index.md", "a", encoding="utf-8") as index:

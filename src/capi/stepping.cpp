@@ -1,6 +1,7 @@
 #include <algorithm>
 
 #include "capi/guard.hpp"
+#include "model/step_beginning.hpp"
 
 using namespace bempd;
 using namespace bempd::capi;
@@ -60,8 +61,9 @@ bempd_step_report report_of(const model::StepResult& result, const fracture::Evo
 
 void write_report(model::Model& m, const model::StepResult& result, bempd_step_report* report) {
   if (!report) return;
-  bempd_step_report r = report_of(result, m.prepared().evolution->progress());
-  r.closed_places = static_cast<std::int64_t>(m.prepared().system->constraints().closed_count());
+  const model::PreparedScene* scene = m.prepared_or_null();  // null if the step was stopped while it was prepared
+  bempd_step_report r = report_of(result, scene ? scene->evolution->progress() : fracture::EvolutionState{});
+  if (scene) r.closed_places = static_cast<std::int64_t>(scene->system->constraints().closed_count());
   write_struct(report, r, "report");
 }
 
@@ -72,7 +74,7 @@ bempd_status advance(bempd_model* handle, const char* function, const char* targ
   return with_model(handle, function, [&](model::Model& m) {
     require_finite(target, target_name);
     if (report) struct_bytes(report, "report", sizeof(int64_t));
-    write_report(m, (m.*step)(target, goal), report);
+    write_report(m, model::unless_stopped([&] { return (m.*step)(target, goal); }), report);
   });
 }
 
@@ -195,6 +197,6 @@ bempd_status bempd_run_program(bempd_model* model, int64_t row_count, const doub
     const scene::LoadTable table = table_of(row_count, times, column_count, kinds, ids, factors);
     const fracture::Goal goal = goal_of(until);
     if (report) struct_bytes(report, "report", sizeof(int64_t));
-    write_report(m, m.run_program(table, goal), report);
+    write_report(m, model::unless_stopped([&] { return m.run_program(table, goal); }), report);
   });
 }

@@ -44,6 +44,7 @@ StopReason EventLoop::run() {
   try {
     if (!first.state_.in_equilibrium) {
       first.sources_.mark();
+      const CancellationScope scope({CancellationScope::current().cancel, options_.stop});
       first.find_equilibrium();
     }
     const StopReason reason = go_on();

@@ -36,7 +36,8 @@ class EventLoop {
             const OnEnd& on_end)
       : body_(&body), target_(target), goal_(goal), options_(options), on_event_(on_event), on_end_(on_end) {}
 
-  // Runs to the target or goal. After any failure the first body is as it was.
+  // Runs to the target or goal. After any failure the first body is as it was; so it is where the host asks for the end
+  // before the first equilibrium (EventGivenUp).
   StopReason run();
 
  private:

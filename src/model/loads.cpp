@@ -2,6 +2,7 @@
 
 #include "error.hpp"
 #include "model/model.hpp"
+#include "model/step_beginning.hpp"
 #include "regions/edge_nodes.hpp"
 #include "regions/fluid_paths.hpp"
 #include "regions/places/edge_part.hpp"
@@ -174,7 +175,7 @@ void Model::apply_pending_values() {
 }
 
 StepResult Model::advance(double target, fracture::Goal goal) {
-  prepare();
+  prepare_for_step(*this);
   std::optional<scene::SceneValues> said = scene_.values();
   std::optional<LoadsBefore> before;
   if (loads_.acting != Acting::values)
@@ -190,7 +191,7 @@ StepResult Model::advance(double target, fracture::Goal goal) {
 }
 
 StepResult Model::advance_to_values(double target, fracture::Goal goal) {
-  prepare();
+  prepare_for_step(*this);
   const double present = load_factor();
   std::optional<scene::SceneValues> said = scene_.values();
   regions::DofConditions at_end = regions::apply_conditions(scene_, prepared_->discretization);

@@ -2,6 +2,7 @@
 
 #include "error.hpp"
 #include "model/model.hpp"
+#include "model/step_beginning.hpp"
 
 // Load programs: tables of values by time, where the load factor is the time.
 namespace bempd::model {
@@ -37,8 +38,14 @@ StepResult Model::run_to_row(const scene::LoadTable& table, std::size_t row, con
   } else {
     way = scene::line_between(table.at(row - 1, given), table.times[row - 1], at_end, end);
   }
-  replace_loads(conditions_under(*way), Acting::on_a_way);
-  StepResult result = run(end, goal, &*way);
+  LoadsBefore before = replace_loads(conditions_under(*way), Acting::on_a_way);
+  StepResult result;
+  try {
+    result = run(end, goal, &*way);
+  } catch (const EventGivenUp&) {  // before the first equilibrium of this row: those before it stay
+    go_back_to(std::move(before));
+    return {fracture::StopReason::requested};
+  }
   // If nothing can break any more before the row's time, the run still moves on to it.
   if (result.reason == fracture::StopReason::no_further_event && load_factor() != end) {
     add(result, run(end, fracture::Goal::load_factor, &*way));
@@ -55,7 +62,7 @@ StepResult Model::run_program(const scene::LoadTable& table, fracture::Goal goal
       options_.text_value("stepping.control") == "load",
       "stepping.control is path, by which the load factor falls where growth is unstable; a program goes on in time: "
       "set it to load");
-  prepare();
+  prepare_for_step(*this);
   const double present = load_factor(), end = table.times.back();
   const bool has_begun =
       prepared_->evolution->progress().in_equilibrium || !prepared_->evolution->progress().history.empty();

@@ -238,6 +238,77 @@ static void long_parts_say_how_far_they_are(void) {
   bempd_model_free(model);
 }
 
+typedef struct beginning {
+  bempd_model* model;
+  int64_t asked;
+} beginning;
+
+static int32_t stop_at_once(const char* phase, double share, double seconds, double expected, void* user) {
+  beginning* one = (beginning*)user;
+  (void)phase, (void)share, (void)seconds, (void)expected;
+  CHECK_OK(NULL, bempd_request_stop(one->model));
+  ++one->asked;
+  return 0;
+}
+
+/** Report of a step to the load factor 2, or of a program of one row that goes there. */
+static bempd_step_report moved(bempd_model* model, int in_program) {
+  static const double time = 2.0, factor = 2.0;
+  bempd_step_report report;
+  CHECK_OK(NULL, bempd_step_report_init(&report, sizeof report));
+  if (in_program)
+    CHECK_OK(model, bempd_run_program(model, 1, &time, 0, NULL, NULL, &factor, BEMPD_UNTIL_VALUES, &report));
+  else
+    CHECK_OK(model, bempd_step(model, time, &report));
+  return report;
+}
+
+/** A step that is asked to stop while its scene is prepared, or in its first equilibrium, has done nothing; the next
+ * one does what it would have done. Returns the force of the pulled edge. */
+static double force_after_stop(int in_program, int is_prepared, int is_stopped) {
+  bempd_model* model = large_plate();
+  const double pull = 1e-4;
+  double load_factor = -1.0, force[2] = {0.0, 0.0};
+  int64_t lines = -1;
+  int32_t support = 0;
+  beginning one = {NULL, 0};
+  bempd_step_report report;
+  bempd_statistics statistics;
+  one.model = model;
+  CHECK_OK(NULL, bempd_statistics_init(&statistics, sizeof statistics));
+  CHECK_OK(model, bempd_prescribe_edge(model, 2, 2, 0.0, 1.0, BEMPD_X, 1, NULL, &pull, &support));
+  if (is_prepared) CHECK_OK(model, bempd_prepare(model));
+  if (is_stopped) {
+    CHECK_OK(model, bempd_set_phase_progress(model, stop_at_once, &one));
+    report = moved(model, in_program);
+    CHECK_OK(model, bempd_set_phase_progress(model, NULL, NULL));
+    CHECK(one.asked > 0 && report.stop_reason == BEMPD_STOP_REQUESTED && report.load_factor == 0.0);
+    CHECK(report.events == 0 && report.total_events == 0 && !report.separated);
+    CHECK_OK(model, bempd_load_factor(model, &load_factor));
+    CHECK_OK(model, bempd_history_count(model, &lines));
+    CHECK(load_factor == 0.0 && lines == 0);
+    if (is_prepared) {
+      CHECK_OK(model, bempd_get_statistics(model, &statistics));
+      CHECK(statistics.sparse_factorizations == 0);
+    }
+  }
+  report = moved(model, in_program);
+  CHECK(report.stop_reason == BEMPD_STOP_LOAD_FACTOR && report.load_factor == 2.0 && report.residual < 1e-9);
+  CHECK_OK(model, bempd_reaction(model, support, force));
+  bempd_model_free(model);
+  return force[0];
+}
+
+static void first_equilibrium_is_given_up(void) {
+  const double by_step = force_after_stop(0, 0, 0), by_program = force_after_stop(1, 0, 0);
+  int is_prepared;
+  CHECK(by_step > 0.0 && by_program > 0.0);
+  for (is_prepared = 0; is_prepared < 2; ++is_prepared) {
+    CHECK(force_after_stop(0, is_prepared, 1) == by_step);
+    CHECK(force_after_stop(1, is_prepared, 1) == by_program);
+  }
+}
+
 int main(void) {
   stopped_step_keeps_its_events("window");
   stopped_step_keeps_its_events("plain");
@@ -246,5 +317,6 @@ int main(void) {
   events_in_lattices_are_given_up("line");
   growth_is_given_up();
   long_parts_say_how_far_they_are();
+  first_equilibrium_is_given_up();
   return check_finish();
 }

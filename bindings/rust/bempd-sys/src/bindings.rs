@@ -1935,8 +1935,10 @@ extern "C" {
 extern "C" {
     /// Ask the step that runs in another thread, or calls back, to end and to keep the events that
     /// it has done: it succeeds with BEMPD_STOP_REQUESTED. An event that takes long is given up,
-    /// and short ones are finished. Calls that are not steps do not hear it, nor does the search
-    /// for equilibrium before the first event. A request made while no call runs is forgotten.
+    /// and short ones are finished. A step that hears it while its scene is prepared or its first
+    /// equilibrium is sought has done nothing: the load factor stays, and a scene that was prepared
+    /// completely stays prepared. Calls that are not steps do not hear it, but for
+    /// bempd_grow_fatigue(). A request made while no call runs is forgotten.
     ///
     /// * model \[in\]: the model
     /// * return: status

@@ -1,0 +1,30 @@
+#pragma once
+
+#include "cancellation.hpp"
+#include "model/model.hpp"
+
+namespace bempd::model {
+
+// Prepares the scene of a step. A request to stop is heard meanwhile: EventGivenUp, and the scene is not prepared.
+inline void prepare_for_step(Model& model) {
+  if (model.prepared_or_null()) return;
+  const CancellationScope scope({CancellationScope::current().cancel, model.stop_request()});
+  try {
+    model.prepare();
+  } catch (const EventGivenUp&) {
+    model.call_failed(false, false);
+    throw;
+  }
+}
+
+// Result of a step. One that is asked to stop before its first equilibrium has done nothing: the model is as before.
+template <class Step>
+StepResult unless_stopped(const Step& step) {
+  try {
+    return step();
+  } catch (const EventGivenUp&) {
+    return {fracture::StopReason::requested};
+  }
+}
+
+}  // namespace bempd::model
