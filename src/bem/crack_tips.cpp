@@ -180,6 +180,13 @@ std::vector<std::vector<StressIntensity>> stress_intensities(const CrackedOperat
   return results;
 }
 
+InteriorEvaluator interior_of_body(const CrackedOperator& body, const CrackedState& state) {
+  InteriorEvaluator interior(body.mesh(), body.elasticity(), state.displacements, state.tractions);
+  interior.set_cracks(
+      CrackField(body.boundary(), body.cracks(), body.elasticity().effective_poisson_ratio(), state.openings));
+  return interior;
+}
+
 InteriorEvaluator interior_of_piece(const CrackedOperator& body, const CrackedState& state, int piece) {
   const CrackMesh& cracks = body.cracks();
   Eigen::VectorXd openings = state.openings;

@@ -35,6 +35,10 @@ struct StressIntensity {
 std::vector<std::vector<StressIntensity>> stress_intensities(const CrackedOperator& body,
                                                              const std::vector<CrackedState>& states);
 
+// Evaluator of displacement and stress inside a cracked body in the given state. It serves for all pieces on the
+// boundary, whose elements have their numbers in the body's mesh.
+InteriorEvaluator interior_of_body(const CrackedOperator& body, const CrackedState& state);
+
 // Evaluator of displacement and stress inside one piece of a cracked body in the given state.
 InteriorEvaluator interior_of_piece(const CrackedOperator& body, const CrackedState& state, int piece);
 

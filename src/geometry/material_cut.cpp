@@ -13,6 +13,8 @@ namespace {
 
 // Growth of a cut's elements with the distance from the boundary.
 constexpr double growth_with_distance = 0.35;
+// The same for the distance from cracks; then the smallest distance from a crack, as a share of its element's length.
+constexpr double growth_with_distance_from_cracks = 0.25, least_clearance_of_cracks = 1;
 // Smallest distance of a cut from a side, as a share of the side's length.
 constexpr double least_clearance = 0.3;
 // Angles between a cut and the boundary at its ends: the best, and those accepted if there is none [rad].
@@ -31,7 +33,26 @@ double angle_between(const Point& from, const Point& to) {
 
 }  // namespace
 
-MaterialCutSearch::MaterialCutSearch(const SubdomainLoops& loops, const std::vector<Point>& positions)
+bool is_clear_of(const Stations& cut, const std::vector<Stations>& cracks) {
+  for (const Stations& crack : cracks)
+    for (std::size_t e = 0; e + 1 < crack.size(); ++e) {
+      const Segment on_crack{crack[e], crack[e + 1]};
+      const Segment whole{cut.front(), cut.back()};
+      const double gap = closest_approach(whole, on_crack).distance;
+      if (gap > whole.length() / growth_with_distance_from_cracks) continue;
+      for (std::size_t k = 0; k + 1 < cut.size(); ++k) {
+        const Segment own{cut[k], cut[k + 1]};
+        const double near = closest_approach(own, on_crack).distance;
+        if (proper_crossing(own, on_crack) || near < least_clearance_of_cracks * on_crack.length() ||
+            own.length() > on_crack.length() + growth_with_distance_from_cracks * near)
+          return false;
+      }
+    }
+  return true;
+}
+
+MaterialCutSearch::MaterialCutSearch(const SubdomainLoops& loops, const std::vector<Point>& positions,
+                                     const std::vector<Stations>& cracks)
     : positions_(positions), uses_(positions.size(), 0) {
   for (const SubdomainLoop& loop : loops) {
     const int first = static_cast<int>(sides_.size()), count = static_cast<int>(loop.size());
@@ -51,6 +72,8 @@ MaterialCutSearch::MaterialCutSearch(const SubdomainLoops& loops, const std::vec
     box_.extend(box);
   }
   tree_ = BoxTree(boxes);
+  for (const Stations& crack : cracks)
+    for (std::size_t e = 0; e + 1 < crack.size(); ++e) on_cracks_.push_back({crack[e], crack[e + 1]});
 }
 
 int MaterialCutSearch::longer_axis() const { return box_.sizes().x() >= box_.sizes().y() ? 0 : 1; }
@@ -167,6 +190,7 @@ bool MaterialCutSearch::is_clear(int from, int to, const std::vector<MaterialCut
   const Segment cut{positions_[from], positions_[to]};
   for (const MaterialCut& other : others)
     if (proper_crossing(cut, {positions_[other.from], positions_[other.to]})) return false;
+  if (!keeps_off_cracks(cut)) return false;
   Box around(cut.start, cut.start);
   around.extend(cut.end);
   const auto is_near = [&](const Box& box) {
@@ -183,8 +207,15 @@ bool MaterialCutSearch::is_clear(int from, int to, const std::vector<MaterialCut
   });
 }
 
-// Length that an element of a cut should have at a place: the least, over all sides, of the side's length and a share
-// of the distance from it.
+bool MaterialCutSearch::keeps_off_cracks(const Segment& cut) const {
+  return std::none_of(on_cracks_.begin(), on_cracks_.end(), [&](const Segment& element) {
+    return proper_crossing(cut, element).has_value() ||
+           closest_approach(cut, element).distance < least_clearance_of_cracks * element.length();
+  });
+}
+
+// Length that an element of a cut should have at a place: the least, over all sides and all elements on cracks, of
+// their length and a share of the distance from them.
 double MaterialCutSearch::element_length_at(const Point& place) const {
   const double whole = 2 * box_.diagonal().norm();
   double least = growth_with_distance * whole + whole;
@@ -199,6 +230,8 @@ double MaterialCutSearch::element_length_at(const Point& place) const {
     tree_.any([&](const Box& box) { return box.intersects(around); }, shorten);
     if (least <= growth_with_distance * reach) break;
   }
+  for (const Segment& element : on_cracks_)
+    least = std::min(least, element.length() + growth_with_distance_from_cracks * distance(element, place));
   return least;
 }
 

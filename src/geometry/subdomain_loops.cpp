@@ -3,7 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 #include <unordered_map>
+
+#include "geometry/segment.hpp"
+#include "geometry/turning.hpp"
 
 namespace bempd {
 
@@ -18,6 +22,8 @@ double area_of(const SubdomainLoop& loop, const std::vector<Point>& positions) {
   return 0.5 * twice;
 }
 
+}  // namespace
+
 bool encloses(const SubdomainLoop& loop, const Point& p, const std::vector<Point>& positions) {
   bool inside = false;
   for (const SubdomainSide& side : loop) {
@@ -28,34 +34,25 @@ bool encloses(const SubdomainLoop& loop, const Point& p, const std::vector<Point
   return inside;
 }
 
+namespace {
+
 SubdomainLoop reversed(const SubdomainLoop& cut) {
   SubdomainLoop back(cut.rbegin(), cut.rend());
   for (SubdomainSide& side : back) std::swap(side.nodes[0], side.nodes[2]), side.sweep = -side.sweep;
   return back;
 }
 
-// Sides of a subdomain with the number of the side that follows each.
-class SideRing {
+// Sides of a body and both faces of all cuts. The side that follows another one is the next at its end clockwise.
+class SideFaces {
  public:
-  explicit SideRing(const SubdomainLoops& loops) {
-    for (const SubdomainLoop& loop : loops) {
-      const int first = append(loop);
-      next_.back() = first;
+  SideFaces(const SubdomainLoops& loops, const std::vector<SubdomainLoop>& cuts, const std::vector<Point>& positions)
+      : positions_(positions) {
+    for (const SubdomainLoop& loop : loops) append(loop);
+    for (const SubdomainLoop& cut : cuts) {
+      append(cut);
+      append(reversed(cut));
     }
-    for (std::size_t i = 0; i < sides_.size(); ++i) {
-      leaving_[sides_[i].nodes[0]] = static_cast<int>(i);
-      arriving_[sides_[i].nodes[2]] = static_cast<int>(i);
-    }
-  }
-
-  // Joins both faces of a cut to the sides at its ends.
-  void insert(const SubdomainLoop& cut) {
-    const int from = cut.front().nodes[0], to = cut.back().nodes[2];
-    const int forward = append(cut), backward = append(reversed(cut));
-    next_[arriving_.at(from)] = forward;
-    next_[static_cast<std::size_t>(backward) - 1] = leaving_.at(to);
-    next_[arriving_.at(to)] = backward;
-    next_.back() = leaving_.at(from);
+    for (std::size_t i = 0; i < sides_.size(); ++i) leaving_[sides_[i].nodes[0]].push_back(static_cast<int>(i));
   }
 
   SubdomainLoops loops() const {
@@ -64,7 +61,7 @@ class SideRing {
     for (std::size_t first = 0; first < sides_.size(); ++first) {
       if (done[first]) continue;
       found.emplace_back();
-      for (std::size_t i = first; !done[i]; i = static_cast<std::size_t>(next_[i])) {
+      for (std::size_t i = first; !done[i]; i = after(i)) {
         done[i] = 1;
         found.back().push_back(sides_[i]);
       }
@@ -73,34 +70,48 @@ class SideRing {
   }
 
  private:
-  int append(const SubdomainLoop& row) {
-    const int first = static_cast<int>(sides_.size());
-    for (const SubdomainSide& side : row) {
-      sides_.push_back(side);
-      next_.push_back(static_cast<int>(sides_.size()));
+  void append(const SubdomainLoop& row) { sides_.insert(sides_.end(), row.begin(), row.end()); }
+
+  std::size_t after(std::size_t i) const {
+    const std::vector<int>& candidates = leaving_.at(sides_[i].nodes[2]);
+    if (candidates.size() == 1) return static_cast<std::size_t>(candidates.front());
+    const Point back = turned(positions_[sides_[i].nodes[0]] - positions_[sides_[i].nodes[2]], 0.5 * sides_[i].sweep);
+    int best = candidates.front();
+    double least = std::numeric_limits<double>::infinity();
+    for (const int one : candidates) {
+      const SubdomainSide& side = sides_[static_cast<std::size_t>(one)];
+      const Point along = turned(positions_[side.nodes[2]] - positions_[side.nodes[0]], -0.5 * side.sweep);
+      double angle = std::atan2(-cross(back, along), back.dot(along));  // clockwise
+      if (angle <= no_angle) angle += 2 * std::numbers::pi;             // the other face of a cut comes last
+      if (angle < least) least = angle, best = one;
     }
-    return first;
+    return static_cast<std::size_t>(best);
   }
 
+  // Angle that is rounding [rad]: cuts and sides that meet make larger ones.
+  static constexpr double no_angle = 1e-6;
+
+  const std::vector<Point>& positions_;
   SubdomainLoop sides_;
-  std::vector<int> next_;
-  std::unordered_map<int, int> leaving_, arriving_;  // side that leaves or arrives at a node of a loop
+  std::unordered_map<int, std::vector<int>> leaving_;  // sides that leave a node
 };
 
 }  // namespace
 
 std::vector<SubdomainLoops> split(const SubdomainLoops& loops, const std::vector<SubdomainLoop>& cuts,
                                   const std::vector<Point>& positions) {
-  SideRing ring(loops);
-  for (const SubdomainLoop& cut : cuts) ring.insert(cut);
+  const SideFaces faces(loops, cuts, positions);
   std::vector<SubdomainLoops> parts;
   std::vector<double> areas;
+  std::vector<Box> boxes;
   SubdomainLoops holes;
-  for (SubdomainLoop& loop : ring.loops()) {
+  for (SubdomainLoop& loop : faces.loops()) {
     if (const double area = area_of(loop, positions); area <= 0) {
       holes.push_back(std::move(loop));
     } else {
       areas.push_back(area);
+      boxes.emplace_back();
+      for (const SubdomainSide& side : loop) boxes.back().extend(positions[side.nodes[0]]);
       parts.push_back({std::move(loop)});
     }
   }
@@ -108,7 +119,8 @@ std::vector<SubdomainLoops> split(const SubdomainLoops& loops, const std::vector
     std::size_t owner = 0;
     double least = std::numeric_limits<double>::infinity();
     for (std::size_t i = 0; i < parts.size(); ++i) {
-      if (areas[i] >= least || !encloses(parts[i].front(), positions[hole.front().nodes[0]], positions)) continue;
+      if (areas[i] >= least || !boxes[i].contains(positions[hole.front().nodes[0]])) continue;
+      if (!encloses(parts[i].front(), positions[hole.front().nodes[0]], positions)) continue;
       owner = i, least = areas[i];
     }
     parts[owner].push_back(std::move(hole));

@@ -19,8 +19,14 @@ using SubdomainLoop = std::vector<SubdomainSide>;
 // Loops of a subdomain: the outer one first, counter-clockwise, then holes, clockwise.
 using SubdomainLoops = std::vector<SubdomainLoop>;
 
-// Splits a subdomain along cuts. Each cut is a row of sides from one node of a loop to another; no two cuts share a
-// node. `positions` has the places of all nodes.
+// Straight cut through the material, or crack: the ends of the elements on it, in order.
+using Stations = std::vector<Point>;
+
+// Whether a place lies inside a loop whose sides are taken as straight.
+bool encloses(const SubdomainLoop& loop, const Point& place, const std::vector<Point>& positions);
+
+// Splits a subdomain along cuts. Each cut is a row of sides from one node to another, of a loop or of another cut.
+// `positions` has the places of all nodes.
 std::vector<SubdomainLoops> split(const SubdomainLoops& loops, const std::vector<SubdomainLoop>& cuts,
                                   const std::vector<Point>& positions);
 

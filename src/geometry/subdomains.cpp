@@ -2,9 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <map>
+#include <set>
 
+#include "geometry/edge.hpp"
 #include "geometry/material_cut.hpp"
-#include "geometry/subdomain_loops.hpp"
 
 namespace bempd {
 
@@ -34,6 +37,37 @@ SubdomainLoops loops_of(const BoundaryMesh& body) {
   return loops;
 }
 
+// Nodes by their places, which may differ by rounding.
+class PlacedNodes {
+ public:
+  explicit PlacedNodes(const BoundaryMesh& body) {
+    Box box;
+    for (const Point& place : body.nodes) box.extend(place);
+    cell_ = 1e-9 * box.diagonal().norm();
+    origin_ = box.min();
+    for (const BoundaryElement& element : body.elements) add(body.nodes[element.nodes[0]], element.nodes[0]);
+  }
+  void add(const Point& place, int node) { nodes_[cell_of(place)] = node; }
+  int at(const Point& place) const {  // -1: there is none
+    const auto [column, row] = cell_of(place);
+    for (const std::int64_t i : {0, -1, 1})
+      for (const std::int64_t j : {0, -1, 1})
+        if (const auto found = nodes_.find({column + i, row + j}); found != nodes_.end()) return found->second;
+    return -1;
+  }
+
+ private:
+  using Cell = std::pair<std::int64_t, std::int64_t>;
+  Cell cell_of(const Point& place) const {
+    const Point off = (place - origin_) / cell_;
+    return {std::llround(off.x()), std::llround(off.y())};
+  }
+
+  double cell_;
+  Point origin_;
+  std::map<Cell, int> nodes_;
+};
+
 class Subdivider {
  public:
   Subdivider(const BoundaryMesh& body, std::size_t most) : body_(body), positions_(body.nodes), most_(most) {
@@ -41,31 +75,93 @@ class Subdivider {
   }
 
   Subdivision run() {
-    std::vector<SubdomainLoops> waiting{loops_of(body_)};
-    Subdivision done;
+    divide({loops_of(body_)});
+    return finished();
+  }
+
+  Subdivision run(const std::vector<Stations>& cuts, const std::vector<Stations>& cracks) {
+    cracks_ = cracks;
+    std::vector<SubdomainLoop> made = cuts_that_stay(cuts);
+    const std::vector<SubdomainLoops> parts = split(loops_of(body_), made, positions_);
+    divide(parts);
+    return finished();
+  }
+
+ private:
+  // Halves the parts as long as they are too large. Of a body with cracks only parts that cracks have made so large.
+  void divide(std::vector<SubdomainLoops> waiting) {
     while (!waiting.empty()) {
-      const SubdomainLoops loops = std::move(waiting.back());
+      SubdomainLoops loops = std::move(waiting.back());
       waiting.pop_back();
+      std::vector<int> cracks = cracks_in(loops);
       std::vector<SubdomainLoops> parts;
-      if (count_of(loops) > most_) parts = halves(loops);
+      if (count_of(loops) > most_ && (cracks_.empty() || !cracks.empty() || misses_cut(loops)))
+        parts = halves(loops, cracks);
       if (parts.empty()) {
-        done.subdomains.push_back(subdomain(loops));
+        done_.subdomains.push_back(subdomain(loops));
+        done_.subdomains.back().cracks = std::move(cracks);
       } else {
         std::move(parts.begin(), parts.end(), std::back_inserter(waiting));
       }
     }
-    done.cut_nodes.assign(positions_.begin() + static_cast<std::ptrdiff_t>(body_.nodes.size()), positions_.end());
-    return done;
   }
 
- private:
-  // Parts of a subdomain; empty if it cannot be cut.
-  std::vector<SubdomainLoops> halves(const SubdomainLoops& loops) {
-    const MaterialCutSearch search(loops, positions_);
+  Subdivision finished() {
+    done_.cut_nodes.assign(positions_.begin() + static_cast<std::ptrdiff_t>(body_.nodes.size()), positions_.end());
+    return std::move(done_);
+  }
+
+  std::vector<int> cracks_in(const SubdomainLoops& loops) const {
+    std::vector<int> found;
+    if (cracks_.empty()) return found;
+    Box box;
+    for (const SubdomainSide& side : loops.front()) box.extend(positions_[side.nodes[0]]);
+    for (std::size_t c = 0; c < cracks_.size(); ++c) {
+      const std::size_t middle = cracks_[c].size() / 2;
+      const Point place = 0.5 * (cracks_[c][middle - 1] + cracks_[c][middle]);
+      if (!box.contains(place)) continue;
+      std::size_t around = 0;
+      for (const SubdomainLoop& loop : loops) around += encloses(loop, place, positions_) ? 1 : 0;
+      if (around == 1) found.push_back(static_cast<int>(c));
+    }
+    return found;
+  }
+
+  // Whether a node lies on the subdomain at which a cut ends that was not made.
+  bool misses_cut(const SubdomainLoops& loops) const {
+    for (const SubdomainLoop& loop : loops)
+      for (const SubdomainSide& side : loop)
+        if (left_out_.count(side.nodes[0]) > 0) return true;
+    return false;
+  }
+
+  // Cuts that keep off all cracks and end at nodes of the body or of earlier cuts.
+  std::vector<SubdomainLoop> cuts_that_stay(const std::vector<Stations>& cuts) {
+    PlacedNodes ends(body_);
+    std::vector<SubdomainLoop> made;
+    for (const Stations& cut : cuts) {
+      const int from = ends.at(cut.front()), to = ends.at(cut.back());
+      if (from < 0 || to < 0 || !is_clear_of(cut, cracks_)) {
+        if (from >= 0) left_out_.insert(from);
+        if (to >= 0) left_out_.insert(to);
+        continue;
+      }
+      made.push_back(elements_on({from, to, cut}));
+      for (const SubdomainSide& side : made.back())
+        if (side.nodes[2] != to) ends.add(positions_[side.nodes[2]], side.nodes[2]);
+    }
+    return made;
+  }
+
+  // Parts of a subdomain with these cracks; empty if it cannot be cut.
+  std::vector<SubdomainLoops> halves(const SubdomainLoops& loops, const std::vector<int>& cracks) {
+    std::vector<Stations> own;
+    for (const int crack : cracks) own.push_back(cracks_[static_cast<std::size_t>(crack)]);
+    const MaterialCutSearch search(loops, positions_, own);
     for (const int axis : {search.longer_axis(), 1 - search.longer_axis()}) {
       const auto division = search.along(axis);
       if (!division) continue;
-      const std::size_t nodes = positions_.size();
+      const std::size_t nodes = positions_.size(), made = done_.cuts.size();
       std::vector<SubdomainLoop> cuts;
       for (const MaterialCut& cut : division->cuts) cuts.push_back(elements_on(cut));
       std::vector<SubdomainLoops> parts = split(loops, cuts, positions_);
@@ -74,6 +170,7 @@ class Subdivider {
       };
       if (std::all_of(parts.begin(), parts.end(), is_small)) return parts;
       positions_.resize(nodes);
+      done_.cuts.resize(made);
     }
     return {};
   }
@@ -90,6 +187,7 @@ class Subdivider {
       sides.push_back({{from, middle, to}, 0, panels_, -1});
       from = to;
     }
+    done_.cuts.push_back(cut.stations);
     ++panels_;
     return sides;
   }
@@ -154,6 +252,9 @@ class Subdivider {
   std::vector<Point> positions_;  // of the body's nodes and those on cuts
   std::size_t most_;
   int panels_ = 0;  // numbers in use
+  std::vector<Stations> cracks_;
+  std::set<int> left_out_;  // nodes at which cuts end that were not made
+  Subdivision done_;
 };
 
 }  // namespace
@@ -166,6 +267,11 @@ std::size_t Subdivision::largest() const {
 
 Subdivision subdivide(const BoundaryMesh& body, std::size_t most_elements) {
   return Subdivider(body, most_elements).run();
+}
+
+Subdivision subdivide(const BoundaryMesh& body, std::size_t most_elements, const std::vector<Stations>& cuts,
+                      const std::vector<Stations>& cracks) {
+  return Subdivider(body, most_elements).run(cuts, cracks);
 }
 
 }  // namespace bempd

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "geometry/boundary_mesh.hpp"
+#include "geometry/subdomain_loops.hpp"
 
 namespace bempd {
 
@@ -12,12 +13,14 @@ struct Subdomain {
   BoundaryMesh mesh;
   std::vector<int> nodes;     // of each of its nodes: the number in the body's mesh, or behind that on cuts
   std::vector<int> elements;  // of each of its elements: the number in the body's mesh; -1 on a cut
+  std::vector<int> cracks;    // numbers of the cracks in it
 };
 
 // Subdivision of a body by straight cuts through its material. The body's own mesh stays as it is.
 struct Subdivision {
   std::vector<Point> cut_nodes;  // nodes on cuts, numbered behind those of the body's mesh
   std::vector<Subdomain> subdomains;
+  std::vector<Stations> cuts;
 
   std::size_t largest() const;  // number of elements of the largest subdomain
 };
@@ -25,5 +28,11 @@ struct Subdivision {
 // Halves the body until no subdomain has more than `most_elements`, or no cut is found through a larger one. The result
 // has one subdomain if the body cannot be cut.
 Subdivision subdivide(const BoundaryMesh& body, std::size_t most_elements);
+
+// Subdivides a body with cracks, whose mesh has short elements beside them. Of the `cuts` through the body without
+// cracks all are made that keep off the cracks and end at nodes. Subdomains that are too large without the others are
+// cut anew, around the cracks. So cracks change the subdomains beside them only.
+Subdivision subdivide(const BoundaryMesh& body, std::size_t most_elements, const std::vector<Stations>& cuts,
+                      const std::vector<Stations>& cracks);
 
 }  // namespace bempd

@@ -22,8 +22,13 @@ regions::Solution solution_of(const PreparedScene& prepared) {
   const fracture::EvolutionState& state = prepared.evolution->state();
   std::vector<std::vector<char>> closed(prepared.conditions.body_force.rows() / 3);
   if (prepared.system->constraints().closed_exact_count() > 0)
-    for (const auto& region : prepared.discretization.regions)
-      closed[static_cast<std::size_t>(region->id()) - 1] = prepared.system->operators().closed_on(region->nodes());
+    for (const auto& region : prepared.discretization.regions) {
+      std::vector<char>& own = closed[static_cast<std::size_t>(region->id()) - 1];
+      for (const regions::OperatorNodes& one : region->nodes_of_operators()) {
+        const std::vector<char> flags = prepared.system->operators().closed_on(one.nodes);
+        own.insert(own.end(), flags.begin(), flags.end());
+      }
+    }
   return {
       .displacement = state.total_displacement,
       .bonds = prepared.system->terms(),

@@ -80,11 +80,16 @@ Eigen::VectorXd BoundaryRegion::displacement_of(const LinearBodyForce& particula
 Eigen::VectorXd BoundaryRegion::force_besides(const LinearBodyForce& particular) const {
   const Eigen::VectorXd displacement = displacement_of(particular);
   const auto stress = [&](const Point& place) { return particular.stress(place); };
-  if (subdomains_) return subdomains_->forces_besides(displacement, stress, elasticity().thickness);
-  Eigen::VectorXd of_tractions = Eigen::VectorXd::Zero(displacement.size());
-  bem::add_stress_forces(mesh_, stress, elasticity().thickness, of_tractions);
-  Eigen::VectorXd forces = mesh_stiffness() * displacement - of_tractions;
-  if (cracks_) forces -= cracked().forces_on_boundary(face_forces_of(particular));
+  Eigen::VectorXd forces;
+  if (subdomains_) {
+    forces = subdomains_->forces_besides(displacement, stress, elasticity().thickness);
+  } else {
+    Eigen::VectorXd of_tractions = Eigen::VectorXd::Zero(displacement.size());
+    bem::add_stress_forces(mesh_, stress, elasticity().thickness, of_tractions);
+    forces = mesh_stiffness() * displacement - of_tractions;
+  }
+  for (const CrackedPart& part : cracked_)
+    part.add(-part.body->forces_on_boundary(face_forces_of(particular, part)), forces);
   return forces;
 }
 
@@ -115,7 +120,8 @@ Eigen::Matrix2d BoundaryRegion::work_within(const std::array<BodyForce, 2>& body
   Eigen::Matrix2d work = Eigen::Matrix2d::Zero();
   for (int i = 0; i < 2; ++i)
     for (int j = 0; j < 2; ++j) work(i, j) = work_within(body_force[i], body_force[j]);
-  return cracks_ ? Eigen::Matrix2d(work + work_within_cracks(body_force, crack_loads)) : work;
+  for (const CrackedPart& part : cracked_) work += work_within_cracks(body_force, crack_loads, part);
+  return work;
 }
 
 void BoundaryRegion::swell(const Swelling& strain, LatticeSwelling&) {
@@ -152,13 +158,9 @@ Eigen::VectorXd BoundaryRegion::displacement_without(const LinearBodyForce& part
 
 bem::InteriorEvaluator BoundaryRegion::interior_without(const LinearBodyForce& particular,
                                                         const Solution& solution) const {
+  if (cracks_) return bem::interior_of_body(*cracked_.front().body, cracked_states(solution).front());
   const Eigen::VectorXd displacement = displacement_without(particular, solution);
-  if (!cracks_) return {mesh_, elasticity(), displacement, operator_->tractions(displacement)};
-  const bem::CrackedState state = cracked_state(solution);
-  bem::InteriorEvaluator interior(mesh_, elasticity(), displacement, state.tractions);
-  interior.set_cracks(bem::CrackField(cracked().boundary(), cracks_->elements(), elasticity().effective_poisson_ratio(),
-                                      state.openings));
-  return interior;
+  return {mesh_, elasticity(), displacement, operator_->tractions(displacement)};
 }
 
 }  // namespace bempd::regions

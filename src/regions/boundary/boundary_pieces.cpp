@@ -27,54 +27,65 @@ std::vector<int> with_neighbours(std::vector<int> nodes, const BoundaryMesh& mes
 
 std::vector<int> BoundaryRegion::nodes_of_entries() const { return with_neighbours(node_of_mesh_node_, mesh_); }
 
-int BoundaryRegion::piece_count() const { return cracks_ ? cracks_->elements().pieces.count : 1; }
+bool BoundaryRegion::is_cut() const {
+  return std::any_of(cracked_.begin(), cracked_.end(),
+                     [](const auto& part) { return part.elements().pieces.count > 1; });
+}
 
-bool BoundaryRegion::has_inner_crack(int crack) const { return cracks_ && cracks_->has_inside(crack); }
+bool BoundaryRegion::has_inner_crack(int crack) const {
+  return std::any_of(cracked_.begin(), cracked_.end(),
+                     [&](const CrackedPart& part) { return part.cracks->has_inside(crack); });
+}
 
-std::vector<coupling::BodyPiece> BoundaryRegion::pieces() const {
-  if (piece_count() == 1) return {};
-  const bem::CrackMesh& cracks = cracks_->elements();
-  std::vector<int> piece_of(mesh_.nodes.size(), 0);
-  std::vector<char> on_face(mesh_.nodes.size(), 0);
-  for (std::size_t e = 0; e < mesh_.elements.size(); ++e)
-    for (const int node : mesh_.elements[e].nodes) {
+std::vector<coupling::BodyPiece> BoundaryRegion::pieces_of(const CrackedPart& part) const {
+  const bem::CrackMesh& cracks = part.elements();
+  if (cracks.pieces.count == 1) return {};
+  const BoundaryMesh& mesh = part.body->mesh();
+  // Nodes of the scene, -1 for nodes that follow others. Nodes on cuts between subdomains come last in the region.
+  const auto node_of = [&](std::size_t i) {
+    const std::size_t place = part.nodes.empty() ? i : static_cast<std::size_t>(part.nodes[i]);
+    return place < mesh_.nodes.size() ? node_of_mesh_node_[place] : nodes_[nodes_.size() - (places().size() - place)];
+  };
+  std::vector<int> piece_of(mesh.nodes.size(), 0);
+  std::vector<char> on_face(mesh.nodes.size(), 0);
+  for (std::size_t e = 0; e < mesh.elements.size(); ++e)
+    for (const int node : mesh.elements[e].nodes) {
       piece_of[node] = cracks.pieces.of_element[e];
-      if (mesh_.elements[e].panel >= cracks.first_face_panel) on_face[node] = 1;
+      if (mesh.elements[e].panel >= cracks.first_face_panel) on_face[node] = 1;
     }
-  std::vector<coupling::BodyPiece> pieces(static_cast<std::size_t>(piece_count()));
+  std::vector<coupling::BodyPiece> pieces(static_cast<std::size_t>(cracks.pieces.count));
   for (std::size_t p = 0; p < pieces.size(); ++p) {
     // Nodes away from crack faces are preferred for springs that hold a piece, because contact depends on the
     // displacements of the faces.
     std::vector<std::size_t> own, beside_faces;
-    for (std::size_t i = 0; i < mesh_.nodes.size(); ++i) {
-      if (node_of_mesh_node_[i] < 0 || piece_of[i] != static_cast<int>(p)) continue;
-      pieces[p].nodes.push_back(node_of_mesh_node_[i]);
+    for (std::size_t i = 0; i < mesh.nodes.size(); ++i) {
+      if (node_of(i) < 0 || piece_of[i] != static_cast<int>(p)) continue;
+      pieces[p].nodes.push_back(node_of(i));
       own.push_back(i);
       if (!on_face[i]) beside_faces.push_back(i);
     }
     if (beside_faces.size() > 1) own.swap(beside_faces);
     const auto farthest_from = [&](std::size_t from) {
       std::size_t best = own.front();
-      const auto way = [&](std::size_t i) { return (mesh_.nodes[i] - mesh_.nodes[from]).norm(); };
+      const auto way = [&](std::size_t i) { return (mesh.nodes[i] - mesh.nodes[from]).norm(); };
       for (const std::size_t i : own)
         if (way(i) > clearly_farther * way(best)) best = i;
       return best;
     };
     const std::size_t one = farthest_from(own.front()), other = farthest_from(one);
-    pieces[p].holdable = {node_of_mesh_node_[one], node_of_mesh_node_[other]};
+    pieces[p].holdable = {node_of(one), node_of(other)};
   }
   return pieces;
 }
 
 InteriorOfPieces BoundaryRegion::inside_without(const LinearBodyForce& particular, const Solution& solution) const {
-  if (subdomains_)
-    return {subdomains_->interiors(elasticity(), displacement_without(particular, solution)), subdomains_->edges()};
-  if (piece_count() == 1) return InteriorOfPieces(interior_without(particular, solution));
-  const bem::CrackedState state = cracked_state(solution);
-  std::vector<bem::InteriorEvaluator> interiors;
-  for (int piece = 0; piece < piece_count(); ++piece)
-    interiors.push_back(bem::interior_of_piece(cracked(), state, piece));
-  return {std::move(interiors), mesh_, cracks_->elements(), cracks_->tolerance()};
+  if (!subdomains_ && !is_cut()) return InteriorOfPieces(interior_without(particular, solution));
+  InteriorOfPieces all;
+  if (subdomains_) subdomains_->add_interiors(elasticity(), displacement_without(particular, solution), all);
+  const std::vector<bem::CrackedState> states = cracked_states(solution);
+  for (std::size_t k = 0; k < cracked_.size(); ++k)
+    all.add(*cracked_[k].body, states[k], cracked_[k].cracks->tolerance());
+  return all;
 }
 
 }  // namespace bempd::regions

@@ -32,16 +32,8 @@ MeshingRules BoundaryRegion::meshing_rules(const Preparation& preparation) const
   return {false, preparation.options.text_value("bem.grading") == "auto"};
 }
 
-std::shared_ptr<const bem::BoundaryOperator> BoundaryRegion::make_operator(const Preparation& preparation,
+std::shared_ptr<const bem::BoundaryOperator> BoundaryRegion::make_operator(const Preparation&,
                                                                            const bem::AssemblyOptions& assembly) const {
-  if (cracks_) {
-    const bem::CrackedOperator* before = nullptr;
-    if (preparation.before)
-      for (const auto& region : *preparation.before)
-        if (const auto& same = static_cast<const BoundaryRegion&>(*region); region->id() == id() && same.cracks_)
-          before = &same.cracked();
-    return std::make_shared<const bem::CrackedOperator>(mesh_, cracks_->elements(), elasticity(), assembly, before);
-  }
   return std::make_shared<const bem::GalerkinOperator>(mesh_, elasticity(), assembly);
 }
 
@@ -54,12 +46,8 @@ void BoundaryRegion::mesh(const Preparation& preparation) {
   halve_elements(preparation, id(), panels);
   panels_ = std::move(panels.sources);
   mesh_ = make_mesh(panels.loops);
-  if (!cracks_) return cut_if_large(preparation);
-  cracks_->mesh(mesh_);
-  // Panels of crack faces come from no edge: their source has the edge number 0.
-  if (!mesh_.elements.empty())
-    panels_.resize(static_cast<std::size_t>(mesh_.elements.back().panel) + 1, {0, 0, 1, Border::free, 0, false});
-  cracks_->require_memory(mesh_, preparation.options);
+  cut_if_large(preparation);
+  if (cracks_) mesh_cracks(preparation);
 }
 
 BoundaryRegion::NodeRoles BoundaryRegion::roles() const {
@@ -105,7 +93,8 @@ void BoundaryRegion::follow_rows_to_mouths(NodeRoles& roles) const {
     roles.slaved[mouth] = 1;
     roles.masters[mouth] = {{near, 1 + share}, {far, -share}};
   };
-  for (const auto& [before, behind] : cracks_->elements().mouth_of_joint) {
+  if (subdomains_) return;  // cracks in subdomains do not continue in a lattice
+  for (const auto& [before, behind] : cracked_.front().elements().mouth_of_joint) {
     if (before < 0) continue;
     for (std::size_t e = 0; e < mesh_.elements.size(); ++e) {
       if (mesh_.elements[e].nodes[2] == before) lead_to(before, e, -1);
@@ -165,22 +154,23 @@ void BoundaryRegion::number_nodes(const Preparation& preparation, NodeRegistry& 
   trace_.setFromTriplets(entries.begin(), entries.end());
 }
 
-// Earlier regions of the same kind and material without cracks. One of them lends its operators if its mesh differs by
-// a translation only. Regions with cracks have operators of their own.
+// Earlier regions of the same kind and material. One of them lends its operators, or those of its subdomains without
+// cracks, if its mesh differs by a translation only. Operators with cracks are not lent.
 std::vector<const BoundaryRegion*> BoundaryRegion::regions_alike(const Preparation& preparation) const {
   std::vector<const BoundaryRegion*> found;
   for (const auto& other : preparation.regions) {
-    if (other.get() == this || cracks_) break;
+    if (other.get() == this || (cracks_ && !subdomains_)) break;
     const Region& before = *other;
     if (typeid(before) != typeid(*this) || elasticity() != before.elasticity()) continue;
-    if (const auto& alike = static_cast<const BoundaryRegion&>(before); !alike.cracks_) found.push_back(&alike);
+    const auto& alike = static_cast<const BoundaryRegion&>(before);
+    if (!alike.cracks_ || alike.subdomains_) found.push_back(&alike);
   }
   return found;
 }
 
 void BoundaryRegion::build(const Preparation& preparation, Contributions& contributions) {
   number_nodes(preparation, contributions.registry);
-  if (cracks_) cracks_->warn_of_gap(mesh_, contributions.warnings);
+  if (cracks_ && !subdomains_) cracks_->warn_of_gap(mesh_, contributions.warnings);
   const bem::AssemblyOptions assembly{preparation.options.number("bem.quadrature_tolerance"),
                                       preparation.options.whole_number("threads")};
   std::vector<const RegionSubdomains*> lent;
@@ -188,13 +178,15 @@ void BoundaryRegion::build(const Preparation& preparation, Contributions& contri
     if (alike->subdomains_) lent.push_back(alike->subdomains_.get());
     if (!operator_ && alike->operator_ && differ_by_translation(mesh_, alike->mesh_)) operator_ = alike->operator_;
   }
-  if (subdomains_) return subdomains_->build(elasticity(), assembly, lent);
+  if (const BoundaryRegion* before = before_growth(preparation); before && before->subdomains_)
+    lent.push_back(before->subdomains_.get());
+  if (subdomains_) subdomains_->build(elasticity(), assembly, lent);
+  if (cracks_) build_cracks(preparation, assembly);
+  if (subdomains_) return;
   if (!operator_) operator_ = make_operator(preparation, assembly);
   // The stiffness may depend on the interfaces of a region, so regions that share an operator may have different
   // stiffnesses.
   stiffness_ = own_stiffness(preparation);
-  if (cracks_ && preparation.options.text_value("contact") == "faces")
-    closing_ = std::make_unique<const bem::NormalOpenings>(cracked());
 }
 
 std::vector<LeadingElements> BoundaryRegion::leading_elements() const {
@@ -233,12 +225,23 @@ bool BoundaryRegion::has_operator_of(const BoundaryRegion& other) const {
 }
 
 std::vector<coupling::DenseOperator> BoundaryRegion::dense_operators(std::span<const RegionOperator> before) const {
-  if (subdomains_) return subdomains_->dense_operators(nodes_, trace_, rest_);
+  if (subdomains_) {
+    auto all = subdomains_->dense_operators(nodes_, trace_, rest_);
+    for (const CrackedPart& part : cracked_) {
+      coupling::DenseOperator& own = all[part.subdomain];
+      own.constraints = exact_constraints(part, subdomains_->trace_of_subdomain(part.subdomain, trace_));
+      own.pieces = pieces_of(part);
+    }
+    return all;
+  }
   for (const RegionOperator& other : before) {
     if (typeid(*other.region) == typeid(*this) && has_operator_of(static_cast<const BoundaryRegion&>(*other.region)))
       return {{nodes_, other.dense.stiffness, &solution_method(), rest_}};
   }
-  return {{nodes_, stiffness_of_nodes(), &solution_method(), rest_, exact_constraints(), pieces()}};
+  if (!cracks_) return {{nodes_, stiffness_of_nodes(), &solution_method(), rest_}};
+  const CrackedPart& whole = cracked_.front();
+  return {
+      {nodes_, stiffness_of_nodes(), &solution_method(), rest_, exact_constraints(whole, trace_), pieces_of(whole)}};
 }
 
 std::shared_ptr<const Eigen::MatrixXd> BoundaryRegion::stiffness_of_nodes() const {
@@ -263,7 +266,8 @@ std::optional<Eigen::VectorXd> BoundaryRegion::outflow(Eigen::Index dof_count) c
 void BoundaryRegion::add_statistics(RegionStatistics& statistics) const {
   statistics.boundary_nodes += static_cast<std::int64_t>(mesh_.nodes.size());
   statistics.boundary_elements += static_cast<std::int64_t>(mesh_.elements.size());
-  if (cracks_) statistics.boundary_elements += static_cast<std::int64_t>(cracks_->elements().elements.size());
+  for (const CrackedPart& part : cracked_)
+    statistics.boundary_elements += static_cast<std::int64_t>(part.elements().elements.size());
   statistics.seconds_boundary += seconds_preparing;
   if (subdomains_) return subdomains_->add_statistics(statistics);
   if (statistics.counted.insert(operator_.get()).second)

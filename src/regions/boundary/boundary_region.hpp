@@ -3,14 +3,12 @@
 #include <Eigen/SparseCore>
 
 #include "bem/boundary_operator.hpp"
-#include "bem/crack_tips.hpp"
-#include "bem/cracked_operator.hpp"
 #include "bem/interior.hpp"
-#include "bem/normal_openings.hpp"
 #include "elasticity/linear_body_force.hpp"
 #include "geometry/boundary_mesh.hpp"
 #include "regions/boundary/boundary_description.hpp"
 #include "regions/boundary/boundary_meshing.hpp"
+#include "regions/boundary/cracked_part.hpp"
 #include "regions/boundary/interior_of_pieces.hpp"
 #include "regions/region.hpp"
 
@@ -29,9 +27,8 @@ class BoundaryRegion : public Region {
 
   const BoundaryMesh& boundary_mesh() const { return mesh_; }
   const bem::BoundaryOperator* boundary_operator() const { return operator_.get(); }
-  // Number of separate pieces into which cracks cut the region (boundary_pieces.cpp).
-  int piece_count() const;
-  bool is_cut() const override { return piece_count() > 1; }
+  // Whether cracks cut the region, or a subdomain of it, into pieces (boundary_pieces.cpp).
+  bool is_cut() const override;
   bool has_inner_crack(int crack) const override;
 
   void mesh(const Preparation& preparation) override;
@@ -109,13 +106,18 @@ class BoundaryRegion : public Region {
   std::vector<int> sides_of_cracks(const Preparation& preparation) const;
   void number_nodes(const Preparation& preparation, NodeRegistry& registry);
   void cut_if_large(const Preparation& preparation);
+  BoundaryMesh mesh_without_cracks(const Preparation& preparation) const;
+  void mesh_cracks(const Preparation& preparation);
+  const BoundaryRegion* before_growth(const Preparation& preparation) const;
+  const CrackedPart* part_before(const Preparation& preparation, const CrackedPart& part) const;
+  void build_cracks(const Preparation& preparation, const bem::AssemblyOptions& assembly);
   std::vector<const BoundaryRegion*> regions_alike(const Preparation& preparation) const;
   // Places of the mesh's nodes, and of those on cuts between subdomains.
   const std::vector<Point>& places() const;
   std::shared_ptr<const Eigen::MatrixXd> stiffness_of_nodes() const;
   const Eigen::MatrixXd& mesh_stiffness() const { return stiffness_.size() > 0 ? stiffness_ : operator_->stiffness(); }
   bool has_operator_of(const BoundaryRegion& other) const;
-  std::vector<coupling::BodyPiece> pieces() const;
+  std::vector<coupling::BodyPiece> pieces_of(const CrackedPart& part) const;
   LinearBodyForce particular(const BodyForce& body_force) const;
   // Particular solution of a body force at places(): displacement_of() gives its displacements u_p,
   // force_besides() the forces K u_p - f(t_p) by which it changes the nodal forces.
@@ -124,15 +126,16 @@ class BoundaryRegion : public Region {
   double work_within(const BodyForce& body_force, const BodyForce& other) const;
   // Forces on crack faces: face_forces_of() those of a particular solution's tractions, forces_on_cracks() those of
   // loads (constant and proportional part).
-  Eigen::VectorXd face_forces_of(const LinearBodyForce& particular) const;
-  Eigen::MatrixX2d forces_on_cracks(const std::vector<CrackLoad>& loads) const;
+  Eigen::VectorXd face_forces_of(const LinearBodyForce& particular, const CrackedPart& part) const;
+  Eigen::MatrixX2d forces_on_cracks(const std::vector<CrackLoad>& loads, const CrackedPart& part) const;
   struct Particulars {
     Eigen::MatrixX2d displacements, face_forces;
   };
-  Particulars particulars(const std::array<BodyForce, 2>& body_force) const;
-  Eigen::Matrix2d work_within_cracks(const std::array<BodyForce, 2>& body_force,
-                                     const std::vector<CrackLoad>& loads) const;
-  std::shared_ptr<const coupling::ExactConstraints> exact_constraints() const;
+  Particulars particulars(const std::array<BodyForce, 2>& body_force, const CrackedPart& part) const;
+  Eigen::Matrix2d work_within_cracks(const std::array<BodyForce, 2>& body_force, const std::vector<CrackLoad>& loads,
+                                     const CrackedPart& part) const;
+  static std::shared_ptr<const coupling::ExactConstraints> exact_constraints(const CrackedPart& part,
+                                                                             const Eigen::SparseMatrix<double>& trace);
   // Displacements of places() without those of free swelling. `displacement` is that of the scene's nodes;
   // `constant` and `proportional` are the factors of the swelling's two parts.
   Eigen::VectorXd elastic(const Eigen::VectorXd& displacement, double constant, double proportional) const;
@@ -143,12 +146,13 @@ class BoundaryRegion : public Region {
   // Evaluators of the interior for a solution without free swelling and the solution `particular`, one for each piece
   // into which cracks cut the region.
   InteriorOfPieces inside_without(const LinearBodyForce& particular, const Solution& solution) const;
-  // cracked(): operator of a region with cracks. cracked_state(): openings and tractions for displacements of the
-  // scene's nodes and the loads on faces, `constant` and `proportional` being the factors of the loads' two parts.
-  const bem::CrackedOperator& cracked() const;
-  bem::CrackedState cracked_state(const Eigen::VectorXd& displacement, const Solution& solution, double constant,
-                                  double proportional) const;
-  bem::CrackedState cracked_state(const Solution& solution) const;
+  // Openings and tractions of each part with cracks for displacements of the scene's nodes and the loads on faces,
+  // `constant` and `proportional` being the factors of the loads' two parts.
+  std::vector<bem::CrackedState> cracked_states(const Eigen::VectorXd& displacement, const Solution& solution,
+                                                double constant, double proportional) const;
+  std::vector<bem::CrackedState> cracked_states(const Solution& solution) const;
+  void append_tips(const CrackedPart& part, const std::vector<bem::CrackedState>& states, const Solution& solution,
+                   TipDetail detail, std::vector<TipValues>& values) const;
   // Tractions on the boundary for displacements of places().
   Eigen::VectorXd tractions_under(const Eigen::VectorXd& displacement, const Solution& solution) const;
   FieldValues element_tractions(const Solution& solution) const;
@@ -161,7 +165,7 @@ class BoundaryRegion : public Region {
   std::shared_ptr<const bem::BoundaryOperator> operator_;  // shared by regions that are alike
   std::unique_ptr<RegionCracks> cracks_;                   // null without
   std::unique_ptr<RegionSubdomains> subdomains_;           // null if one operator serves the region
-  std::unique_ptr<const bem::NormalOpenings> closing_;     // null unless cracks close
+  std::vector<CrackedPart> cracked_;                       // the region, or subdomains of it
   Eigen::MatrixXd stiffness_;                              // on the mesh's nodes, if not the operator's own
   std::optional<FreeSwelling> free_swelling_;
   coupling::Affine rest_{0, 2};      // rest displacements of the region's nodes, if it swells

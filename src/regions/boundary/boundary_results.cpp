@@ -138,7 +138,8 @@ FieldValues BoundaryRegion::element_stress(const Solution& solution) const {
   const LinearBodyForce particular = this->particular(solution.body_force(id()));
   FieldValues field{{}, 3};
   if (subdomains_) {
-    field.values = subdomains_->element_stress(elasticity(), displacement_without(particular, solution));
+    const Eigen::VectorXd displacement = displacement_without(particular, solution);
+    field.values = subdomains_->element_stress(elasticity(), displacement, cracked_, cracked_states(solution));
   } else {
     const bem::InteriorEvaluator rest = interior_without(particular, solution);
     for (int e = 0; e < static_cast<int>(mesh_.elements.size()); ++e)

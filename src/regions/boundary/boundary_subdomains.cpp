@@ -1,27 +1,87 @@
+#include <algorithm>
+
 #include "error.hpp"
 #include "regions/boundary/boundary_region.hpp"
 #include "regions/boundary/region_cracks.hpp"
 #include "regions/boundary/region_subdomains.hpp"
 #include "regions/memory_limit.hpp"
 
-// Subdomains: parts with operators of their own, into which a large region without cracks is cut.
+// Subdomains: parts with operators of their own, into which a large region is cut. Cracks lie inside subdomains.
 namespace bempd::regions {
 
 double BoundaryRegion::memory_of_preparing(double times) const {
-  if (!cracks_) return least_memory_of_region(times * static_cast<double>(mesh_.elements.size()));
-  return RegionCracks::memory_of(times *
-                                 static_cast<double>(mesh_.elements.size() + cracks_->elements().elements.size()));
+  const auto elements = static_cast<double>(mesh_.elements.size());
+  if (!cracks_ || subdomains_) return least_memory_of_region(times * elements);
+  return RegionCracks::memory_of(times * (elements + cracks_->elements_on_cracks()));
 }
 
 const std::vector<Point>& BoundaryRegion::places() const { return subdomains_ ? subdomains_->places() : mesh_.nodes; }
 
+// The region in the scene with shorter cracks; null without that.
+const BoundaryRegion* BoundaryRegion::before_growth(const Preparation& preparation) const {
+  if (!preparation.before) return nullptr;
+  for (const auto& region : *preparation.before)
+    if (region->id() == id()) return static_cast<const BoundaryRegion*>(region.get());
+  return nullptr;
+}
+
+BoundaryMesh BoundaryRegion::mesh_without_cracks(const Preparation& preparation) const {
+  BoundaryPanels panels = mesh_edges(preparation, meshing_rules(preparation), id());
+  halve_elements(preparation, id(), panels);
+  return make_mesh(panels.loops);
+}
+
 void BoundaryRegion::cut_if_large(const Preparation& preparation) {
-  if (can_be_cut() && !elasticity().incompressible()) subdomains_ = RegionSubdomains::of(mesh_, preparation.options);
+  if (can_be_cut() && !elasticity().incompressible() && !(cracks_ && cracks_->continue_elsewhere())) {
+    if (!cracks_) {
+      subdomains_ = RegionSubdomains::of(mesh_, preparation.options);
+    } else {
+      const BoundaryRegion* before = before_growth(preparation);
+      subdomains_ = RegionSubdomains::around(cracks_->places(), mesh_, mesh_without_cracks(preparation),
+                                             preparation.options, before ? before->subdomains_.get() : nullptr);
+    }
+  }
   if (subdomains_) return subdomains_->require_memory(preparation.options);
+  if (cracks_) return;
   const auto elements = static_cast<double>(mesh_.elements.size());
   if (const double bytes = memory_of_operator(elements); bytes > least_memory_of_region(elements))
     require_memory_for(bytes, text("the ", elements, " boundary elements of region ", id(), " in one piece"),
                        "choose longer elements, or divide the region into several", preparation.options);
+}
+
+void BoundaryRegion::mesh_cracks(const Preparation& preparation) {
+  if (subdomains_) {
+    cracked_ = subdomains_->mesh_cracks(*cracks_, mesh_);
+  } else {
+    cracked_.emplace_back();
+    cracked_.back().cracks = cracks_->mesh(mesh_);
+    cracks_->require_memory(mesh_, preparation.options);
+  }
+  // Panels of crack faces come from no edge: their source has the edge number 0.
+  if (!mesh_.elements.empty())
+    panels_.resize(static_cast<std::size_t>(mesh_.elements.back().panel) + 1, {0, 0, 1, Border::free, 0, false});
+}
+
+// The part that had the same cracks before they grew; null without that.
+const CrackedPart* BoundaryRegion::part_before(const Preparation& preparation, const CrackedPart& part) const {
+  const BoundaryRegion* before = before_growth(preparation);
+  if (!before) return nullptr;
+  const auto found = std::find_if(before->cracked_.begin(), before->cracked_.end(),
+                                  [&](const CrackedPart& one) { return part.shares_crack_with(one); });
+  return found == before->cracked_.end() ? nullptr : &*found;
+}
+
+void BoundaryRegion::build_cracks(const Preparation& preparation, const bem::AssemblyOptions& assembly) {
+  const bool faces_close = preparation.options.text_value("contact") == "faces";
+  for (CrackedPart& part : cracked_) {
+    const BoundaryMesh& mesh = subdomains_ ? subdomains_->mesh_of(part.subdomain) : mesh_;
+    part.build(mesh, elasticity(), assembly, faces_close, part_before(preparation, part));
+    if (subdomains_) {
+      subdomains_->set_operator(part.subdomain, part.body);
+    } else {
+      operator_ = part.body;
+    }
+  }
 }
 
 std::vector<OperatorNodes> BoundaryRegion::nodes_of_operators() const {

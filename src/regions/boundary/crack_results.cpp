@@ -1,4 +1,6 @@
+#include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "bem/coarse_level.hpp"
 #include "crack/growth_law.hpp"
@@ -68,98 +70,121 @@ const std::vector<CrackLoad>& loads_of(const Solution& solution) {
 
 }  // namespace
 
-const bem::CrackedOperator& BoundaryRegion::cracked() const {
-  return static_cast<const bem::CrackedOperator&>(*operator_);
-}
-
-// State of the cracked body without the particular solution of a body force. That solution has tractions on the crack
+// States of the cracked parts without the particular solution of a body force. That solution has tractions on the crack
 // faces too, which are subtracted from the loads there.
-bem::CrackedState BoundaryRegion::cracked_state(const Eigen::VectorXd& displacement, const Solution& solution,
-                                                double constant, double proportional) const {
-  bem::CrackedState state;
-  state.displacements = elastic(displacement, constant, proportional);
-  state.face_traction = cracks_->traction(loads_of(solution), constant, proportional);
+std::vector<bem::CrackedState> BoundaryRegion::cracked_states(const Eigen::VectorXd& displacement,
+                                                              const Solution& solution, double constant,
+                                                              double proportional) const {
+  std::vector<bem::CrackedState> states;
+  if (cracked_.empty()) return states;
+  Eigen::VectorXd all = elastic(displacement, constant, proportional);
+  std::optional<LinearBodyForce> particular;
   if (solution.body_force_parts) {
     const BodyForce body_force = body_force_of(*solution.body_force_parts, id(), {constant, proportional});
     if (!body_force.is_zero()) {
-      const LinearBodyForce particular = this->particular(body_force);
-      state.displacements -= displacement_of(particular);
-      state.face_traction = without(state.face_traction, particular);
+      particular.emplace(this->particular(body_force));
+      all -= displacement_of(*particular);
     }
   }
-  Eigen::VectorXd forces = Eigen::VectorXd::Zero(2 * static_cast<Eigen::Index>(cracks_->elements().nodes.size()));
-  if (state.face_traction) forces = bem::crack_forces(cracks_->elements(), state.face_traction, elasticity().thickness);
-  state.openings = cracked().openings(state.displacements, forces);
-  if (closing_) {
-    const std::vector<char>& closed = solution.closed_faces_of(id());
-    state.closed = closing_->closed_nodes(closed);
-    if (!closed.empty()) state.openings = closing_->held_shut(state.openings, closed);
+  const std::vector<char>& closed_faces = solution.closed_faces_of(id());
+  auto first = closed_faces.begin();
+  for (const CrackedPart& part : cracked_) {
+    bem::CrackedState state;
+    state.displacements = part.own(all);
+    state.face_traction = part.cracks->traction(loads_of(solution), constant, proportional);
+    if (particular) state.face_traction = without(state.face_traction, *particular);
+    Eigen::VectorXd forces = Eigen::VectorXd::Zero(part.openings());
+    if (state.face_traction) forces = bem::crack_forces(part.elements(), state.face_traction, elasticity().thickness);
+    state.openings = part.body->openings(state.displacements, forces);
+    if (part.closing) {
+      std::vector<char> closed;
+      if (!closed_faces.empty()) closed.assign(first, first + static_cast<std::ptrdiff_t>(part.constraints()));
+      if (!closed_faces.empty()) first += static_cast<std::ptrdiff_t>(part.constraints());
+      state.closed = part.closing->closed_nodes(closed);
+      if (!closed.empty()) state.openings = part.closing->held_shut(state.openings, closed);
+    }
+    state.tractions = part.body->tractions(state.displacements, state.openings);
+    states.push_back(std::move(state));
   }
-  state.tractions = cracked().tractions(state.displacements, state.openings);
-  return state;
+  return states;
 }
 
-bem::CrackedState BoundaryRegion::cracked_state(const Solution& solution) const {
-  bem::CrackedState state = cracked_state(solution.displacement, solution, 1, solution.load_factor);
-  state.faces_press = closing_ != nullptr;
-  return state;
+std::vector<bem::CrackedState> BoundaryRegion::cracked_states(const Solution& solution) const {
+  std::vector<bem::CrackedState> states = cracked_states(solution.displacement, solution, 1, solution.load_factor);
+  for (std::size_t k = 0; k < states.size(); ++k) states[k].faces_press = cracked_[k].closing != nullptr;
+  return states;
 }
 
 Eigen::VectorXd BoundaryRegion::tractions_under(const Eigen::VectorXd& displacement, const Solution& solution) const {
-  if (subdomains_) return subdomains_->tractions(displacement);
-  return cracks_ ? cracked_state(solution).tractions : Eigen::VectorXd(operator_->tractions(displacement));
+  if (subdomains_) return subdomains_->tractions(displacement, cracked_, cracked_states(solution));
+  return cracks_ ? cracked_states(solution).front().tractions : Eigen::VectorXd(operator_->tractions(displacement));
 }
 
 void BoundaryRegion::add_crack_load(const CrackLoad& load, int part, Eigen::Ref<Eigen::VectorXd> force) const {
-  const auto traction = cracks_->traction({load}, part == 0 ? 1 : 0, part == 0 ? 0 : 1);
-  const Eigen::VectorXd forces = bem::crack_forces(cracks_->elements(), traction, elasticity().thickness);
-  Eigen::VectorXd on_boundary = cracked().forces_on_boundary(forces);
-  bem::add_forces_on_cuts(mesh_, cracks_->elements(), traction, elasticity().thickness, on_boundary);
-  scatter(trace_.transpose() * on_boundary, force);
+  Eigen::VectorXd on_places = Eigen::VectorXd::Zero(trace_.rows());
+  for (const CrackedPart& cracked : cracked_) {
+    const auto traction = cracked.cracks->traction({load}, part == 0 ? 1 : 0, part == 0 ? 0 : 1);
+    if (!traction) continue;
+    const Eigen::VectorXd forces = bem::crack_forces(cracked.elements(), traction, elasticity().thickness);
+    Eigen::VectorXd on_boundary = cracked.body->forces_on_boundary(forces);
+    bem::add_forces_on_cuts(cracked.body->mesh(), cracked.elements(), traction, elasticity().thickness, on_boundary);
+    cracked.add(on_boundary, on_places);
+  }
+  scatter(trace_.transpose() * on_places, force);
 }
 
-// Nodal forces of loads on the openings of all cracks: constant part (column 0) and proportional part (column 1).
-Eigen::MatrixX2d BoundaryRegion::forces_on_cracks(const std::vector<CrackLoad>& loads) const {
-  const Eigen::Index size = 2 * static_cast<Eigen::Index>(cracks_->elements().nodes.size());
-  Eigen::MatrixX2d forces = Eigen::MatrixX2d::Zero(size, 2);
-  for (int part = 0; part < 2; ++part) {
-    const auto traction = cracks_->traction(loads, part == 0 ? 1 : 0, part == 0 ? 0 : 1);
-    if (traction) forces.col(part) = bem::crack_forces(cracks_->elements(), traction, elasticity().thickness);
+// Nodal forces of loads on the openings of cracks: constant part (column 0) and proportional part (column 1).
+Eigen::MatrixX2d BoundaryRegion::forces_on_cracks(const std::vector<CrackLoad>& loads, const CrackedPart& part) const {
+  Eigen::MatrixX2d forces = Eigen::MatrixX2d::Zero(part.openings(), 2);
+  for (int column = 0; column < 2; ++column) {
+    const auto traction = part.cracks->traction(loads, column == 0 ? 1 : 0, column == 0 ? 0 : 1);
+    if (traction) forces.col(column) = bem::crack_forces(part.elements(), traction, elasticity().thickness);
   }
   return forces;
 }
 
-std::shared_ptr<const coupling::ExactConstraints> BoundaryRegion::exact_constraints() const {
-  if (!closing_) return nullptr;
+std::shared_ptr<const coupling::ExactConstraints> BoundaryRegion::exact_constraints(
+    const CrackedPart& part, const Eigen::SparseMatrix<double>& trace) {
+  if (!part.closing) return nullptr;
   return std::make_shared<const coupling::ExactConstraints>(
-      coupling::ExactConstraints{closing_->of_displacements() * trace_, closing_->of_forces()});
+      coupling::ExactConstraints{part.closing->of_displacements() * trace, part.closing->of_forces()});
 }
 
 coupling::Affine BoundaryRegion::face_offsets(const std::array<BodyForce, 2>& body_force,
                                               const std::vector<CrackLoad>& crack_loads) const {
-  if (!closing_) return coupling::Affine(0, 2);
-  coupling::Affine gaps = coupling::Affine::Zero(static_cast<Eigen::Index>(closing_->size()), 2);
-  const Particulars particular = particulars(body_force);
-  const Eigen::MatrixX2d forces = forces_on_cracks(crack_loads) - particular.face_forces;
-  if (forces.isZero(0) && particular.displacements.isZero(0)) return gaps;
-  const Eigen::MatrixXd openings = cracked().openings(-particular.displacements, forces);
-  for (int part = 0; part < 2; ++part) gaps.col(part) = closing_->gaps(openings.col(part));
-  return gaps;
+  std::size_t count = 0;
+  for (const CrackedPart& part : cracked_) count += part.constraints();
+  coupling::Affine all = coupling::Affine::Zero(static_cast<Eigen::Index>(count), 2);
+  Eigen::Index first = 0;
+  for (const CrackedPart& part : cracked_) {
+    if (!part.closing) continue;
+    const Particulars particular = particulars(body_force, part);
+    const Eigen::MatrixX2d forces = forces_on_cracks(crack_loads, part) - particular.face_forces;
+    if (!forces.isZero(0) || !particular.displacements.isZero(0)) {
+      const Eigen::MatrixXd openings = part.body->openings(-particular.displacements, forces);
+      for (int column = 0; column < 2; ++column)
+        all.col(column).segment(first, static_cast<Eigen::Index>(part.constraints())) =
+            part.closing->gaps(openings.col(column));
+    }
+    first += static_cast<Eigen::Index>(part.constraints());
+  }
+  return all;
 }
 
-Eigen::VectorXd BoundaryRegion::face_forces_of(const LinearBodyForce& particular) const {
+Eigen::VectorXd BoundaryRegion::face_forces_of(const LinearBodyForce& particular, const CrackedPart& part) const {
   const auto traction = [&](int, const Point& x, const Point& normal) { return traction_of(particular, x, normal); };
-  return bem::crack_forces(cracks_->elements(), traction, elasticity().thickness);
+  return bem::crack_forces(part.elements(), traction, elasticity().thickness);
 }
 
-BoundaryRegion::Particulars BoundaryRegion::particulars(const std::array<BodyForce, 2>& body_force) const {
-  Particulars all{Eigen::MatrixX2d::Zero(2 * static_cast<Eigen::Index>(mesh_.nodes.size()), 2),
-                  Eigen::MatrixX2d::Zero(2 * static_cast<Eigen::Index>(cracks_->elements().nodes.size()), 2)};
-  for (int part = 0; part < 2; ++part) {
-    if (body_force[part].is_zero()) continue;
-    const LinearBodyForce particular = this->particular(body_force[part]);
-    all.displacements.col(part) = displacement_of(particular);
-    all.face_forces.col(part) = face_forces_of(particular);
+BoundaryRegion::Particulars BoundaryRegion::particulars(const std::array<BodyForce, 2>& body_force,
+                                                        const CrackedPart& part) const {
+  Particulars all{Eigen::MatrixX2d::Zero(2 * static_cast<Eigen::Index>(part.body->mesh().nodes.size()), 2),
+                  Eigen::MatrixX2d::Zero(part.openings(), 2)};
+  for (int column = 0; column < 2; ++column) {
+    if (body_force[column].is_zero()) continue;
+    const LinearBodyForce particular = this->particular(body_force[column]);
+    all.displacements.col(column) = part.own(displacement_of(particular));
+    all.face_forces.col(column) = face_forces_of(particular, part);
   }
   return all;
 }
@@ -170,63 +195,88 @@ BoundaryRegion::Particulars BoundaryRegion::particulars(const std::array<BodyFor
 // A body force has a particular solution u_p with forces f_p on the faces; u and f are then without these. By Betti's
 // theorem a force f does the additional work -v.f, with v = K_ww^-1 (f_p - K_wu u_p).
 Eigen::Matrix2d BoundaryRegion::work_within_cracks(const std::array<BodyForce, 2>& body_force,
-                                                   const std::vector<CrackLoad>& loads) const {
-  const Eigen::MatrixX2d forces = forces_on_cracks(loads);
+                                                   const std::vector<CrackLoad>& loads, const CrackedPart& part) const {
+  const Eigen::MatrixX2d forces = forces_on_cracks(loads, part);
   Eigen::Matrix2d work = Eigen::Matrix2d::Zero();
   if (!forces.isZero(0)) {
-    const Eigen::MatrixXd held = Eigen::MatrixXd::Zero(2 * static_cast<Eigen::Index>(mesh_.nodes.size()), 2);
-    work = forces.transpose() * cracked().openings(held, forces);
+    const Eigen::MatrixXd held =
+        Eigen::MatrixXd::Zero(2 * static_cast<Eigen::Index>(part.body->mesh().nodes.size()), 2);
+    work = forces.transpose() * part.body->openings(held, forces);
   }
   if (body_force[0].is_zero() && body_force[1].is_zero()) return work;
-  const Particulars own = particulars(body_force);
-  const Eigen::MatrixXd openings = cracked().openings(own.displacements, own.face_forces);
+  const Particulars own = particulars(body_force, part);
+  const Eigen::MatrixXd openings = part.body->openings(own.displacements, own.face_forces);
   const Eigen::Matrix2d mixed = forces.transpose() * openings;
   return work + openings.transpose() * own.face_forces - mixed - mixed.transpose();
 }
 
 std::vector<TipValues> BoundaryRegion::tips(const Solution& solution, TipDetail detail) const {
-  if (!cracks_ || cracks_->elements().tips.empty()) return {};
-  std::vector<bem::CrackedState> states{cracked_state(solution.parts->col(0), solution, 1, 0),
-                                        cracked_state(solution.parts->col(1), solution, 0, 1), cracked_state(solution)};
-  if (detail == TipDetail::everything) states.push_back(bem::coarse_state(cracked(), states.back()));
-  const auto factors = bem::stress_intensities(cracked(), states);
+  const bool has_tips = std::any_of(cracked_.begin(), cracked_.end(),
+                                    [](const CrackedPart& part) { return !part.elements().tips.empty(); });
+  if (!has_tips) return {};
+  const std::vector<bem::CrackedState> constant = cracked_states(solution.parts->col(0), solution, 1, 0);
+  const std::vector<bem::CrackedState> proportional = cracked_states(solution.parts->col(1), solution, 0, 1);
+  const std::vector<bem::CrackedState> present = cracked_states(solution);
+  std::vector<TipValues> values;
+  for (std::size_t k = 0; k < cracked_.size(); ++k)
+    if (!cracked_[k].elements().tips.empty())
+      append_tips(cracked_[k], {constant[k], proportional[k], present[k]}, solution, detail, values);
+  std::stable_sort(values.begin(), values.end(),
+                   [](const TipValues& a, const TipValues& b) { return a.crack < b.crack; });
+  return values;
+}
+
+// Appends the tips of a part. `states` are those of the constant and of the proportional part of the loads, and the
+// present one.
+void BoundaryRegion::append_tips(const CrackedPart& part, const std::vector<bem::CrackedState>& of_loads,
+                                 const Solution& solution, TipDetail detail, std::vector<TipValues>& values) const {
+  const bem::CrackedOperator& cracked = *part.body;
+  std::vector<bem::CrackedState> states = of_loads;
+  if (detail == TipDetail::everything) states.push_back(bem::coarse_state(cracked, states.back()));
+  const auto factors = bem::stress_intensities(cracked, states);
   std::vector<double> along(factors.size(), 0);
-  if (detail == TipDetail::everything) along = bem::stresses_along_crack(cracked(), states[2]);
-  const std::vector<Point> parts_along = parts_of_t_stress(cracked(), states, material());
+  if (detail == TipDetail::everything) along = bem::stresses_along_crack(cracked, states[2]);
+  const std::vector<Point> parts_along = parts_of_t_stress(cracked, states, material());
   const LinearBodyForce particular = this->particular(solution.body_force(id()));
   const double modulus = plane_modulus(elasticity());
-  std::vector<TipValues> values;
   for (std::size_t t = 0; t < factors.size(); ++t) {
-    const bem::CrackTip& tip = cracks_->elements().tips[t];
+    const bem::CrackTip& tip = part.elements().tips[t];
     along[t] += stress_along(particular, tip);
     const bem::StressIntensity &constant = factors[t][0], &proportional = factors[t][1], &present = factors[t][2];
     TipValues value;
-    value.crack = cracks_->id_of(tip), value.end = tip.end == bem::TipEnd::end ? 1 : 0;
+    value.crack = part.cracks->id_of(tip), value.end = tip.end == bem::TipEnd::end ? 1 : 0;
     value.place = tip.place, value.direction = tip.direction;
     value.factors = present.factors, value.energy_release_rate = present.energy_release_rate;
     value.stress_along = along[t];
     value.error = error_of_difference * length_of(present.factors - factors[t].back().factors);
     value.constant_factors = constant.factors, value.proportional_factors = proportional.factors;
     value.plane_modulus = modulus;
-    set_resistance(value, material(), toughness().share(tip.place), cracks_->grown_of(tip),
+    set_resistance(value, material(), toughness().share(tip.place), part.cracks->grown_of(tip),
                    parts_along.empty() ? Point(0, 0) : parts_along[t]);
     values.push_back(value);
   }
-  return values;
 }
 
 std::vector<Point> BoundaryRegion::crack_openings(int crack, const std::vector<double>& fractions,
                                                   const Solution& solution) const {
-  const bem::CrackedState state = cracked_state(solution);
+  const std::vector<bem::CrackedState> states = cracked_states(solution);
   std::vector<Point> values;
-  values.reserve(fractions.size());
-  for (const double fraction : fractions) values.push_back(cracks_->opening_at(crack, fraction, state));
+  for (std::size_t k = 0; k < cracked_.size(); ++k) {
+    if (!cracked_[k].cracks->has(crack)) continue;
+    for (const double fraction : fractions)
+      values.push_back(cracked_[k].cracks->opening_at(crack, fraction, states[k]));
+    break;  // all of a crack's lines that meet lie in one part
+  }
   return values;
 }
 
 std::vector<CrackPicture> BoundaryRegion::crack_pictures(const Solution& solution) const {
   if (!cracks_) return {};
-  std::vector<CrackPicture> pictures = cracks_->pictures(cracked_state(solution));
+  const std::vector<bem::CrackedState> states = cracked_states(solution);
+  std::vector<CrackPicture> pictures;
+  for (std::size_t k = 0; k < cracked_.size(); ++k)
+    for (CrackPicture& picture : cracked_[k].cracks->pictures(states[k])) pictures.push_back(std::move(picture));
+  std::stable_sort(pictures.begin(), pictures.end(), [](const auto& a, const auto& b) { return a.crack < b.crack; });
   const LinearBodyForce particular = this->particular(solution.body_force(id()));
   const InteriorOfPieces rest = inside_without(particular, solution);
   for (CrackPicture& picture : pictures) {
@@ -242,8 +292,14 @@ std::vector<CrackPicture> BoundaryRegion::crack_pictures(const Solution& solutio
 const CrackLines* BoundaryRegion::crack_lines() const { return cracks_ ? &cracks_->lines() : nullptr; }
 
 std::optional<Overlap> BoundaryRegion::overlap(const Solution& solution) const {
-  if (!cracks_ || closing_) return std::nullopt;
-  return cracks_->overlap(cracked_state(solution));
+  if (!cracks_ || cracked_.front().closing) return std::nullopt;
+  std::optional<Overlap> worst;
+  const std::vector<bem::CrackedState> states = cracked_states(solution);
+  for (std::size_t k = 0; k < cracked_.size(); ++k) {
+    const std::optional<Overlap> own = cracked_[k].cracks->overlap(states[k]);
+    if (own && (!worst || own->depth > worst->depth)) worst = own;
+  }
+  return worst;
 }
 
 }  // namespace bempd::regions

@@ -6,26 +6,26 @@
 
 namespace bempd::regions {
 
-InteriorOfPieces::InteriorOfPieces(std::vector<bem::InteriorEvaluator> interiors, const BoundaryMesh& mesh,
-                                   const bem::CrackMesh& cracks, double tolerance)
-    : interiors_(std::move(interiors)), edges_(interiors_.size()), tolerance_(tolerance) {
-  for (std::size_t e = 0; e < mesh.elements.size(); ++e) {
-    const BoundaryElement& element = mesh.elements[e];
-    edges_[static_cast<std::size_t>(cracks.pieces.of_element[e])].emplace_back(
-        Arc{mesh.nodes[element.nodes[0]], mesh.nodes[element.nodes[2]], element.sweep});
+void InteriorOfPieces::add(bem::InteriorEvaluator piece, const BoundaryMesh& mesh) {
+  interiors_.push_back(std::move(piece));
+  edges_.emplace_back();
+  boxes_.emplace_back();
+  for (const BoundaryElement& element : mesh.elements) {
+    edges_.back().emplace_back(Arc{mesh.nodes[element.nodes[0]], mesh.nodes[element.nodes[2]], element.sweep});
+    boxes_.back().extend(bounding_box(edges_.back().back()));
   }
-  for (const bem::CutElement& e : cracks.cuts)
-    cuts_.push_back({{mesh.nodes[e.left[0]], mesh.nodes[e.left[2]]},
-                     static_cast<std::size_t>(cracks.pieces.left_of(e.line)),
-                     static_cast<std::size_t>(cracks.pieces.right_of(e.line))});
 }
 
-InteriorOfPieces::InteriorOfPieces(std::vector<bem::InteriorEvaluator> interiors, std::vector<std::vector<Edge>> edges)
-    : interiors_(std::move(interiors)), edges_(std::move(edges)) {
-  for (const std::vector<Edge>& own : edges_) {
-    boxes_.emplace_back();
-    for (const Edge& edge : own) boxes_.back().extend(bounding_box(edge));
-  }
+void InteriorOfPieces::add(const bem::CrackedOperator& body, const bem::CrackedState& state, double tolerance) {
+  const bem::CrackPieces& pieces = body.cracks().pieces;
+  const std::size_t first = interiors_.size();
+  for (int piece = 0; piece < pieces.count; ++piece)
+    add(bem::interior_of_piece(body, state, piece), bem::elements_of_piece(body.mesh(), pieces, piece));
+  tolerance_ = tolerance;
+  for (const bem::CutElement& e : body.cracks().cuts)
+    cuts_.push_back({{body.mesh().nodes[e.left[0]], body.mesh().nodes[e.left[2]]},
+                     first + static_cast<std::size_t>(pieces.left_of(e.line)),
+                     first + static_cast<std::size_t>(pieces.right_of(e.line))});
 }
 
 void InteriorOfPieces::choose_right_face(bool right) {
@@ -48,11 +48,9 @@ std::size_t InteriorOfPieces::piece_at(const Point& x) const {
   double least = std::numeric_limits<double>::infinity();
   for (std::size_t piece = 0; piece < boxes_.size(); ++piece)
     if (boxes_[piece].contains(x) && locate(edges_[piece], x, 0) != Location::outside) return piece;
-  for (std::size_t piece = 0; piece < edges_.size(); ++piece) {
-    if (boxes_.empty() && locate(edges_[piece], x, 0) != Location::outside) return piece;
+  for (std::size_t piece = 0; piece < edges_.size(); ++piece)
     for (const Edge& edge : edges_[piece])
       if (const double gap = distance(edge, x); gap < least) least = gap, nearest = piece;
-  }
   return nearest;
 }
 

@@ -2,23 +2,22 @@
 
 #include <vector>
 
-#include "bem/crack_mesh.hpp"
+#include "bem/crack_tips.hpp"
 #include "bem/interior.hpp"
 #include "geometry/edge.hpp"
 
 namespace bempd::regions {
 
-// Evaluates displacement and stress inside a region that cracks may have cut into pieces, by the evaluator of the piece
-// in which a place lies.
+// Evaluates displacement and stress inside a region of several pieces, into which cracks or the library have cut it, by
+// the evaluator of the piece in which a place lies.
 class InteriorOfPieces {
  public:
   // Creates the evaluator for a region of one piece.
   explicit InteriorOfPieces(bem::InteriorEvaluator whole) { interiors_.push_back(std::move(whole)); }
-  // Creates the evaluator for a region of several pieces out of one evaluator for each piece.
-  InteriorOfPieces(std::vector<bem::InteriorEvaluator> interiors, const BoundaryMesh& mesh,
-                   const bem::CrackMesh& cracks, double tolerance);
-  // Creates the evaluator for a region in pieces with these edges, which no crack separates.
-  InteriorOfPieces(std::vector<bem::InteriorEvaluator> interiors, std::vector<std::vector<Edge>> edges);
+  InteriorOfPieces() = default;
+  // Adds a piece with this boundary; then the pieces of a part with cracks.
+  void add(bem::InteriorEvaluator piece, const BoundaryMesh& mesh);
+  void add(const bem::CrackedOperator& body, const bem::CrackedState& state, double tolerance);
 
   bem::InteriorEvaluator::Value at(const Point& x) const { return interiors_[piece_at(x)].at(x); }
   Point displacement_at(const Point& x) const { return interiors_[piece_at(x)].displacement_at(x); }
@@ -35,7 +34,7 @@ class InteriorOfPieces {
 
   std::vector<bem::InteriorEvaluator> interiors_;
   std::vector<std::vector<Edge>> edges_;  // of each piece
-  std::vector<Box> boxes_;                // around them, of pieces that no crack separates
+  std::vector<Box> boxes_;                // around them
   std::vector<Cut> cuts_;
   double tolerance_ = 0;
   bool from_right_ = false;

@@ -56,10 +56,44 @@ std::vector<std::vector<double>> RegionCracks::halved_stations() const {
   return all;
 }
 
-void RegionCracks::mesh(BoundaryMesh& boundary) {
-  mesh_ = bem::mesh_cracks(lines_, halved_stations(), boundary, tolerance_);
-  for (const bem::CutElement& e : mesh_.cuts)
-    cut_places_.push_back({boundary.nodes[e.left[0]], boundary.nodes[e.left[1]], boundary.nodes[e.left[2]]});
+std::unique_ptr<MeshedCracks> RegionCracks::mesh(BoundaryMesh& boundary) const {
+  return std::make_unique<MeshedCracks>(CracksToMesh{paths_, extents_, lines_, stations_}, boundary, tolerance_);
+}
+
+std::unique_ptr<MeshedCracks> RegionCracks::mesh(const std::vector<int>& lines, BoundaryMesh& boundary) const {
+  CracksToMesh own{paths_, extents_, {}, {}};
+  std::vector<int> joint_of(lines_.joints.size(), -1);
+  for (const int l : lines) {
+    CrackLine line = lines_.lines[static_cast<std::size_t>(l)];
+    for (int& joint : line.joints) {
+      if (joint < 0) continue;
+      int& number = joint_of[static_cast<std::size_t>(joint)];
+      if (number < 0) {
+        number = static_cast<int>(own.lines.joints.size());
+        own.lines.joints.push_back(lines_.joints[static_cast<std::size_t>(joint)]);
+      }
+      joint = number;
+    }
+    own.lines.lines.push_back(std::move(line));
+    own.stations.push_back(stations_[static_cast<std::size_t>(l)]);
+  }
+  return std::make_unique<MeshedCracks>(std::move(own), boundary, tolerance_);
+}
+
+std::vector<Stations> RegionCracks::places() const {
+  std::vector<Stations> all;
+  for (std::size_t l = 0; l < stations_.size(); ++l) {
+    const std::vector<Point>& points = lines_.lines[l].points;
+    all.emplace_back();
+    std::size_t segment = 0;
+    double before = 0;
+    for (const double way : stations_[l]) {
+      const auto length = [&] { return (points[segment + 1] - points[segment]).norm(); };
+      while (segment + 2 < points.size() && way > before + length()) before += length(), ++segment;
+      all.back().push_back(Segment{points[segment], points[segment + 1]}.at(std::min(1.0, (way - before) / length())));
+    }
+  }
+  return all;
 }
 
 void refine_at_cracks(const Preparation& p, const RegionCracks* own, BoundaryPanels& panels) {

@@ -1,8 +1,6 @@
 #include "regions/boundary/region_cracks.hpp"
 
 #include <algorithm>
-#include <cmath>
-#include <limits>
 
 #include "error.hpp"
 #include "geometry/turning.hpp"
@@ -77,14 +75,6 @@ std::vector<bem::MouthOnRow> short_elements_at(const Preparation& p, int region,
   return mouths;
 }
 
-// Values of an element's three shape functions at a fraction `part` of its length; `tip`: the end that is a crack tip.
-std::array<double, 3> shape_at(bem::TipEnd tip, double part) {
-  if (tip == bem::TipEnd::none) return bem::ElementGeometry{}.shape(2 * part - 1);
-  bem::ElementGeometry geometry{};
-  geometry.tip = tip;
-  return geometry.shape(tip == bem::TipEnd::start ? 2 * std::sqrt(part) - 1 : 1 - 2 * std::sqrt(1 - part));
-}
-
 }  // namespace
 
 RegionCracks::RegionCracks(const Preparation& p, int region)
@@ -97,11 +87,15 @@ RegionCracks::RegionCracks(const Preparation& p, int region)
       lines_(crack_lines(paths_, edges_, p.tolerance)),
       rows_(mouths_on_rows(p, region)),
       sizes_(lines_, edges_, p.tolerance, grading(p.scene.region(region)), panel_ends(p, region),
-             short_elements_at(p, region, rows_)) {
+             short_elements_at(p, region, rows_)),
+      stations_(halved_stations()) {
   const std::vector<SharedMouth> shared = shared_mouths(p.cracks);
   for (const Point& mouth : mouths()) {
     const auto is_at = [&](const SharedMouth& one) { return (one.place - mouth).norm() <= 8 * tolerance_; };
-    if (is_on_row(mouth) || std::any_of(shared.begin(), shared.end(), is_at)) continue;
+    if (is_on_row(mouth) || std::any_of(shared.begin(), shared.end(), is_at)) {
+      continue_elsewhere_ = true;
+      continue;
+    }
     for (const auto& other : p.regions)
       require(other->id() == region ||
                   locate(p.scene.region(other->id()).outline(), mouth, p.tolerance) == Location::outside,
@@ -129,10 +123,16 @@ std::string RegionCracks::gap_sentence(const bem::NarrowGap& gap) const {
               " at (", gap.place.x(), ", ", gap.place.y(), ")");
 }
 
+double RegionCracks::elements_on_cracks() const {
+  std::size_t count = 0;
+  for (const std::vector<double>& line : stations_) count += line.size() - 1;
+  return static_cast<double>(count);
+}
+
 double RegionCracks::memory_of(double elements) { return bytes_per_square_with_cracks * elements * elements; }
 
 void RegionCracks::require_memory(const BoundaryMesh& boundary, const scene::Options& options) const {
-  const double elements = static_cast<double>(boundary.elements.size() + mesh_.elements.size());
+  const double elements = static_cast<double>(boundary.elements.size()) + elements_on_cracks();
   if (elements < elements_to_tell_of) return;
   const bem::NarrowGap gap = sizes_.narrowest_gap();
   require_memory_for(memory_of(elements),
@@ -143,7 +143,7 @@ void RegionCracks::require_memory(const BoundaryMesh& boundary, const scene::Opt
 }
 
 void RegionCracks::warn_of_gap(const BoundaryMesh& boundary, std::vector<std::string>& warnings) const {
-  const double elements = static_cast<double>(boundary.elements.size() + mesh_.elements.size());
+  const double elements = static_cast<double>(boundary.elements.size()) + elements_on_cracks();
   if (elements < elements_to_tell_of) return;
   const bem::NarrowGap gap = sizes_.narrowest_gap();
   if (gap.line < 0 || gap.width > narrow_gap * lines_.lines[gap.line].length()) return;
@@ -152,124 +152,6 @@ void RegionCracks::warn_of_gap(const BoundaryMesh& boundary, std::vector<std::st
                           bytes_per_square_with_cracks * elements * elements / 1e9, " GB: ", gap_sentence(gap),
                           ", and elements along a gap are at most twice as long as it is wide; widen or close the gap "
                           "if it does not matter"));
-}
-
-bool RegionCracks::has(int crack) const {
-  return std::any_of(paths_.begin(), paths_.end(), [&](const CrackPath& path) { return path.id == crack; });
-}
-
-double RegionCracks::fraction_at(int l, const Point& x) const {
-  const CrackLine& line = lines_.lines[l];
-  double way = 0, before = 0, least = std::numeric_limits<double>::infinity();
-  for (std::size_t i = 0; i + 1 < line.points.size(); ++i) {
-    const Segment segment{line.points[i], line.points[i + 1]};
-    const double along = closest_fraction(segment, x), gap = (segment.at(along) - x).norm();
-    if (gap < least) least = gap, way = before + along * segment.length();
-    before += segment.length();
-  }
-  const CrackExtent& extent = extents_[line.crack];
-  return std::clamp((extent.start + line.start + way - extent.given_from) / extent.given_length, 0.0, 1.0);
-}
-
-bem::FaceTraction RegionCracks::traction(const std::vector<CrackLoad>& loads, double constant,
-                                         double proportional) const {
-  std::vector<CrackLoad> own;
-  for (const CrackLoad& load : loads)
-    if (has(load.crack)) own.push_back(load);
-  if (own.empty()) return {};
-  return [this, own, constant, proportional](int line, const Point& x, const Point& normal) -> Point {
-    const double fraction = fraction_at(line, x);
-    Point sum = Point::Zero();
-    for (const CrackLoad& load : own) {
-      if (load.crack != paths_[lines_.lines[line].crack].id) continue;
-      const auto values = load.values(fraction);
-      const Point both = constant * values[0] + proportional * values[1];
-      sum += -both.x() * normal + both.y() * left_of(normal);
-    }
-    return sum;
-  };
-}
-
-bool RegionCracks::has_inside(int crack) const {
-  return std::any_of(mesh_.elements.begin(), mesh_.elements.end(),
-                     [&](const bem::CrackElement& e) { return paths_[lines_.lines[e.line].crack].id == crack; });
-}
-
-// Openings at the three nodes of an element on a crack.
-std::array<Point, 3> RegionCracks::openings_on(const bem::CrackElement& e, const bem::CrackedState& state) {
-  std::array<Point, 3> openings;
-  for (int k = 0; k < 3; ++k) openings[k] = state.openings.segment<2>(2 * e.nodes[k]);
-  return openings;
-}
-
-std::array<Point, 3> RegionCracks::openings_on(const bem::CutElement& e, const bem::CrackedState& state) {
-  std::array<Point, 3> openings;
-  for (int k = 0; k < 3; ++k)
-    openings[k] = state.displacements.segment<2>(2 * e.left[k]) - state.displacements.segment<2>(2 * e.right[k]);
-  return openings;
-}
-
-std::vector<RegionCracks::Opened> RegionCracks::opened(const bem::CrackedState& state) const {
-  std::vector<Opened> all;
-  for (const bem::CrackElement& e : mesh_.elements)
-    all.push_back({e.line,
-                   e.from,
-                   e.to,
-                   e.tip,
-                   {mesh_.nodes[e.nodes[0]], mesh_.nodes[e.nodes[1]], mesh_.nodes[e.nodes[2]]},
-                   openings_on(e, state)});
-  for (std::size_t c = 0; c < mesh_.cuts.size(); ++c)
-    all.push_back({mesh_.cuts[c].line, mesh_.cuts[c].from, mesh_.cuts[c].to, bem::TipEnd::none, cut_places_[c],
-                   openings_on(mesh_.cuts[c], state)});
-  return all;
-}
-
-Point RegionCracks::opening_at(int crack, double fraction, const bem::CrackedState& state) const {
-  Point found = Point::Zero();
-  double least = std::numeric_limits<double>::infinity();
-  for (const Opened& e : opened(state)) {
-    const CrackLine& line = lines_.lines[e.line];
-    if (paths_[line.crack].id != crack) continue;
-    const CrackExtent& extent = extents_[line.crack];
-    const double way = fraction * extent.length - extent.start - line.start;
-    const double part = std::clamp((way - e.from) / (e.to - e.from), 0.0, 1.0);
-    const double off = std::abs(way - (e.from + part * (e.to - e.from)));
-    if (off >= least) continue;
-    least = off;
-    const auto shape = shape_at(e.tip, part);
-    Point opening = Point::Zero();
-    for (int k = 0; k < 3; ++k) opening += shape[k] * e.openings[k];
-    const Point along = (e.places[2] - e.places[0]).normalized();
-    found = {opening.dot(along), opening.dot(left_of(along))};
-  }
-  return found;
-}
-
-std::vector<CrackPicture> RegionCracks::pictures(const bem::CrackedState& state) const {
-  std::vector<CrackPicture> all;
-  for (const CrackPath& path : paths_) all.push_back({path.id, {}, {}, {}});
-  for (const Opened& e : opened(state)) {
-    CrackPicture& picture = all[lines_.lines[e.line].crack];
-    picture.places.insert(picture.places.end(), e.places.begin(), e.places.end());
-    picture.openings.insert(picture.openings.end(), e.openings.begin(), e.openings.end());
-  }
-  return all;
-}
-
-std::optional<Overlap> RegionCracks::overlap(const bem::CrackedState& state) const {
-  Overlap worst{0, Point::Zero(), 0};
-  double largest = 0;
-  for (const Opened& e : opened(state)) {
-    const Point left = left_of((e.places[2] - e.places[0]).normalized());
-    for (int k = 0; k < 3; ++k) {
-      largest = std::max(largest, e.openings[k].cwiseAbs().maxCoeff());
-      const double depth = -left.dot(e.openings[k]);
-      if (depth > worst.depth) worst = {paths_[lines_.lines[e.line].crack].id, e.places[k], depth};
-    }
-  }
-  // An overlap within rounding is not reported; it occurs where faces slide on each other.
-  if (worst.depth <= 1e-9 * largest) return std::nullopt;
-  return worst;
 }
 
 std::unique_ptr<RegionCracks> cracks_of(const Preparation& p, int region) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <map>
+#include <optional>
 
 #include "bem/boundary_loads.hpp"
 #include "bem/galerkin_operator.hpp"
@@ -72,17 +73,56 @@ double least_memory_of_region(double elements) {
   return bytes_per_square_of_elements * squares_of_subdomains * elements * static_cast<double>(most_elements);
 }
 
-std::unique_ptr<RegionSubdomains> RegionSubdomains::of(const BoundaryMesh& body, const scene::Options& options) {
+namespace {
+
+// Sizes from which on a region is cut, and to which.
+struct CutSizes {
+  std::size_t most_undivided, most_elements;
+};
+
+CutSizes cut_sizes(const scene::Options& options) {
   const auto wanted = static_cast<std::size_t>(options.number("test.subdomain_elements"));
-  if (body.elements.size() <= (wanted > 0 ? wanted : most_undivided)) return nullptr;
-  Subdivision subdivision = subdivide(body, wanted > 0 ? wanted : most_elements);
+  return wanted > 0 ? CutSizes{wanted, wanted} : CutSizes{most_undivided, most_elements};
+}
+
+}  // namespace
+
+std::unique_ptr<RegionSubdomains> RegionSubdomains::of(const BoundaryMesh& body, const scene::Options& options) {
+  const CutSizes sizes = cut_sizes(options);
+  if (body.elements.size() <= sizes.most_undivided) return nullptr;
+  Subdivision subdivision = subdivide(body, sizes.most_elements);
   if (subdivision.subdomains.size() == 1) return nullptr;
   return std::make_unique<RegionSubdomains>(std::move(subdivision), body);
 }
 
+std::unique_ptr<RegionSubdomains> RegionSubdomains::around(const std::vector<Stations>& cracks,
+                                                           const BoundaryMesh& body, BoundaryMesh uncracked,
+                                                           const scene::Options& options,
+                                                           const RegionSubdomains* before) {
+  const CutSizes sizes = cut_sizes(options);
+  if (uncracked.elements.size() <= sizes.most_undivided) return nullptr;
+  std::shared_ptr<const Uncracked> known = before ? before->uncracked_ : nullptr;
+  if (!known || known->most_elements != sizes.most_elements || known->mesh.nodes != uncracked.nodes) {
+    std::vector<Stations> cuts = subdivide(uncracked, sizes.most_elements).cuts;
+    known = std::make_shared<const Uncracked>(Uncracked{std::move(uncracked), sizes.most_elements, std::move(cuts)});
+  }
+  Subdivision subdivision = subdivide(body, sizes.most_elements, known->cuts, cracks);
+  if (subdivision.subdomains.size() == 1) return nullptr;
+  auto made = std::make_unique<RegionSubdomains>(std::move(subdivision), body);
+  made->uncracked_ = std::move(known);
+  return made;
+}
+
 RegionSubdomains::RegionSubdomains(Subdivision subdivision, const BoundaryMesh& body)
-    : subdivision_(std::move(subdivision)), places_(body.nodes), traction_node_count_(body.traction_node_count) {
+    : subdivision_(std::move(subdivision)), operators_(subdivision_.subdomains.size()) {
+  number(body);
+}
+
+void RegionSubdomains::number(const BoundaryMesh& body) {
+  places_ = body.nodes;
   places_.insert(places_.end(), subdivision_.cut_nodes.begin(), subdivision_.cut_nodes.end());
+  traction_node_count_ = body.traction_node_count;
+  traction_nodes_.clear();
   for (const BoundaryElement& element : body.elements) traction_nodes_.push_back(element.traction_nodes);
 }
 
@@ -94,6 +134,64 @@ void RegionSubdomains::require_memory(const scene::Options& options) const {
                      "choose longer elements", options);
 }
 
+namespace {
+
+// Adds to the body's mesh what a subdomain has behind its first nodes and elements: nodes at mouths of cracks, and
+// faces of cracks.
+void add_to_body(BoundaryMesh& body, Subdomain& part, std::size_t first_node, std::size_t first_element,
+                 const bem::CrackMesh& cracks) {
+  for (std::size_t i = first_node; i < part.mesh.nodes.size(); ++i) {
+    part.nodes.push_back(static_cast<int>(body.nodes.size()));
+    body.nodes.push_back(part.mesh.nodes[i]);
+  }
+  for (std::size_t e = 0; e < first_element; ++e)
+    if (part.elements[e] >= 0)
+      for (int k = 0; k < 3; ++k)
+        body.elements[static_cast<std::size_t>(part.elements[e])].nodes[k] =
+            part.nodes[static_cast<std::size_t>(part.mesh.elements[e].nodes[k])];
+  if (first_element == part.mesh.elements.size()) return;
+  const int panel = body.elements.back().panel + 1 - cracks.first_face_panel;
+  const int first_traction = part.mesh.elements[first_element].traction_nodes[0];
+  const int traction = body.traction_node_count - first_traction;
+  for (std::size_t e = first_element; e < part.mesh.elements.size(); ++e) {
+    BoundaryElement face = part.mesh.elements[e];
+    for (int& node : face.nodes) node = part.nodes[static_cast<std::size_t>(node)];
+    for (int& node : face.traction_nodes) node += traction;
+    face.panel += panel;
+    part.elements.push_back(static_cast<int>(body.elements.size()));
+    body.elements.push_back(face);
+  }
+  body.traction_node_count += part.mesh.traction_node_count - first_traction;
+}
+
+}  // namespace
+
+std::vector<CrackedPart> RegionSubdomains::mesh_cracks(const RegionCracks& cracks, BoundaryMesh& body) {
+  const std::size_t outline = body.nodes.size();
+  std::vector<CrackedPart> parts;
+  std::vector<std::pair<std::size_t, std::size_t>> first;  // new node and element of each part
+  for (std::size_t i = 0; i < count(); ++i) {
+    Subdomain& part = subdivision_.subdomains[i];
+    if (part.cracks.empty()) continue;
+    first.emplace_back(part.mesh.nodes.size(), part.mesh.elements.size());
+    parts.emplace_back();
+    parts.back().subdomain = i;
+    parts.back().cracks = cracks.mesh(part.cracks, part.mesh);
+  }
+  std::size_t added = 0;
+  for (std::size_t k = 0; k < parts.size(); ++k) added += mesh_of(parts[k].subdomain).nodes.size() - first[k].first;
+  for (Subdomain& part : subdivision_.subdomains)
+    for (int& node : part.nodes)
+      if (static_cast<std::size_t>(node) >= outline) node += static_cast<int>(added);
+  for (std::size_t k = 0; k < parts.size(); ++k) {
+    Subdomain& part = subdivision_.subdomains[parts[k].subdomain];
+    add_to_body(body, part, first[k].first, first[k].second, parts[k].elements());
+    parts[k].nodes = part.nodes;
+  }
+  number(body);
+  return parts;
+}
+
 void RegionSubdomains::build(const PlaneElasticity& elasticity, const bem::AssemblyOptions& assembly,
                              const std::vector<const RegionSubdomains*>& before) {
   using Source = std::pair<const RegionSubdomains*, std::size_t>;
@@ -102,10 +200,12 @@ void RegionSubdomains::build(const PlaneElasticity& elasticity, const bem::Assem
     return known[{mesh.elements.size(), mesh.traction_node_count}];
   };
   for (const RegionSubdomains* other : before)
-    for (std::size_t i = 0; i < other->count(); ++i) kin(other->subdivision_.subdomains[i].mesh).emplace_back(other, i);
+    for (std::size_t i = 0; i < other->count(); ++i)
+      if (!other->has_cracks(i)) kin(other->subdivision_.subdomains[i].mesh).emplace_back(other, i);
   std::vector<Source> source(count());
   std::vector<std::size_t> own;
   for (std::size_t i = 0; i < count(); ++i) {
+    if (has_cracks(i)) continue;
     const BoundaryMesh& mesh = subdivision_.subdomains[i].mesh;
     std::vector<Source>& candidates = kin(mesh);
     const auto alike = std::find_if(candidates.begin(), candidates.end(), [&](const Source& one) {
@@ -116,7 +216,6 @@ void RegionSubdomains::build(const PlaneElasticity& elasticity, const bem::Assem
     candidates.emplace_back(this, i);
     own.push_back(i);
   }
-  operators_.resize(count());
   {
     const linalg::BlasThreads one_each(1);
     bem::AssemblyOptions serial = assembly;
@@ -127,7 +226,8 @@ void RegionSubdomains::build(const PlaneElasticity& elasticity, const bem::Assem
           std::make_shared<const bem::GalerkinOperator>(subdivision_.subdomains[own[i]].mesh, elasticity, serial);
     });
   }
-  for (std::size_t i = 0; i < count(); ++i) operators_[i] = source[i].first->operators_[source[i].second];
+  for (std::size_t i = 0; i < count(); ++i)
+    if (!has_cracks(i)) operators_[i] = source[i].first->operators_[source[i].second];
 }
 
 std::vector<OperatorNodes> RegionSubdomains::nodes_of_operators(const std::vector<int>& nodes,
@@ -167,6 +267,13 @@ std::vector<coupling::DenseOperator> RegionSubdomains::dense_operators(const std
   return all;
 }
 
+Eigen::SparseMatrix<double> RegionSubdomains::trace_of_subdomain(std::size_t subdomain,
+                                                                 const Eigen::SparseMatrix<double>& trace) const {
+  const Eigen::SparseMatrix<double, Eigen::RowMajor> rows = trace;
+  const Subdomain& part = subdivision_.subdomains[subdomain];
+  return trace_of(part, columns_of(part, rows), rows);
+}
+
 Eigen::VectorXd RegionSubdomains::values_of(const Subdomain& part, const Eigen::VectorXd& all) const {
   Eigen::VectorXd own(2 * static_cast<Eigen::Index>(part.nodes.size()));
   for (std::size_t i = 0; i < part.nodes.size(); ++i)
@@ -182,10 +289,13 @@ void RegionSubdomains::for_each_outline_element(const std::function<void(std::si
   }
 }
 
-Eigen::VectorXd RegionSubdomains::tractions(const Eigen::VectorXd& displacement) const {
+Eigen::VectorXd RegionSubdomains::tractions(const Eigen::VectorXd& displacement,
+                                            const std::vector<CrackedPart>& cracked,
+                                            const std::vector<bem::CrackedState>& states) const {
   std::vector<Eigen::VectorXd> of_part(count());
+  for (std::size_t k = 0; k < cracked.size(); ++k) of_part[cracked[k].subdomain] = states[k].tractions;
   for (std::size_t i = 0; i < count(); ++i)
-    of_part[i] = operators_[i]->tractions(values_of(subdivision_.subdomains[i], displacement));
+    if (!has_cracks(i)) of_part[i] = operators_[i]->tractions(values_of(subdivision_.subdomains[i], displacement));
   Eigen::VectorXd sums = Eigen::VectorXd::Zero(2 * static_cast<Eigen::Index>(traction_node_count_));
   std::vector<int> counts(static_cast<std::size_t>(traction_node_count_), 0);
   for_each_outline_element([&](std::size_t part, int element, int of_body) {
@@ -215,36 +325,34 @@ Eigen::VectorXd RegionSubdomains::forces_besides(const Eigen::VectorXd& displace
   return forces;
 }
 
-std::vector<bem::InteriorEvaluator> RegionSubdomains::interiors(const PlaneElasticity& elasticity,
-                                                                const Eigen::VectorXd& displacement) const {
-  std::vector<bem::InteriorEvaluator> all;
+void RegionSubdomains::add_interiors(const PlaneElasticity& elasticity, const Eigen::VectorXd& displacement,
+                                     InteriorOfPieces& all) const {
   for (std::size_t i = 0; i < count(); ++i) {
+    if (has_cracks(i)) continue;
     const Subdomain& part = subdivision_.subdomains[i];
     const Eigen::VectorXd own = values_of(part, displacement);
-    all.emplace_back(part.mesh, elasticity, own, operators_[i]->tractions(own));
+    all.add({part.mesh, elasticity, own, operators_[i]->tractions(own)}, part.mesh);
   }
-  return all;
 }
 
 std::vector<double> RegionSubdomains::element_stress(const PlaneElasticity& elasticity,
-                                                     const Eigen::VectorXd& displacement) const {
-  const std::vector<bem::InteriorEvaluator> inside = interiors(elasticity, displacement);
+                                                     const Eigen::VectorXd& displacement,
+                                                     const std::vector<CrackedPart>& cracked,
+                                                     const std::vector<bem::CrackedState>& states) const {
+  std::vector<std::optional<bem::InteriorEvaluator>> inside(count());
+  for (std::size_t k = 0; k < cracked.size(); ++k)
+    inside[cracked[k].subdomain] = bem::interior_of_body(*cracked[k].body, states[k]);
+  for (std::size_t i = 0; i < count(); ++i) {
+    if (inside[i]) continue;
+    const Eigen::VectorXd own = values_of(subdivision_.subdomains[i], displacement);
+    inside[i].emplace(mesh_of(i), elasticity, own, operators_[i]->tractions(own));
+  }
   std::vector<double> stress(9 * traction_nodes_.size());
   for_each_outline_element([&](std::size_t part, int element, int of_body) {
     double* own = &stress[9 * static_cast<std::size_t>(of_body)];
-    for (int k = 0; k < 3; ++k, own += 3) Eigen::Map<Eigen::Vector3d>{own} = inside[part].stress_on(element, k - 1);
+    for (int k = 0; k < 3; ++k, own += 3) Eigen::Map<Eigen::Vector3d>{own} = inside[part]->stress_on(element, k - 1);
   });
   return stress;
-}
-
-std::vector<std::vector<Edge>> RegionSubdomains::edges() const {
-  std::vector<std::vector<Edge>> all;
-  for (const Subdomain& part : subdivision_.subdomains) {
-    all.emplace_back();
-    for (const BoundaryElement& element : part.mesh.elements)
-      all.back().emplace_back(Arc{part.mesh.nodes[element.nodes[0]], part.mesh.nodes[element.nodes[2]], element.sweep});
-  }
-  return all;
 }
 
 void RegionSubdomains::add_statistics(RegionStatistics& statistics) const {

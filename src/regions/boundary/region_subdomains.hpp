@@ -11,6 +11,9 @@
 #include "elasticity/plane_elasticity.hpp"
 #include "geometry/edge.hpp"
 #include "geometry/subdomains.hpp"
+#include "regions/boundary/cracked_part.hpp"
+#include "regions/boundary/interior_of_pieces.hpp"
+#include "regions/boundary/region_cracks.hpp"
 #include "regions/region.hpp"
 #include "scene/options.hpp"
 
@@ -29,6 +32,12 @@ class RegionSubdomains {
   // Cuts the body of a mesh; null if it is so small that one operator serves, or if no cut was found.
   static std::unique_ptr<RegionSubdomains> of(const BoundaryMesh& body, const scene::Options& options);
 
+  // Cuts a body with cracks, whose elements end at these places, around them: first as without cracks, in which case
+  // its mesh is `uncracked`. These cuts are taken from `before` (null: none) if that had the same ones.
+  static std::unique_ptr<RegionSubdomains> around(const std::vector<Stations>& cracks, const BoundaryMesh& body,
+                                                  BoundaryMesh uncracked, const scene::Options& options,
+                                                  const RegionSubdomains* before);
+
   RegionSubdomains(Subdivision subdivision, const BoundaryMesh& body);
 
   // Throws Error (argument) if the operators need more memory than the option memory.limit allows.
@@ -38,10 +47,17 @@ class RegionSubdomains {
   const std::vector<Point>& cut_nodes() const { return subdivision_.cut_nodes; }
   const std::vector<Point>& places() const { return places_; }  // of the mesh's nodes, then of those on cuts
 
-  // Builds the operators. Subdomains that differ by a translation share one, also with those of `before`, which has the
-  // same material.
+  // Meshes the cracks in subdomains. Nodes and elements that this adds to them are added to the body's mesh, too.
+  std::vector<CrackedPart> mesh_cracks(const RegionCracks& cracks, BoundaryMesh& body);
+  const BoundaryMesh& mesh_of(std::size_t subdomain) const { return subdivision_.subdomains[subdomain].mesh; }
+
+  // Builds the operators of subdomains without cracks; set_operator() sets the others. Subdomains that differ by a
+  // translation share one, also with those of `before`, which has the same material.
   void build(const PlaneElasticity& elasticity, const bem::AssemblyOptions& assembly,
              const std::vector<const RegionSubdomains*>& before);
+  void set_operator(std::size_t subdomain, std::shared_ptr<const bem::BoundaryOperator> its) {
+    operators_[subdomain] = std::move(its);
+  }
 
   // Nodes of each operator, and the operators themselves. `nodes` are the region's nodes by their numbers in the scene,
   // `trace` has the displacements of places() for theirs, `rest` is their rest displacement, or empty.
@@ -51,19 +67,35 @@ class RegionSubdomains {
                                                        const Eigen::SparseMatrix<double>& trace,
                                                        const coupling::Affine& rest) const;
 
-  // Tractions on the traction nodes of the body's mesh: the mean of the subdomains that meet there.
-  Eigen::VectorXd tractions(const Eigen::VectorXd& displacement) const;
+  // Displacements of a subdomain's nodes from those of the nodes of its operator.
+  Eigen::SparseMatrix<double> trace_of_subdomain(std::size_t subdomain, const Eigen::SparseMatrix<double>& trace) const;
+
+  // Tractions on the traction nodes of the body's mesh: the mean of the subdomains that meet there. `states` are those
+  // of the parts with cracks.
+  Eigen::VectorXd tractions(const Eigen::VectorXd& displacement, const std::vector<CrackedPart>& cracked,
+                            const std::vector<bem::CrackedState>& states) const;
   // Nodal forces of a displacement less those of a stress field.
   Eigen::VectorXd forces_besides(const Eigen::VectorXd& displacement,
                                  const std::function<Eigen::Vector3d(const Point&)>& stress, double thickness) const;
-  std::vector<bem::InteriorEvaluator> interiors(const PlaneElasticity& elasticity,
-                                                const Eigen::VectorXd& displacement) const;
-  std::vector<std::vector<Edge>> edges() const;  // of each subdomain
+  // Adds the evaluators of subdomains without cracks.
+  void add_interiors(const PlaneElasticity& elasticity, const Eigen::VectorXd& displacement,
+                     InteriorOfPieces& all) const;
   // Stress (xx, yy, xy) at the three nodes of each element of the body's mesh.
-  std::vector<double> element_stress(const PlaneElasticity& elasticity, const Eigen::VectorXd& displacement) const;
+  std::vector<double> element_stress(const PlaneElasticity& elasticity, const Eigen::VectorXd& displacement,
+                                     const std::vector<CrackedPart>& cracked,
+                                     const std::vector<bem::CrackedState>& states) const;
   void add_statistics(RegionStatistics& statistics) const;
 
  private:
+  // Cuts through a body without its cracks.
+  struct Uncracked {
+    BoundaryMesh mesh;
+    std::size_t most_elements;
+    std::vector<Stations> cuts;
+  };
+
+  void number(const BoundaryMesh& body);
+  bool has_cracks(std::size_t subdomain) const { return !subdivision_.subdomains[subdomain].cracks.empty(); }
   Eigen::VectorXd values_of(const Subdomain& part, const Eigen::VectorXd& all) const;
   // Calls visit(subdomain, element there, element of the body's mesh) for all elements on the outline.
   void for_each_outline_element(const std::function<void(std::size_t, int, int)>& visit) const;
@@ -71,7 +103,8 @@ class RegionSubdomains {
   Subdivision subdivision_;
   std::vector<Point> places_;
   std::vector<std::array<int, 3>> traction_nodes_;  // of the body's elements
-  int traction_node_count_;
+  int traction_node_count_ = 0;
+  std::shared_ptr<const Uncracked> uncracked_;  // of a body with cracks
   std::vector<std::shared_ptr<const bem::BoundaryOperator>> operators_;
 };
 
