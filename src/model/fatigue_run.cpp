@@ -122,7 +122,7 @@ FatigueRun::Trial FatigueRun::trial(std::vector<double> lengths, std::vector<dou
   for (std::size_t t = 0; t < front_.size(); ++t)
     if (t == leader || trial.lengths[t] > std::max(std::min(least_growth * size_of(t), slow * trial.lengths[leader]),
                                                    0.5 * lengthening_.quantum(front_[t].values)))
-      grow.push_back({front_[t].values, trial.lengths[t], trial.angles[t]});
+      grow.push_back({front_[t].values, trial.lengths[t], trial.angles[t], !levels_.combine_cases()});
   trial.longer = lengthening_.lengthened(grow);
   std::vector<regions::TipValues> tips = trial.longer.grown.tips;
   std::erase_if(tips, [&](const auto& tip) { return tip_in(front_, {tip.crack, tip.end}) == nullptr; });
@@ -181,7 +181,7 @@ bool FatigueRun::is_off(const Trial& trial, std::size_t leader, double share) co
 
 bool FatigueRun::choose_step(const Trial& trial, std::size_t leader, bool must_stand) {
   // Factors of lines are rough from one step to the next, which says nothing of the error of cycles.
-  if (lengthening_.grows_lines()) return true;
+  if (lengthening_.quantum(front_[leader].values) > 0) return true;
   const crack::TipOnStep& tip = trial.on_step[leader];
   const double so_far = report_.cycles - options_.first_cycle + trial.cycles.cycles;
   return step_.choose(tip, rates_[leader], crack::mean_rate(tip, tip.growth, program_), trial.cycles.cycles, so_far,

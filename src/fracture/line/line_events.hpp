@@ -19,9 +19,9 @@ class LineEvents final : public EventSource {
 
   const Event* next(double target, const SteppingOptions& options) override;
   Outcome perform() override;
-  // Event at which a tip takes its next step at the present load factor, whatever its load; null if no bond lies ahead
-  // of it. perform() then performs it.
-  const Event* step_of(const crack::TipId& tip);
+  // Event at which a tip takes its next step at the present load factor, whatever its load, in a direction or by its
+  // criterion; null if no bond lies ahead of it. perform() then performs it.
+  const Event* step_of(const crack::TipId& tip, const std::optional<Point>& direction);
 
   const LineSteps& steps() const { return steps_; }
   // Called before tips or candidates are asked for. If an open window (`in_window`) has changed the terms, or the
