@@ -71,7 +71,7 @@ bool FatigueRun::step() {
   if (report_.steps >= options_.most_steps) return end_by(FatigueEnd::steps);
   if (lengthening_.stop_requested()) return end_by(FatigueEnd::requested);
   for (std::size_t t = 0; t < front_.size(); ++t)
-    if (length_of_crack(t) >= options_.most_length * (1 - rounding)) return end_by(FatigueEnd::length, front_[t].id());
+    if (length_by_cycles(t) >= options_.most_length * (1 - rounding)) return end_by(FatigueEnd::length, front_[t].id());
   for (int halvings = 0;; ++halvings) {
     const std::optional<Plan> plan = this->plan();
     if (!plan) return pass_without_growth();
@@ -141,8 +141,10 @@ std::vector<crack::TipOnStep> FatigueRun::on_step(const Trial& trial) const {
   for (std::size_t t = 0; t < front_.size(); ++t) {
     crack::TipOnStep one = standing(t);
     for (const crack::Extension& e : extensions) {
-      if (e.crack == one.tip.crack) one.crack_growth += e.length;
-      if (e.tip() == one.tip) one.growth = e.length, one.to = Point(e.x, e.y);
+      const FrontTip *from = tip_in(front_, e.tip()), *to = tip_in(trial.after, e.tip());
+      const double length = e.length + (from && to ? to->acts_ahead - from->acts_ahead : 0);
+      if (e.crack == one.tip.crack) one.crack_growth += length;
+      if (e.tip() == one.tip) one.growth = length, one.to = Point(e.x, e.y);
     }
     const FrontTip* after = tip_in(trial.after, one.tip);
     if (after) one.after = after->levels;
@@ -253,7 +255,7 @@ void FatigueRun::record() {
     record.step = report_.steps,
     record.event = report_.steps > 0 ? lengthening_.scene().evolution->progress().events : 0;
     record.tip = tip.id(), record.cycles = report_.cycles;
-    record.length = length_of_crack(t), record.growth = grown_[tip.id()];
+    record.length = length_by_cycles(t), record.growth = grown_[tip.id()];
     record.place = tip.values.place;
     const crack::LevelFactors &high = tip.levels[tip.high], &low = tip.levels[tip.low];
     record.high = high.factors, record.low = low.factors;

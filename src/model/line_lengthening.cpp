@@ -104,10 +104,22 @@ std::optional<Point> LineLengthening::behind_border(const regions::TipValues& ti
 double LineLengthening::quantum(const regions::TipValues& tip) const {
   if (tip.method == regions::TipMethod::elements) return 0;
   if (const std::optional<Point> behind = behind_border(tip)) return (*behind - tip.place).norm();
-  const PreparedScene& scene = *model_.prepared_or_null();
+  return spacing_at(tip, *model_.prepared_);
+}
+
+double LineLengthening::spacing_at(const regions::TipValues& tip, const PreparedScene& scene) const {
   const int region = region_of(tip, scene);
   const auto law = region == 0 ? std::nullopt : scene.discretization.region(region).tip_law(model_.options());
   return law ? law->spacing : 0;
+}
+
+// The cut of an initial crack ends so that its tip acts where it was described; a line that has grown acts ahead of its
+// cut. Where the field does not tell by how much, as behind a turn, it is what straight lines have.
+double LineLengthening::acts_ahead(const regions::TipValues& tip, const PreparedScene& scene) const {
+  constexpr double ahead_of_lines = 0.1, farthest = 1;  // in spacings
+  if (tip.method == regions::TipMethod::elements || !tip.grown) return 0;
+  const double spacing = spacing_at(tip, scene);
+  return std::abs(tip.felt_ahead) < farthest * spacing ? tip.felt_ahead : ahead_of_lines * spacing;
 }
 
 // No tip grows while the load factor moves. If bonds break away from tips, the body fails at the load itself.
