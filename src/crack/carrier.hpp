@@ -1,6 +1,7 @@
 #pragma once
 
 #include <limits>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -39,6 +40,7 @@ struct Step {
   double length = 0;  // of the extension [m]; 0: the carrier chooses
   // Whether the load makes it grow. If not, another process does, such as cycles of the loads, at any load factor.
   bool is_driven = true;
+  std::optional<Point> direction{};  // unit vector in which a line goes that is not driven; empty: by its criterion
 };
 
 // What has become of a step.

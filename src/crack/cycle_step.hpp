@@ -15,6 +15,7 @@ struct LevelFactors {
   double equivalent = 0;   // factor of mode I in the direction in which the tip grows
   double net_section = 0;  // share of what the net section of the tip bears; 0 if that is not watched
   double t_stress = 0;     // T, if the law asks for it [Pa]
+  double turn = 0;         // by which a line turns under this load, by the stress ahead of it [rad]
 };
 
 // A tip on a step of its crack: factors are known before and after it, at each load of the program. Between the two

@@ -196,8 +196,8 @@ class CrackEvolution {
   friend class LineCarrier;
 
   // Lets the tip of a crack line grow by a step at the present load factor, whatever its load, as an event, if a bond
-  // lies ahead of it. After a failure the caller restores an earlier state.
-  void extend_line(const crack::TipId& tip);
+  // lies ahead of it; in a direction, or by its criterion. After a failure the caller restores an earlier state.
+  void extend_line(const crack::TipId& tip, const std::optional<Point>& direction);
   void look() {
     sources_.refresh();
     sources_.show();

@@ -31,10 +31,10 @@ class EventSources {
   const Event* next(double target, const SteppingOptions& options);
   Outcome perform();
   // Event at which the tip of a crack line takes a step, as LineEvents::step_of() has it.
-  const Event* line_step(const crack::TipId& tip) {
+  const Event* line_step(const crack::TipId& tip, const std::optional<Point>& direction) {
     if (!lines_) return nullptr;
     told_ = &*lines_;
-    return lines_->step_of(tip);
+    return lines_->step_of(tip, direction);
   }
 
   // Source of the steps of crack lines, for a state that is up to date; null if cracks grow bond by bond.

@@ -25,9 +25,9 @@ void CrackEvolution::return_to(const Start& start) noexcept {
   sources_.return_to_mark();
 }
 
-void CrackEvolution::extend_line(const crack::TipId& tip) {
+void CrackEvolution::extend_line(const crack::TipId& tip, const std::optional<Point>& direction) {
   sources_.refresh(), sources_.settle();
-  const Event* step = sources_.line_step(tip);
+  const Event* step = sources_.line_step(tip, direction);
   if (step) perform_and_book(*step);
   sources_.bring_up_to_date();
 }

@@ -19,7 +19,7 @@ crack::Advance LineCarrier::advance(const crack::Step& step) {
     if (!next || next->tip != step.tip) throw std::logic_error("the step of a crack line is not the next event");
     body_.perform_and_book(*next);
   } else {
-    body_.extend_line(step.tip);
+    body_.extend_line(step.tip, step.direction);
   }
   const std::vector<CrackExtension>& all = body_.state_.extensions;
   return {{all.begin() + known, all.end()}, false};

@@ -33,7 +33,7 @@ bool is_in(const scene::Scene& scene, int id, const Point& place, double toleran
 }
 
 // Whether an extension of a crack line ends at the border of a boundary element region.
-bool is_at_border(const scene::Scene& scene, const fracture::CrackExtension& e, double tolerance) {
+bool ends_at_border(const scene::Scene& scene, const fracture::CrackExtension& e, double tolerance) {
   constexpr double closely = 0.25;  // of a step
   const Point from(e.from_x, e.from_y), to(e.x, e.y), ahead = to + closely * (to - from);
   const std::vector<int> ids = scene.region_ids();
@@ -73,13 +73,6 @@ std::optional<Point> tip_behind_border(const scene::Scene& scene, const fracture
         return tip;
   }
   return std::nullopt;
-}
-
-// Last extension of one end of a crack; empty (default values) if it has not grown.
-fracture::CrackExtension last_of(const crack::TipId& tip, std::span<const fracture::CrackExtension> extensions) {
-  const auto found = std::find_if(extensions.rbegin(), extensions.rend(),
-                                  [&](const auto& e) { return e.crack == tip.crack && e.end == tip.end; });
-  return found == extensions.rend() ? fracture::CrackExtension{} : *found;
 }
 
 // The crack of a tip, also if it has begun in the run. Such cracks have the numbers after those of the scene; the ones
@@ -136,10 +129,26 @@ scene::Crack& with_line(std::vector<scene::Crack>& cracks, const crack::TipId& l
 
 }  // namespace
 
+fracture::CrackExtension last_of(const crack::TipId& tip, std::span<const fracture::CrackExtension> extensions) {
+  const auto found = std::find_if(extensions.rbegin(), extensions.rend(),
+                                  [&](const auto& e) { return e.crack == tip.crack && e.end == tip.end; });
+  return found == extensions.rend() ? fracture::CrackExtension{} : *found;
+}
+
+bool is_at_border(const fracture::CrackExtension& e, const scene::Scene& scene, const regions::Discretization& d) {
+  return ends_at_border(scene, e, d.tolerance);
+}
+
+std::optional<Point> place_behind_border(const fracture::CrackExtension& e, const scene::Scene& scene,
+                                         const regions::Discretization& d) {
+  constexpr double far = 64;  // spacings: leaves_lattice() has said that it is near
+  return tip_behind_border(scene, e, far, d.tolerance);
+}
+
 // Whether a tip of a crack line has come to a border with boundary elements, where it would run along the interface, or
 // so close that the line can continue in them.
 bool leaves_lattice(const fracture::CrackExtension& e, const scene::Scene& scene, const regions::Discretization& d) {
-  if (is_at_border(scene, e, d.tolerance)) return true;
+  if (is_at_border(e, scene, d)) return true;
   double horizons = 0;  // in spacings
   for (const auto& region : d.regions)
     if (const auto grid = region->lattice_grid()) horizons = std::max(horizons, grid->horizon / grid->spacing);
@@ -162,10 +171,12 @@ bool ElementCarrier::take_over_lines(bool run_ends) {
   std::vector<crack::TipId> lines = lines_at_border();
   if (lines.empty()) return false;
   body().bring_up_to_date();
-  const double tolerance = model_.prepared_->discretization.tolerance;
   if (!run_ends)
     std::erase_if(lines, [&](const crack::TipId& tip) {
-      return cross_border(tip) || !is_at_border(model_.scene_, last_of(tip, model_.extensions()), tolerance);
+      const auto is_there = [&] {
+        return is_at_border(last_of(tip, model_.extensions()), model_.scene_, model_.prepared_->discretization);
+      };
+      return cross_border(tip) || !is_there();
     });
   for (const crack::TipId& tip : lines) {
     body().stop_line(tip);
@@ -178,30 +189,36 @@ bool ElementCarrier::take_over_lines(bool run_ends) {
   return !lines.empty();
 }
 
-// Continues one line in the boundary elements behind its lattice; false if it cannot. The scene's crack is extended by
-// the line's path, whose bonds are broken already, and by a piece behind the interface.
+// Continues one line in the boundary elements behind its lattice; false if it cannot.
 bool ElementCarrier::cross_border(const crack::TipId& tip) {
+  std::optional<Grown> next = carried_on(tip, true);
+  if (!next) return false;
+  go_on_in(std::move(next->scene), next->growth);
+  extensions_seen_ = model_.extensions().size();
+  return true;
+}
+
+// The scene's crack is extended by the line's path, whose bonds are broken already, and by a piece behind the
+// interface.
+std::optional<Grown> ElementCarrier::carried_on(const crack::TipId& tip, bool is_driven) {
   const std::vector<scene::Crack> before = model_.scene_.cracks();
   const fracture::CrackExtension last = last_of(tip, model_.extensions());
-  constexpr double far = 64;  // spacings: leaves_lattice() has said that it is near
-  const double tolerance = model_.prepared_->discretization.tolerance;
-  const std::optional<Point> place = tip_behind_border(model_.scene_, last, far, tolerance);
-  if (!place) return false;
+  const regions::Discretization& d = model_.prepared_->discretization;
+  const std::optional<Point> place = place_behind_border(last, model_.scene_, d);
+  if (!place) return std::nullopt;
   std::vector<scene::Crack> longer = before;
-  extend(with_line(longer, tip, model_.extensions(), model_.scene_, tolerance), tip.end, *place);
+  extend(with_line(longer, tip, model_.extensions(), model_.scene_, d.tolerance), tip.end, *place);
   try {
-    Grown next = grown(before, [&] { return carried_on(tip, last, *place, std::move(longer)); });
-    go_on_in(std::move(next.scene), next.growth);
-    extensions_seen_ = model_.extensions().size();
-    return true;
+    return grown(before, [&] { return carried_on(last, *place, std::move(longer), is_driven); });
   } catch (const crack::CannotGrow&) {
-    return false;
+    return std::nullopt;
   }
 }
 
 // Scene in which a line has continued to `place` in boundary elements, with its growth entered in the history.
-Grown ElementCarrier::carried_on(const crack::TipId& tip, const crack::Extension& last, const Point& place,
-                                 std::vector<scene::Crack> longer) {
+Grown ElementCarrier::carried_on(const crack::Extension& last, const Point& place, std::vector<scene::Crack> longer,
+                                 bool is_driven) {
+  const crack::TipId tip = last.tip();
   const auto number = static_cast<std::size_t>(tip.crack) - 1;
   const double load_factor = model_.load_factor();
   Grown next;
@@ -219,7 +236,8 @@ Grown ElementCarrier::carried_on(const crack::TipId& tip, const crack::Extension
     if (found.crack == tip.crack && found.end == tip.end) e.rate_after = found.energy_release_rate;
   const int region = next.scene->discretization.cracks[number].region_at(tip.end);
   const double thickness = model_.scene_.material_of(region).elasticity.thickness;
-  e.surface_energy = next.growth.surface_energy = e.resistance * e.length * thickness;
+  e.surface_energy = is_driven ? e.resistance * e.length * thickness : e.released_energy;
+  next.growth.surface_energy = e.surface_energy;
   next.scene->evolution->book(next.growth);
   return next;
 }

@@ -17,6 +17,7 @@ namespace bempd::model {
 struct Lengthened {
   regions::TipValues tip;
   double length, angle;
+  bool turns_by_itself = false;  // a line: at each spacing, by the loads that act at present; else it goes straight on
 };
 
 // Scene with longer cracks, and these cracks.
@@ -26,7 +27,7 @@ struct LongerCracks {
 };
 
 // Call in which cracks with boundary elements are extended by given lengths, whatever their load. It can be taken back
-// until keep() is called.
+// until keep() is called. LineLengthening extends lines beside them.
 class CrackLengthening {
  public:
   // Prepares the model and finds its equilibrium under the values that the host has set. Throws Error (argument) if no
@@ -53,9 +54,11 @@ class CrackLengthening {
   virtual PreparedScene& scene_of(LongerCracks& longer) { return *longer.grown.scene; }
   // Calls `read` while the scene of longer cracks (null: the present one) is the model's.
   virtual void in_scene_of(LongerCracks* longer, const std::function<void()>& read);
-  virtual bool grows_lines() const { return false; }
+  virtual bool grows_lines() { return false; }
   // Least length by which a tip can grow, of which its growth is a multiple [m]; 0 for any length.
   virtual double quantum(const regions::TipValues&) const { return 0; }
+  // Distance ahead of its place at which a tip acts [m].
+  virtual double acts_ahead(const regions::TipValues&, const PreparedScene&) const { return 0; }
 
   // Moves the load factor; cracks do not grow meanwhile.
   virtual void go_to(double load_factor);
@@ -81,15 +84,15 @@ class CrackLengthening {
   CrackLengthening(Model& model, bool in_elements);
 
   Model& model_;
+  ElementCarrier carrier_;  // of cracks with elements
 
  private:
   static Model& prepared(Model& model);
 
-  ElementCarrier carrier_;                   // of cracks with elements
   std::optional<Model::LoadsBefore> loads_;  // at the start
   fracture::EvolutionState state_;           // likewise
   fracture::Continuation continuation_;      // likewise
-  std::vector<scene::Crack> present_;        // cracks
+  std::vector<scene::Crack> present_;        // cracks, but for those of lines
   std::ptrdiff_t recorded_;                  // tips
 };
 

@@ -1,6 +1,8 @@
 #pragma once
 
 #include <memory>
+#include <optional>
+#include <span>
 #include <vector>
 
 #include "fracture/crack_evolution.hpp"
@@ -38,5 +40,13 @@ Seconds seconds_of(const PreparedScene& prepared);
 // (border_crossing.cpp).
 bool leaves_lattice(const fracture::CrackExtension& extension, const scene::Scene& scene,
                     const regions::Discretization& discretization);
+// Place of its first tip in boundary elements; empty if it cannot continue there.
+std::optional<Point> place_behind_border(const fracture::CrackExtension& extension, const scene::Scene& scene,
+                                         const regions::Discretization& discretization);
+// Whether it is at the border itself, where it stops if it cannot continue.
+bool is_at_border(const fracture::CrackExtension& extension, const scene::Scene& scene,
+                  const regions::Discretization& discretization);
+// Last extension of one end of a crack; empty (default values) if it has not grown.
+fracture::CrackExtension last_of(const crack::TipId& tip, std::span<const fracture::CrackExtension> extensions);
 
 }  // namespace bempd::model

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "crack/carrier.hpp"
@@ -35,6 +36,9 @@ class ElementCarrier final : public fracture::BodyCarrier {
   // Scene in which tips have grown at the present load factor; the model itself stays as it is, but for the cracks of
   // its scene. Throws crack::CannotGrow and crack::FreesLoadedPart, with the cracks `before`.
   Grown longer(const std::vector<scene::Crack>& before, const Growing& growing, Turning turning);
+  // Scene in which a line has come to boundary elements behind its border, with the cracks of the model's scene; empty
+  // if it cannot. If no load drives it, another process takes all energy that is released.
+  std::optional<Grown> carried_on(const crack::TipId& tip, bool is_driven);
   // Lets the run go on in a scene with longer cracks, in whose history the growth is entered.
   void go_on_in(std::unique_ptr<PreparedScene> next, const fracture::Growth& growth);
 
@@ -51,8 +55,7 @@ class ElementCarrier final : public fracture::BodyCarrier {
   std::size_t number_of(const crack::TipId& tip) const;
   std::vector<crack::TipId> tips_that_cannot_grow(const Growing& growing, const std::vector<scene::Crack>& before);
   bool cross_border(const crack::TipId& tip);
-  Grown carried_on(const crack::TipId& tip, const crack::Extension& last, const Point& place,
-                   std::vector<scene::Crack> longer);
+  Grown carried_on(const crack::Extension& last, const Point& place, std::vector<scene::Crack> longer, bool is_driven);
   std::vector<crack::TipId> lines_at_border();
   Grown grown(const std::vector<scene::Crack>& before, const std::function<Grown()>& grow);
 

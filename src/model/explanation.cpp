@@ -199,7 +199,9 @@ class Explainer {
     }
     std::erase_if(last, [&](const FatigueRecord& record) {
       if (!(record.rate > 0) || record.tip.crack > model_.crack_count()) return true;
-      return std::abs(model_.crack_length(record.tip.crack) - record.length) > 1e-9 * record.length;
+      const std::vector<PathVertex> path = model_.crack_path(record.tip.crack);
+      const Point& end = record.tip.end == 0 ? path.front().place : path.back().place;
+      return (end - record.place).norm() > 1e-9 * record.length;
     });
     return last;
   }

@@ -24,9 +24,6 @@ FatigueReport Fatigue::grow(const FatigueOptions& options) {
   const std::unique_ptr<CrackLengthening> kind = lengthening_for(model_);
   CrackLengthening& lengthening = *kind;
   try {
-    require(options.blocks.front().high.cases.empty() || !lengthening.grows_lines(),
-            "crack lines in peridynamic regions turn by the loads that act at present; a spectrum of load cases takes "
-            "cracks in BEM regions");
     FatigueRun run(model_, lengthening, options);
     const FatigueReport report = run.run();
     lengthening.keep();

@@ -44,10 +44,17 @@ void FrontReader::set_direction(FrontTip& tip) const {
   const KinkCriterion criterion = growth_criterion(model_.options());
   crack::GrowthLaw law = law_of(tip.values, model_.options());
   tip.high = levels_.highest(), tip.low = levels_.lowest();
-  Kink most = law.kink(tip.levels[tip.high].factors);
+  // Under load cases a line goes where its caller says, which is by the stress ahead of it as in any run.
+  const bool is_line = tip.values.method != regions::TipMethod::elements && levels_.combine_cases();
+  const auto kink_at = [&](std::size_t level) {
+    Kink kink = law.kink(tip.levels[level].factors);
+    if (is_line) kink.angle = tip.levels[level].turn;
+    return kink;
+  };
+  Kink most = kink_at(tip.high);
   for (std::size_t level = 0; level < tip.levels.size(); ++level) {
     if (!levels_.combine_cases() && level != tip.low) continue;
-    const Kink kink = law.kink(tip.levels[level].factors);
+    const Kink kink = kink_at(level);
     if (kink.equivalent_factor > most.equivalent_factor) most = kink;
   }
   tip.angle = most.angle;
@@ -71,7 +78,7 @@ Front FrontReader::front(const std::vector<regions::TipValues>& tips, LongerCrac
   for (const regions::TipValues& values : tips) {
     FrontTip tip;
     tip.values = values, tip.region = lengthening_.region_of(values, scene);
-    tip.law = law_in(tip.region);
+    tip.law = law_in(tip.region), tip.acts_ahead = lengthening_.acts_ahead(values, scene);
     if (!tip.law) continue;
     const crack::RateParameters& parameters = *parameters_of(tip.region);
     with_t_stress |= parameters.kind == crack::RateParameters::Kind::host || values.asking.function;
@@ -90,8 +97,8 @@ Front FrontReader::front(const std::vector<regions::TipValues>& tips, LongerCrac
 }
 
 void FrontReader::add_net_sections(Front& front, LongerCracks* longer) {
-  const std::vector<scene::Crack> cracks =
-      longer && !lengthening_.grows_lines() ? longer->cracks : lengthening_.cracks();
+  std::vector<scene::Crack> cracks;
+  lengthening_.in_scene_of(longer, [&] { cracks = lengthening_.cracks(); });
   std::vector<std::optional<NetSection>> sections;
   for (const FrontTip& tip : front) {
     sections.emplace_back();

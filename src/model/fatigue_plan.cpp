@@ -32,8 +32,24 @@ crack::TipOnStep FatigueRun::standing(std::size_t tip) const {
   return one;
 }
 
+// Length of a crack between the places at which its tips act.
 double FatigueRun::length_of_crack(std::size_t tip) const {
-  return length_of(cracks_[static_cast<std::size_t>(front_[tip].values.crack) - 1]);
+  const int crack = front_[tip].values.crack;
+  double length = length_of(cracks_[static_cast<std::size_t>(crack) - 1]);
+  for (const FrontTip& one : front_)
+    if (one.values.crack == crack) length += one.acts_ahead;
+  return length;
+}
+
+// The same with the growth of lines that is less than a spacing, by which they have not been extended yet.
+double FatigueRun::length_by_cycles(std::size_t tip) const {
+  double length = length_of_crack(tip);
+  for (const FrontTip& one : front_) {
+    const auto ahead = ahead_.find(one.id());
+    const bool waits = one.values.crack == front_[tip].values.crack && lengthening_.quantum(one.values) > 0;
+    if (waits && ahead != ahead_.end()) length += ahead->second;
+  }
+  return length;
 }
 
 // Size of a tip: its part of the crack's length. The growing ends of a crack share the length in the ratio of their

@@ -71,7 +71,7 @@ bool FatigueRun::step() {
   if (report_.steps >= options_.most_steps) return end_by(FatigueEnd::steps);
   if (lengthening_.stop_requested()) return end_by(FatigueEnd::requested);
   for (std::size_t t = 0; t < front_.size(); ++t)
-    if (length_of_crack(t) >= options_.most_length * (1 - rounding)) return end_by(FatigueEnd::length, front_[t].id());
+    if (length_by_cycles(t) >= options_.most_length * (1 - rounding)) return end_by(FatigueEnd::length, front_[t].id());
   for (int halvings = 0;; ++halvings) {
     const std::optional<Plan> plan = this->plan();
     if (!plan) return pass_without_growth();
@@ -122,7 +122,7 @@ FatigueRun::Trial FatigueRun::trial(std::vector<double> lengths, std::vector<dou
   for (std::size_t t = 0; t < front_.size(); ++t)
     if (t == leader || trial.lengths[t] > std::max(std::min(least_growth * size_of(t), slow * trial.lengths[leader]),
                                                    0.5 * lengthening_.quantum(front_[t].values)))
-      grow.push_back({front_[t].values, trial.lengths[t], trial.angles[t]});
+      grow.push_back({front_[t].values, trial.lengths[t], trial.angles[t], !levels_.combine_cases()});
   trial.longer = lengthening_.lengthened(grow);
   std::vector<regions::TipValues> tips = trial.longer.grown.tips;
   std::erase_if(tips, [&](const auto& tip) { return tip_in(front_, {tip.crack, tip.end}) == nullptr; });
@@ -141,8 +141,10 @@ std::vector<crack::TipOnStep> FatigueRun::on_step(const Trial& trial) const {
   for (std::size_t t = 0; t < front_.size(); ++t) {
     crack::TipOnStep one = standing(t);
     for (const crack::Extension& e : extensions) {
-      if (e.crack == one.tip.crack) one.crack_growth += e.length;
-      if (e.tip() == one.tip) one.growth = e.length, one.to = Point(e.x, e.y);
+      const FrontTip *from = tip_in(front_, e.tip()), *to = tip_in(trial.after, e.tip());
+      const double length = e.length + (from && to ? to->acts_ahead - from->acts_ahead : 0);
+      if (e.crack == one.tip.crack) one.crack_growth += length;
+      if (e.tip() == one.tip) one.growth = length, one.to = Point(e.x, e.y);
     }
     const FrontTip* after = tip_in(trial.after, one.tip);
     if (after) one.after = after->levels;
@@ -181,7 +183,7 @@ bool FatigueRun::is_off(const Trial& trial, std::size_t leader, double share) co
 
 bool FatigueRun::choose_step(const Trial& trial, std::size_t leader, bool must_stand) {
   // Factors of lines are rough from one step to the next, which says nothing of the error of cycles.
-  if (lengthening_.grows_lines()) return true;
+  if (lengthening_.quantum(front_[leader].values) > 0) return true;
   const crack::TipOnStep& tip = trial.on_step[leader];
   const double so_far = report_.cycles - options_.first_cycle + trial.cycles.cycles;
   return step_.choose(tip, rates_[leader], crack::mean_rate(tip, tip.growth, program_), trial.cycles.cycles, so_far,
@@ -253,7 +255,7 @@ void FatigueRun::record() {
     record.step = report_.steps,
     record.event = report_.steps > 0 ? lengthening_.scene().evolution->progress().events : 0;
     record.tip = tip.id(), record.cycles = report_.cycles;
-    record.length = length_of_crack(t), record.growth = grown_[tip.id()];
+    record.length = length_by_cycles(t), record.growth = grown_[tip.id()];
     record.place = tip.values.place;
     const crack::LevelFactors &high = tip.levels[tip.high], &low = tip.levels[tip.low];
     record.high = high.factors, record.low = low.factors;

@@ -47,6 +47,7 @@ class FatigueRun {
   std::optional<Plan> plan() const;
   void keep_within_length(Plan& plan) const;
   double length_of_crack(std::size_t tip) const;
+  double length_by_cycles(std::size_t tip) const;
   double size_of(std::size_t tip) const;
   double longest(std::size_t tip) const;
   double cycles_left() const { return options_.most_cycles - report_.cycles; }

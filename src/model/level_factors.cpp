@@ -121,6 +121,7 @@ void LevelSolver::take_solved(const std::vector<regions::TipValues>& tips, const
       if (!tip) continue;
       if (with_t_stress) found[t][level].t_stress = tip->stress_along;
       if (with_factors[level]) found[t][level].factors = tip->closed ? Point(0, tip->factors.y()) : tip->factors;
+      if (tip->method != regions::TipMethod::elements) found[t][level].turn = tip->kink_angle;
     }
   };
   under_each(read, with_t_stress ? std::vector<char>{} : with_factors);

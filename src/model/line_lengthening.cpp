@@ -4,13 +4,13 @@
 #include <cmath>
 
 #include "crack/cannot_grow.hpp"
+#include "geometry/turning.hpp"
 
 namespace bempd::model {
 
 LineLengthening::LineLengthening(Model& model) : CrackLengthening(model, false) {
   require(scene().evolution->lines(),
-          "no crack of a BEM region has a tip, and cracks in peridynamic regions do not grow as lines; add a crack, or "
-          "set crack.rule to line or tips");
+          "cracks in peridynamic regions do not grow as lines, as cycles let them; set crack.rule to line or tips");
   remember();
 }
 
@@ -44,13 +44,36 @@ void take_energy(regions::TipValues& tip, const scene::Options& options, double 
 
 }  // namespace
 
-std::vector<regions::TipValues> LineLengthening::tips() {
+std::vector<regions::TipValues> LineLengthening::tips_of_lines() {
   std::vector<regions::TipValues> found = model_.tips_of_lines();
   for (regions::TipValues& tip : found) take_energy(tip, model_.options(), model_.load_factor());
   std::erase_if(found, [&](const regions::TipValues& tip) {
     return model_.is_frozen({tip.crack, tip.end}) || !tip.factors.allFinite();
   });
   return found;
+}
+
+std::vector<regions::TipValues> LineLengthening::tips() {
+  std::vector<regions::TipValues> found = CrackLengthening::tips();
+  const std::vector<regions::TipValues> lines = tips_of_lines();
+  found.insert(found.end(), lines.begin(), lines.end());
+  return found;
+}
+
+std::vector<regions::TipValues> LineLengthening::loaded_tips(regions::TipDetail detail) {
+  std::vector<regions::TipValues> found = CrackLengthening::loaded_tips(detail);
+  const std::vector<regions::TipValues> lines = tips_of_lines();
+  found.insert(found.end(), lines.begin(), lines.end());
+  return found;
+}
+
+void LineLengthening::in_scene_of(LongerCracks* longer, const std::function<void()>& read) {
+  longer && longer->grown.scene ? CrackLengthening::in_scene_of(longer, read) : read();
+}
+
+bool LineLengthening::grows_lines() {
+  const std::vector<fracture::GrowingTip>& tips = scene().evolution->progress().tips;
+  return std::ranges::any_of(tips, [](const fracture::GrowingTip& tip) { return !crack::has_ended(tip.state); });
 }
 
 std::vector<scene::Crack> LineLengthening::cracks() const {
@@ -60,6 +83,7 @@ std::vector<scene::Crack> LineLengthening::cracks() const {
 }
 
 int LineLengthening::region_of(const regions::TipValues& tip, const PreparedScene& scene) const {
+  if (tip.method == regions::TipMethod::elements) return CrackLengthening::region_of(tip, scene);
   const scene::Scene& described = model_.scene();
   for (const auto& region : scene.discretization.regions)
     if (!described.region(region->id()).has_elements() && locate(described.region(region->id()).outline(), tip.place,
@@ -68,11 +92,34 @@ int LineLengthening::region_of(const regions::TipValues& tip, const PreparedScen
   return 0;
 }
 
+// Place in boundary elements at which the next step of a line ends; empty if it goes on in its lattice.
+std::optional<Point> LineLengthening::behind_border(const regions::TipValues& tip) const {
+  const crack::Extension last = last_of({tip.crack, tip.end}, model_.extensions());
+  const regions::Discretization& discretization = model_.prepared_->discretization;
+  const bool is_here = last.crack > 0 && (Point(last.x, last.y) - tip.place).norm() <= discretization.tolerance;
+  if (!is_here || !leaves_lattice(last, model_.scene(), discretization)) return std::nullopt;
+  return place_behind_border(last, model_.scene(), discretization);
+}
+
 double LineLengthening::quantum(const regions::TipValues& tip) const {
-  const PreparedScene& scene = *model_.prepared_or_null();
+  if (tip.method == regions::TipMethod::elements) return 0;
+  if (const std::optional<Point> behind = behind_border(tip)) return (*behind - tip.place).norm();
+  return spacing_at(tip, *model_.prepared_);
+}
+
+double LineLengthening::spacing_at(const regions::TipValues& tip, const PreparedScene& scene) const {
   const int region = region_of(tip, scene);
   const auto law = region == 0 ? std::nullopt : scene.discretization.region(region).tip_law(model_.options());
   return law ? law->spacing : 0;
+}
+
+// The cut of an initial crack ends so that its tip acts where it was described; a line that has grown acts ahead of its
+// cut. Where the field does not tell by how much, as behind a turn, it is what straight lines have.
+double LineLengthening::acts_ahead(const regions::TipValues& tip, const PreparedScene& scene) const {
+  constexpr double ahead_of_lines = 0.1, farthest = 1;  // in spacings
+  if (tip.method == regions::TipMethod::elements || !tip.grown) return 0;
+  const double spacing = spacing_at(tip, scene);
+  return std::abs(tip.felt_ahead) < farthest * spacing ? tip.felt_ahead : ahead_of_lines * spacing;
 }
 
 // No tip grows while the load factor moves. If bonds break away from tips, the body fails at the load itself.
@@ -94,9 +141,12 @@ crack::Extension LineLengthening::extend(const Lengthened& one) {
   const double spacing = quantum(one.tip);
   const auto steps = std::max<std::int64_t>(1, std::llround(one.length / spacing));
   const double before = model_.crack_length(id.crack);
+  std::optional<Point> direction;
+  if (!one.turns_by_itself) direction = turned(one.tip.direction, one.angle);
   crack::Extension whole;
   for (std::int64_t k = 0; k < steps; ++k) {
-    const std::vector<crack::Extension> grown = evolution.lines()->advance({.tip = id, .is_driven = false}).extensions;
+    const std::vector<crack::Extension> grown =
+        evolution.lines()->advance({.tip = id, .is_driven = false, .direction = direction}).extensions;
     if (grown.empty()) {
       if (k > 0) break;
       throw crack::CannotGrow(text("no bond lies ahead of the tip of crack ", id.crack, "; it stops"));
@@ -106,6 +156,13 @@ crack::Extension LineLengthening::extend(const Lengthened& one) {
     whole = last;
     whole.released_energy = released;
     if (last.has_ended()) break;
+    const regions::Discretization& discretization = scene().discretization;
+    if (!leaves_lattice(last, model_.scene(), discretization)) continue;
+    if (place_behind_border(last, model_.scene(), discretization)) break;
+    if (!is_at_border(last, model_.scene(), discretization)) continue;
+    evolution.stop_line(id);
+    whole.state = crack::TipState::at_interface;
+    break;
   }
   // The crack's own length counts: an initial crack acts ahead of where its cut ends, from which its first step goes
   // on.
@@ -114,14 +171,39 @@ crack::Extension LineLengthening::extend(const Lengthened& one) {
   return whole;
 }
 
+// Lets a line go on in the boundary elements that it has come to; false if it goes on in its lattice.
+bool LineLengthening::carry_on(const Lengthened& one, LongerCracks& longer) {
+  std::optional<Grown> next;
+  std::vector<scene::Crack> cracks;
+  in_scene_of(&longer, [&] {
+    if (one.tip.method == regions::TipMethod::elements || !behind_border(one.tip)) return;
+    const std::vector<scene::Crack> present = model_.scene_.cracks();
+    scene().evolution->bring_up_to_date();
+    next = carrier_.carried_on({one.tip.crack, one.tip.end}, false);
+    cracks = model_.scene_.cracks();
+    model_.scene_.set_cracks(present);
+    if (!next)
+      throw crack::CannotGrow(text("crack ", one.tip.crack, " has come to boundary elements in which it cannot go on"));
+  });
+  if (!next) return false;
+  longer.grown.growth.extensions.push_back(next->growth.extensions.front());
+  longer.grown.scene = std::move(next->scene), longer.cracks = std::move(cracks);
+  return true;
+}
+
 LongerCracks LineLengthening::lengthened(const std::vector<Lengthened>& tips) {
   return_to_accepted();
   in_trial_ = true;
   LongerCracks longer;
+  std::vector<Lengthened> in_elements, lines;
+  for (const Lengthened& one : tips)
+    (one.tip.method == regions::TipMethod::elements ? in_elements : lines).push_back(one);
   try {
-    for (const Lengthened& one : tips) longer.grown.growth.extensions.push_back(extend(one));
+    if (!in_elements.empty()) longer = CrackLengthening::lengthened(in_elements);
+    for (const Lengthened& one : lines)
+      if (!carry_on(one, longer)) in_scene_of(&longer, [&] { longer.grown.growth.extensions.push_back(extend(one)); });
     ++model_.generation_;
-    longer.grown.tips = this->tips();
+    in_scene_of(&longer, [&] { longer.grown.tips = this->tips(); });
   } catch (...) {
     return_to_accepted();
     throw;
@@ -129,21 +211,21 @@ LongerCracks LineLengthening::lengthened(const std::vector<Lengthened>& tips) {
   return longer;
 }
 
-void LineLengthening::go_on_in(LongerCracks) {
+void LineLengthening::go_on_in(LongerCracks longer) {
+  if (longer.grown.scene) {
+    CrackLengthening::go_on_in(std::move(longer));
+  } else {
+    ++model_.generation_;
+    if (model_.records_tips()) model_.record_tips();
+  }
   remember();
-  ++model_.generation_;
-  if (model_.records_tips()) model_.record_tips();
 }
 
 std::unique_ptr<CrackLengthening> lengthening_for(Model& model) {
   model.prepare();
   const auto& cracks = model.prepared().discretization.cracks;
-  const bool in_elements =
-      std::any_of(cracks.begin(), cracks.end(), [](const auto& one) { return one.has_elements(); });
   const bool in_bonds = std::any_of(cracks.begin(), cracks.end(), [](const auto& one) { return one.cuts_bonds(); });
-  require(!in_elements || !in_bonds,
-          "some cracks have boundary elements and others cut bonds; growth by cycles takes one kind at a time");
-  if (in_bonds) return std::make_unique<LineLengthening>(model);
+  if (in_bonds || model.prepared().evolution->lines()) return std::make_unique<LineLengthening>(model);
   return std::make_unique<CrackLengthening>(model);
 }
 

@@ -7,36 +7,43 @@
 
 namespace bempd::model {
 
-// Call in which crack lines in lattices are extended by whole steps of a spacing. Between steps the model is at its
-// last accepted state, or at that of a trial.
+// Call in which crack lines in lattices are extended by whole steps of a spacing, and cracks with boundary elements
+// beside them. A step with elements has a scene of its own, in which lines are extended as well. Steps of lines alone
+// change the model's scene, which is then at its last accepted state, or at that of a trial. A line that has come to
+// boundary elements goes on in them by a step.
 class LineLengthening final : public CrackLengthening {
  public:
-  // Throws Error (argument) if cracks do not grow as lines, or if a crack has boundary elements as well.
+  // Throws Error (argument) if cracks do not grow as lines.
   explicit LineLengthening(Model& model);
 
   std::vector<regions::TipValues> tips() override;
-  std::vector<regions::TipValues> loaded_tips(regions::TipDetail) override { return tips(); }
+  std::vector<regions::TipValues> loaded_tips(regions::TipDetail detail) override;
   std::vector<scene::Crack> cracks() const override;
   int region_of(const regions::TipValues& tip, const PreparedScene& scene) const override;
-  PreparedScene& scene_of(LongerCracks&) override { return scene(); }
-  void in_scene_of(LongerCracks*, const std::function<void()>& read) override { read(); }
-  bool grows_lines() const override { return true; }
+  PreparedScene& scene_of(LongerCracks& longer) override { return longer.grown.scene ? *longer.grown.scene : scene(); }
+  void in_scene_of(LongerCracks* longer, const std::function<void()>& read) override;
+  bool grows_lines() override;
   double quantum(const regions::TipValues& tip) const override;
+  double acts_ahead(const regions::TipValues& tip, const PreparedScene& scene) const override;
   void go_to(double load_factor) override;
   LongerCracks lengthened(const std::vector<Lengthened>& tips) override;
   void go_on_in(LongerCracks longer) override;
 
  private:
+  double spacing_at(const regions::TipValues& tip, const PreparedScene& scene) const;
   void remember();
   void return_to_accepted();
   crack::Extension extend(const Lengthened& one);
+  bool carry_on(const Lengthened& one, LongerCracks& longer);
+  std::vector<regions::TipValues> tips_of_lines();
+  std::optional<Point> behind_border(const regions::TipValues& tip) const;
 
   fracture::EvolutionState accepted_;
   fracture::Continuation way_on_;
   bool in_trial_ = false;
 };
 
-// The lengthening for the cracks of a model: in boundary elements, or as lines in lattices.
+// The lengthening for the cracks of a model, in boundary elements alone or with lines in lattices.
 std::unique_ptr<CrackLengthening> lengthening_for(Model& model);
 
 }  // namespace bempd::model

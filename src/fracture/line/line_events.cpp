@@ -121,7 +121,7 @@ const Event* LineEvents::next(double target, const SteppingOptions& options) {
   return &event_;
 }
 
-const Event* LineEvents::step_of(const crack::TipId& tip) {
+const Event* LineEvents::step_of(const crack::TipId& tip, const std::optional<Point>& direction) {
   step_.reset();
   birth_.reset();
   ties_ = 0;
@@ -130,6 +130,7 @@ const Event* LineEvents::step_of(const crack::TipId& tip) {
   const LoadWay way{state.load_factor, true, Control::path};
   for (const LineStep& step : steps_.all(state.tips, state.displacement, way, &trials_, true))
     if (step.id == tip) step_ = step;
+  if (direction) step_ = steps_.towards(*direction, state.tips, tip, step_);
   if (!step_) return nullptr;
   event_ = steps_.event_of(*step_, state.load_factor);
   event_.changes = body_.system().with_followers(std::move(event_.changes));

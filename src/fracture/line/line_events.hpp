@@ -19,9 +19,10 @@ class LineEvents final : public EventSource {
 
   const Event* next(double target, const SteppingOptions& options) override;
   Outcome perform() override;
-  // Event by which this tip takes its next step now, at the present load factor, even if its load of growth is another;
-  // null if no bond lies ahead of the tip. The next perform() performs this event.
-  const Event* step_of(const crack::TipId& tip);
+  // Event by which this tip takes its next step now, at the present load factor, even if its load of growth is another.
+  // The step has the given direction, or that of the criterion. Null if no bond lies ahead of the tip. The next
+  // perform() performs this event.
+  const Event* step_of(const crack::TipId& tip, const std::optional<Point>& direction);
 
   const LineSteps& steps() const { return steps_; }
   // Called before tips or candidates are asked for. If an open window (`in_window`) has changed the terms, or the

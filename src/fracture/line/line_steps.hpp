@@ -48,6 +48,7 @@ struct LineStep {
   bool by_energy = false;
   double toughness = 0;  // at that load factor by a function of the host; 0 without one [Pa m^(1/2)]
   double after_step = 1, taken_energy = 0;
+  bool is_loaded = true;  // at the load factor of the step, if that is given
 
   double ratio_at(double at) const { return constant + at * growing; }
 };
@@ -89,6 +90,10 @@ class LineSteps {
   // is used all the same.
   std::vector<LineStep> all(const std::vector<GrowingTip>& tips, const coupling::Affine& displacement,
                             const LoadWay& way, TrialBody* body = nullptr, bool with_frozen = false) const;
+  // Step of a tip in a direction, whatever its load. `by_load` is the one that the present loads let it take, if any.
+  // Empty if no bond lies ahead.
+  std::optional<LineStep> towards(const Point& direction, const std::vector<GrowingTip>& tips, const crack::TipId& tip,
+                                  const std::optional<LineStep>& by_load) const;
   // Candidates for the order of growth: the load factors of the steps.
   static std::vector<crack::Candidate> candidates(const std::vector<LineStep>& steps, const LoadWay& way);
   // Tip that grows first on a path (crack/order.hpp), used for the whole body and in windows alike.
