@@ -20,14 +20,21 @@ Measure = Callable[[str], list[float]]
 
 
 def last_tip(model: bempd.Model) -> bempd.CrackTip:
-    model.step(1.0)
+    model.step(scenes.BELOW_GROWTH)
     return model.tips()[-1]
 
 
+@functools.lru_cache(maxsize=None)
+def known_load(build: Callable, cracks: tuple, values: tuple) -> float:
+    """By boundary elements."""
+    scene = scene_of([list(crack) for crack in cracks], build, **dict(values))
+    return float(last_tip(scenes.make(scene, True, 0, scene.cracks)).critical_load_factor)
+
+
 def ratio(scene: scenes.Scene, m: int, load: str) -> float:
-    known = last_tip(scenes.make(scene, True, m, scene.cracks))
-    found = last_tip(scenes.make(scene, False, m, scene.cracks, load))
-    return float(found.critical_load_factor / known.critical_load_factor)
+    values = tuple(sorted((name, value) for name, value in scene.values.items() if name != "rows"))
+    known = known_load(scene.build, tuple(tuple(crack) for crack in scene.cracks), values)
+    return float(last_tip(scenes.make(scene, False, m, scene.cracks, load)).critical_load_factor / known)
 
 
 def scene_of(cracks: list[scenes.Polyline], build: Callable, **values: float) -> scenes.Scene:
@@ -99,6 +106,22 @@ def through_interface(load: str, m: int, young: float) -> list[float]:
     return found
 
 
+def through_toughness(load: str, m: int, share: float) -> list[float]:
+    """The fracture energy behind the interface is a share of that before it; the reference is one body, with the energy at the tip."""
+    found = []
+    for d in (-3.5, -1.5, -0.5, 0.5, 1.5, 3.5):
+        crack = [(0, 0.4), (HALF + d, 0.4)]
+        known = known_load(scenes.joined, (tuple(crack),), (("young", 1.0),)) * math.sqrt(share if d > 0 else 1)
+        scene = scene_of([crack], scenes.joined, young=1.0, energy=share)
+        found.append(last_tip(scenes.make(scene, False, m, scene.cracks, load)).critical_load_factor / known)
+    return found
+
+
+def through_points(load: str, m: int) -> list[float]:
+    """Opened cracks of 20 along rows, at 45 degrees and at 26.6 degrees, each exactly through points."""
+    return [ratio(scene_of([scenes.inner(20, degrees, (0.5, 0.5))], scenes.pulled), m, load) for degrees in (0, 45, math.degrees(math.atan(0.5)))]
+
+
 def pressed_first(load: str, m: int, half: float) -> list[float]:
     """Closed cracks at 45 degrees, at three places between points."""
     return [ratio(dataclasses.replace(scene_of([scenes.inner(2 * half, 45, middle)], scenes.pressed), downwards=True), m, load)
@@ -119,7 +142,7 @@ def wings(load: str, m: int) -> list[float]:
 
 def measures() -> dict[str, Measure]:
     found: dict[str, Measure] = {}
-    for m in (3, 4, 6):
+    for m in (3, 4, 5, 6):
         for length in (40, 20, 10, 6, 4, 2):
             found[f"crack of {length}, rows at 0 to 45: mean, scatter | {m}"] = functools.partial(straight, m=m, length=length)
     found["edge ahead at 3, 2, 1, 1/2 horizons | 4"] = functools.partial(towards_edge, m=4)
@@ -130,6 +153,9 @@ def measures() -> dict[str, Measure]:
         found[f"modulus {young:.2g}, 12.5, 6.5, 4.5, 3.5, 2.5 before it | 4"] = functools.partial(before_interface, m=4, young=young)
     for young in (3, 1 / 3, 4, 1 / 4):
         found[f"through modulus {young:.2g}, -1.5, -.5, .5, 1.5, 3.5, 6.5 behind | 4"] = functools.partial(through_interface, m=4, young=young)
+    for share in (4, 1 / 4):
+        found[f"through G0 times {share:.2g}, -3.5, -1.5, -.5, .5, 1.5, 3.5 behind | 4"] = functools.partial(through_toughness, m=4, share=share)
+    found["crack of 20 through points, at 0, 45, 26.6 | 4"] = functools.partial(through_points, m=4)
     for half in (3, 6, 10, 12):
         found[f"pressed crack, half length {half}, first loads at three places | 4"] = functools.partial(pressed_first, m=4, half=half)
     found["wings of 1, 2, 4, 8, 12 of a pressed crack, half length 10 | 4"] = functools.partial(wings, m=4)
