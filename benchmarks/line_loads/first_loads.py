@@ -53,14 +53,15 @@ def towards_edge(load: str, m: int) -> list[float]:
 
 
 def peeled(scene: scenes.Scene, model: bempd.Model, elements: bool, m: int) -> None:
-    """The strip above an edge crack is lifted at its end: the crack is parallel to the free upper edge."""
+    """The strip above an edge crack is lifted at its end, off the mouth: the crack is parallel to the free upper edge."""
     body = scenes.region(scene, model, scenes.material(model), bempd.rectangle(0, -HALF, scenes.SIDE, HALF), elements, m)
     model.fix_edge(body, 1, "both")
-    model.prescribe_edge(body, 4, "y", 1.0, part=(0, (HALF - scene.cracks[0][0][1]) / scenes.SIDE))
+    model.prescribe_edge(body, 4, "y", 1.0, part=(0, 0.75 * (HALF - scene.cracks[0][0][1]) / scenes.SIDE))
 
 
 def along_edge(load: str, m: int) -> list[float]:
-    return [ratio(scene_of([[(0, HALF - d * m), (12.3, HALF - d * m)]], peeled, elements=48), m, load) for d in DISTANCES]
+    """Between two rows of points, which a crack through points would pass half a spacing lower."""
+    return [ratio(scene_of([[(0, HALF - d * m - 0.4), (12.3, HALF - d * m - 0.4)]], peeled, elements=48), m, load) for d in DISTANCES]
 
 
 def towards_face(load: str, m: int) -> list[float]:

@@ -4,8 +4,8 @@ usage: benchmarks/run.sh line_loads [--write] [--only WORD ...]
     --write: into docs/cracks.md; only the rows whose names contain a WORD are measured, the others stay
 
 Each scene is run with crack.load = fit, the stress ahead alone, and with energy, the default. Rows of a growing crack have its loads,
-its largest load over that of boundary elements on their own path, and the distance of both paths. Times are those of runs by energy
-over those by fits."""
+its largest load over that of boundary elements on their own path, and the distance of both paths. Times are those of the processor, by
+energy over by fits. The second table has numbers of examples; a WORD may be the name of one."""
 
 from __future__ import annotations
 
@@ -14,13 +14,15 @@ import pathlib
 from typing import Callable
 
 import bempd
+import examples
 import first_loads
 import other
 import scenes
 
 HERE = pathlib.Path(__file__).resolve().parent
 PAGE = HERE.parents[1] / "docs" / "cracks.md"
-BEGIN, END = "<!-- line-loads -->", "<!-- end line-loads -->"
+LOADS_TABLE = "line-loads", ["| scene | m | fit | energy |", "|---|---|---|---|"]
+EXAMPLES_TABLE = "example-loads", ["| example | number | fit | energy | boundary elements |", "|---|---|---|---|---|"]
 
 LOADS = ("fit", "energy")
 TIMED = ("straight crack of 40 | 4", "L1 kink, upper edge at 65 | 4", "L4 towards modulus 3, from 13 spacings before | 4")
@@ -46,49 +48,49 @@ def grown(scene: scenes.Scene, m: int, load: str, timed: bool) -> tuple[str, flo
     return text, run.seconds
 
 
-def measured(only: list[str]) -> tuple[Rows, list[str]]:
+def is_asked(name: str, only: list[str]) -> bool:
+    return not only or any(word in name for word in only)
+
+
+def measured(only: list[str]) -> Rows:
     found: Rows = {}
-    times: list[str] = []
 
     def add(name: str, of_load: Callable[[str], str]) -> None:
         found[name] = {load: of_load(load) for load in LOADS}
         print(name, found[name], flush=True)
 
-    def is_asked(name: str) -> bool:
-        return not only or any(word in name for word in only)
-
     for scene in scenes.scenes():
         for m in scene.horizons:
             name = f"{scene.name} | {m}"
-            if not is_asked(name):
+            if not is_asked(name, only):
                 continue
             runs = {load: grown(scene, m, load, name in TIMED) for load in LOADS}
             add(name, lambda load: runs[load][0])
             if name in TIMED and runs["fit"][1] > 0:
-                times.append(f"time by energy over that by fits, {scene.name}: {runs['energy'][1] / runs['fit'][1]:.2f}")
+                add(f"time over that by fits, {scene.name} | {m}", lambda load: f"{runs[load][1] / runs['fit'][1]:.2f}")
     for name, measure in {**other.MEASURES, **first_loads.measures()}.items():
-        if is_asked(name):
+        if is_asked(name, only):
             add(name, lambda load: words(measure(load)))
-    return found, times
+    return found
 
 
 def table(found: Rows) -> list[str]:
     return [f"| {name} | {by_load['fit']} | {by_load['energy']} |" for name, by_load in found.items()]
 
 
-def write(rows: list[str]) -> None:
+def write(table_of: tuple[str, list[str]], rows: list[str]) -> None:
     """Rows that were not measured keep what the page has, in its order."""
-    text = PAGE.read_text("utf-8")
-    begin, end = text.index(BEGIN) + len(BEGIN), text.index(END)
-    head = ["| scene | m | fit | energy |", "|---|---|---|---|"]
-    known = [line for line in text[begin:end].strip().splitlines() if line not in head]
+    name, head = table_of
+    text, begin, end = PAGE.read_text("utf-8"), f"<!-- {name} -->\n", f"<!-- end {name} -->"
+    first, last = text.index(begin) + len(begin), text.index(end)
+    known = [line for line in text[first:last].strip().splitlines() if line not in head]
 
-    def name(row: str) -> str:
+    def key(row: str) -> str:
         return "|".join(row.split("|")[1:3])
 
-    fresh = {name(row): row for row in rows}
-    kept = [fresh.pop(name(row), row) for row in known]
-    PAGE.write_text(text[:begin] + "\n" + "\n".join(head + kept + list(fresh.values())) + "\n" + text[end:], "utf-8")
+    fresh = {key(row): row for row in rows}
+    kept = [fresh.pop(key(row), row) for row in known]
+    PAGE.write_text(text[:first] + "\n".join(head + kept + list(fresh.values())) + "\n" + text[last:], "utf-8")
 
 
 def main() -> None:
@@ -96,11 +98,11 @@ def main() -> None:
     options.add_argument("--write", action="store_true")
     options.add_argument("--only", nargs="+", default=[])
     options = options.parse_args()
-    found, times = measured(options.only)
-    rows = table(found)
-    print("\n".join(rows + times))
-    if options.write:
-        write(rows)
+    for of_table, rows in ((LOADS_TABLE, table(measured(options.only))),
+                           (EXAMPLES_TABLE, examples.rows(lambda name: is_asked(name, options.only)))):
+        print("\n".join(rows))
+        if options.write:
+            write(of_table, rows)
 
 
 if __name__ == "__main__":

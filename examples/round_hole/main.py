@@ -104,4 +104,5 @@ def main() -> None:
         print(f"written: {arguments.folder / 'round_hole.png'}")
 
 
-main()
+if __name__ == "__main__":
+    main()

@@ -171,4 +171,5 @@ def main() -> None:
         print(f"written: {arguments.folder / 'three_point_bend.png'}")
 
 
-main()
+if __name__ == "__main__":
+    main()
