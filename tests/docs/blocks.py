@@ -11,6 +11,7 @@ The program of docs/index.md is that of README.md.
 
 from __future__ import annotations
 
+import importlib.util
 import json
 import os
 import pathlib
@@ -25,7 +26,8 @@ matplotlib.use("Agg")
 from matplotlib import pyplot  # noqa: E402
 
 PAGES = ["README.md", "docs/first_path.md", "docs/cookbook.md", "docs/tutorial.md", "docs/fatigue.md"]
-FOR_THEMSELVES = ["docs/bodies.md", "docs/mixed_cracks.md"]  # whose blocks do not say what they print
+FOR_THEMSELVES = ["docs/bodies.md", "docs/converge.md", "docs/mixed_cracks.md"]  # whose blocks do not say what they print
+DRAWN = "docs/import.md"  # whose blocks read a drawing that docs/scene_figures.py writes
 MOST_CHANGED = 0.005  # share of the pixels of a picture
 PICTURE = re.compile(r"savefig\(\"([\w.]+)\"\)")
 
@@ -65,6 +67,11 @@ def run(root: pathlib.Path, page: str, work: pathlib.Path) -> str:
     folder = work / page.replace("/", "_")
     shutil.rmtree(folder, ignore_errors=True)
     folder.mkdir(parents=True)
+    if page == DRAWN:
+        sys.path.insert(0, str(root / "docs"))
+        from scene_figures import write_bracket
+
+        write_bracket(folder / "bracket.dxf")
     done = subprocess.run([sys.executable, "-c", program], cwd=folder, capture_output=True, text=True,
                           env={**os.environ, "MPLBACKEND": "Agg"})
     if done.returncode:
@@ -82,7 +89,8 @@ def run(root: pathlib.Path, page: str, work: pathlib.Path) -> str:
 
 def main() -> None:
     root, work = pathlib.Path(sys.argv[1]).resolve(), pathlib.Path(sys.argv[2])
-    for page in PAGES + FOR_THEMSELVES:
+    drawn = [DRAWN] if importlib.util.find_spec("ezdxf") else []
+    for page in PAGES + FOR_THEMSELVES + drawn:
         print(run(root, page, work))
     look_for_commands(root, "README.md")
     first, landing = ((root / page).read_text(encoding="utf-8") for page in ("README.md", "docs/index.md"))
