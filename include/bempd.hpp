@@ -179,12 +179,19 @@ class Model {
   void set_option(const char* name, const char* value) { call(bempd_set_option_text, name, value); }
 
   std::int32_t add_material(const bempd_material& material) { return ask(bempd_add_material, &material); }
+  std::int32_t add_body(std::int32_t material, const Points& vertices) {
+    return ask(bempd_add_body, material, vertices);
+  }
   std::int32_t add_bem_region(std::int32_t material, const Points& vertices, double element_length) {
     return ask(bempd_add_bem_region, material, vertices, element_length);
   }
   std::int32_t add_pd_region(std::int32_t material, const Points& vertices, double spacing,
                              std::int32_t horizon_ratio = 0) {
     return ask(bempd_add_pd_region, material, vertices, spacing, horizon_ratio);
+  }
+  /** Number of the first of its four edges. */
+  std::int32_t add_circular_hole(std::int32_t region, double x, double y, double radius) {
+    return ask(bempd_add_circular_hole, region, x, y, radius);
   }
   std::int32_t add_crack(const Points& points) { return ask(bempd_add_crack, points); }
   std::int32_t fix_edge(std::int32_t region, std::int32_t edge, std::int32_t component = BEMPD_BOTH) {

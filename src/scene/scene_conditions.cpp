@@ -66,9 +66,9 @@ void Scene::set_values(Condition& condition, const char* what, int id, SampledVa
   const std::size_t count = condition.sample_count;
   require(count != 0, what, " ", id, " was given by a function; only sampled values can be replaced; bempd_set_", what,
           "_values_at() replaces any");
-  require(count == values.constant.size(), what, " ", id, " was made with ", count, " values, now there are ",
-          values.constant.size(), "; give as many, or values at places of your own by bempd_set_", what,
-          "_values_at()");
+  require(count == values.constant.size(), what, " ", id, " has ", count, count == 1 ? " value" : " values",
+          " for each component, now there are ", values.constant.size(),
+          "; give as many, or x and y at places of your own by bempd_set_", what, "_values_at()");
   values.check();
   condition.values = std::move(values);
 }

@@ -48,16 +48,27 @@ class Scene:
 
     def add_material(self, *, young_modulus: float, poisson_ratio: float, thickness: float = 1.0,
                      critical_stretch: Optional[float] = None, fracture_energy: Optional[float] = None,
-                     plane: Plane = "stress", thermal_expansion: float = 0.0) -> int:
+                     plane: Plane = "stress", thermal_expansion: float = 0.0, toughness: Optional[float] = None) -> int:
         """Add an isotropic elastic material; returns its id.
 
-        Give the critical bond stretch or the fracture energy [J/m^2], or neither for a material that does not break.
+        Give the fracture energy [J/m^2], the toughness K_IC [Pa m^0.5], from which it follows, or the critical bond stretch;
+        or none of them for a material that does not break.
         `plane` is "stress" or "strain". Peridynamic regions take Poisson's ratios from -0.2 to 0.49.
 
         >>> import bempd
         >>> bempd.Model().add_material(young_modulus=3e9, poisson_ratio=1 / 3, fracture_energy=300)
         1
         """
+        if toughness is not None:
+            if fracture_energy is not None:
+                raise ArgumentError("add_material: toughness and fracture_energy are both given; give one, the other follows from it")
+            intensity = arguments.real("add_material: toughness", toughness)
+            if not intensity > 0:
+                raise ArgumentError(f"add_material: toughness is {toughness!r}; K_IC must be positive")
+            modulus, ratio = (arguments.real(f"add_material: {name}", value)
+                              for name, value in (("young_modulus", young_modulus), ("poisson_ratio", poisson_ratio)))
+            if modulus > 0:  # else the library says what is wrong with it
+                fracture_energy = intensity**2 * (1 - ratio**2 if plane == "strain" else 1) / modulus
         material = new_struct("bempd_material", "bempd_material_init")
         material.plane = arguments.choice("add_material: plane", plane, PLANES)
         given = {"young_modulus": young_modulus, "poisson_ratio": poisson_ratio, "thickness": thickness,

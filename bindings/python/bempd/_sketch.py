@@ -52,6 +52,10 @@ def arc_of_bulge(start: Place, end: Place, bulge: float) -> Arc:
     return Arc(((start[0] + end[0]) / 2 - along * dy, (start[1] + end[1]) / 2 + along * dx), bulge > 0)
 
 
+#: Sides of the box around a region: which coordinate, and whether it is the larger one.
+SIDES = {"left": (0, 0), "right": (0, 1), "bottom": (1, 0), "top": (1, 1)}
+
+
 class Region:
     """Loops of vertices; edges are numbered through all of them from 1."""
 
@@ -80,6 +84,12 @@ class Region:
         """Larger side of the box around the region."""
         low, high = self.box()
         return max(high[0] - low[0], high[1] - low[1])
+
+    def on_side(self, side: str) -> list[int]:
+        """Edges that lie wholly on a side of the box, by its word."""
+        axis, end = SIDES[side]
+        at, close = self.box()[end][axis], 1e-6 * self.size()
+        return [edge for edge in range(1, self.edge_count + 1) if all(abs(place[axis] - at) <= close for place in self.way(edge))]
 
     def ends(self, edge: int) -> Optional[tuple[Place, Place]]:
         """Start and end of an edge; none if there is no such edge."""
@@ -148,13 +158,15 @@ class Sketch:
         if not isinstance(edge, str):
             return edge
         found = self.regions[region].named(edge) if region in self.regions else []
+        if not found and edge in SIDES and region in self.regions:
+            found = self.regions[region].on_side(edge)
         if len(found) == 1:
             return found[0]
         if found:
             raise ArgumentError(f"{caller}: {edge!r} is the name of {len(found)} edges of region {region}: "
-                                f"{', '.join(map(str, found))}; call it for each of edges_named({region}, {edge!r})")
+                                f"{', '.join(map(str, found))}; call it for each of them")
         names = sorted(set(self.regions[region].names.values())) if region in self.regions else []
-        known = f"its edges are named {', '.join(map(repr, names))}" if names else "its edges have no names; name_edge() gives one"
+        known = f"its edges are named {', '.join(map(repr, names))}" if names else "its edges have no names; name_edge() gives one, and left, right, bottom, top are edges there"
         raise ArgumentError(f"{caller}: no edge of region {region} has the name {edge!r}; {known}")
 
     def called(self, what: str, number: int) -> str:

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import csv
 import dataclasses
-import enum
 import os
 from typing import Any, Optional, Union
 
@@ -12,13 +11,13 @@ import numpy as np
 import numpy.typing as npt
 
 from .errors import ArgumentError
-from .reports import TipEnd
+from .reports import Named, TipEnd
 
 
 ROUNDING = 1e-9
 
 
-class FatigueStop(enum.IntEnum):
+class FatigueStop(Named):
     """Why growth by cycles ended."""
 
     CYCLES = 1  #: the number of cycles asked for has passed

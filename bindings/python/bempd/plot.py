@@ -55,9 +55,10 @@ Magnification = Union[float, Literal["auto"]]
 
 
 def chosen_quantity(name: str, quantity: Any) -> Any:
-    """A quantity by its name or a short word for it."""
+    """A quantity by its name or a short word for it, in capitals or not, with spaces or underscores."""
     if isinstance(quantity, str):
-        quantity = SHORT.get(quantity, quantity)
+        plain = {name.lower(): full for name, full in [*((each, each) for each in QUANTITIES), *SHORT.items()]}
+        quantity = plain.get(quantity.lower().replace("_", " "), quantity)
     arguments.choice(f"{name}: quantity", quantity, dict.fromkeys(QUANTITIES))
     return quantity
 

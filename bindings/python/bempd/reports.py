@@ -13,7 +13,17 @@ from ._library import ffi, members
 from .tables import table
 
 
-class StopReason(enum.IntEnum):
+class Named(enum.IntEnum):
+    """A number with a name, by which it is printed."""
+
+    def __str__(self) -> str:
+        return self.name
+
+    def __format__(self, form: str) -> str:
+        return format(int(self) if form[-1:] in tuple("bcdeEfFgGnoxX%") else self.name, form)
+
+
+class StopReason(Named):
     """Why a step ended."""
 
     LOAD_FACTOR = 1  #: the load factor asked for was reached

@@ -197,3 +197,17 @@ def test_what_does_not_fit_is_refused():
         model.edge_forces(strip.middle, 1)
     with pytest.raises(bempd.ArgumentError, match="edge 9 does not exist"):
         model.edge_nodes(strip.middle, 9)
+
+
+def test_sides_of_the_box_are_edges_where_nothing_has_their_name():
+    model = bempd.Model()
+    glass = model.add_material(young_modulus=3e9, poisson_ratio=1 / 3)
+    bracket = model.add_bem_region(glass, [(0, 0), (2, 0), (2, 1), (1, 1), (1, 2), (0, 2)], element_length=0.25)
+    for side, edge in (("bottom", 1), ("right", 2), ("top", 5), ("left", 6)):
+        held = model.fix_edge(bracket, side)
+        assert model._sketch.supports[held].edge == edge
+    model.name_edge(bracket, 3, "left")
+    assert model._sketch.supports[model.fix_edge(bracket, "left", "x")].edge == 3
+    disc = model.add_bem_disc(glass, (5, 0), 1, 0.5)
+    with pytest.raises(bempd.ArgumentError, match="no edge of region 2 has the name 'left'"):
+        model.fix_edge(disc, "left")

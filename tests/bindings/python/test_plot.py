@@ -24,6 +24,13 @@ def areas(found):
     return np.abs(first[:, 0] * second[:, 1] - first[:, 1] * second[:, 0]) / 2
 
 
+def test_quantities_are_known_by_what_users_write():
+    for written in ("von_mises", "von Mises", "Stress_von_Mises", "stress von mises"):
+        assert bempd.plot.chosen_quantity("draw", written) == "stress von Mises"
+    with pytest.raises(bempd.ArgumentError, match="it must be one of"):
+        bempd.plot.chosen_quantity("draw", "mises stress")
+
+
 @pytest.mark.parametrize("quantity, magnification", [*((one, 0) for one in _drawing.QUANTITIES),
                                                      *((one, "auto") for one in ("outline", "lattice", "damage", "displacement"))])
 def test_every_quantity_is_drawn_to_scale(strip, quantity, magnification, tmp_path):

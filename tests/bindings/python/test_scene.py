@@ -251,3 +251,29 @@ def test_what_is_removed_leaves_no_trace(plate):
     assert tip(model, plate.plate)[0] == pytest.approx(2e8 / 2e11 * 2, rel=1e-10)
     with pytest.raises(bempd.OrderError):
         model.remove_support(plate.held[0])
+
+
+@pytest.mark.parametrize("plane, share", [("stress", 1.0), ("strain", 1 - 0.3**2)])
+def test_a_toughness_is_a_fracture_energy(plane, share):
+    def load_of_growth(**resistance):
+        model = bempd.Model()
+        steel = model.add_material(young_modulus=210e9, poisson_ratio=0.3, plane=plane, **resistance)
+        body = model.add_body(steel, rectangle(0, 0, 0.1, 0.04))
+        model.add_crack([(0.05, 0), (0.05, 0.01)])
+        model.fix_edge(body, "left")
+        model.prescribe_edge(body, "right", "x", 1e-6)
+        model.step(1)
+        return model.tips()[0].critical_load_factor
+
+    assert load_of_growth(toughness=46e6) == pytest.approx(load_of_growth(fracture_energy=46e6**2 * share / 210e9), rel=1e-12)
+    with pytest.raises(bempd.ArgumentError, match="both given"):
+        load_of_growth(toughness=46e6, fracture_energy=1e4)
+    with pytest.raises(bempd.ArgumentError, match="K_IC must be positive"):
+        load_of_growth(toughness=0)
+    with pytest.raises(bempd.ArgumentError, match="young_modulus"):
+        bempd.Model().add_material(young_modulus=0, poisson_ratio=0.3, toughness=46e6)
+
+
+def test_reasons_are_printed_by_name():
+    assert f"{bempd.StopReason.SEPARATED}" == str(bempd.StopReason.SEPARATED) == "SEPARATED"
+    assert f"{bempd.StopReason.SEPARATED:d} {bempd.StopReason.SEPARATED:>10}" == "3  SEPARATED" and bempd.StopReason.SEPARATED == 3

@@ -37,6 +37,17 @@ bempd::Model plate() {
   return model;
 }
 
+// A body with a hole: its elements are the library's.
+void hole_attracts_stress() {
+  bempd::Model model;
+  const auto body = model.add_body(model.add_material(glass()), {{0, 0}, {4, 0}, {4, 4}, {0, 4}});
+  expect(model.add_circular_hole(body, 2, 2, 0.5) == 5, "the edges of a hole follow those of the outline");
+  model.fix_edge(body, 4);
+  model.add_traction(body, 2, BEMPD_X, 1e6);
+  model.step(1);
+  expect(model.field(body, BEMPD_DISPLACEMENT).values.size() > 0, "a body has fields");
+}
+
 template <class Function>
 bempd_status refused(Function function, const char* words) {
   try {
@@ -50,6 +61,7 @@ bempd_status refused(Function function, const char* words) {
 }
 
 void run() {
+  hole_attracts_stress();
   bempd::Model model = plate();
   int lines = 0;
   model.on_log([&](std::int32_t, const char*) { ++lines; });
