@@ -18,7 +18,7 @@ import bodies  # noqa: E402
 MEASURED = {("SE(B)", "a/W 0.5"): 0.0075, ("SE(B)", "a/W 0.1"): 0.028, ("four-point bend", "a/W 0.2"): 0.0025,
             ("four-point bend", "a/W 0.4"): 0.0040}
 #: Differences from formulas whose sources state no accuracy.
-UNSTATED = {"CTS": 0.03, "cracked hole": 0.02, "lug": 0.016}
+UNSTATED = {"CTS": 0.03, "cracked hole": 0.02, "lug": 0.022}
 
 
 @pytest.mark.parametrize("kind, sizes, shape", bodies.CASES)
