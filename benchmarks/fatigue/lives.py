@@ -210,3 +210,50 @@ def square_life(scene: str, spacings: int = 0) -> float:
     model.add_traction(region, 3, "y", 1e6)
     model.set_growth_rate(acrylic, coefficient=COEFFICIENT, exponent=EXPONENT, unit_intensity=UNIT, critical_intensity=1e6)
     return model.grow_fatigue(most_length=end).cycles_at(end)
+
+
+# A plate 2 x 2 of two halves, each of elements or of a lattice. Its cracks: one from each side; or one that runs from the left
+# half into the right one. Then the lengths of the first crack at which lives are compared, the last one at which they end.
+HALVES: dict[str, tuple[list[list[tuple[float, float]]], list[float]]] = {
+    "a crack in each half": ([[(-1, 0.005), (-0.7, 0.005)], [(0.75, 0.005), (1, 0.005)]], [0.5]),
+    "a crack across the border": ([[(-1, 0.005), (-0.3, 0.005)]], [0.8, 1.2]),
+}
+
+
+def halves(left: str, right: str, cracks: list[list[tuple[float, float]]], spacings: int = 40) -> tuple[bempd.Model, list[int]]:
+    """The plate, and its loads. A half is of `elements` or a `lattice`."""
+    model = bempd.Model(log=None)
+    acrylic = model.add_material(young_modulus=3e9, poisson_ratio=1 / 3, fracture_energy=1e6)
+    loads = []
+    for kind, x in ((left, -1.0), (right, 0.0)):
+        half = bempd.rectangle(x, -1, x + 1, 1)
+        region = (model.add_bem_region(acrylic, half, element_length=1 / 8) if kind == "elements"
+                  else model.add_pd_region(acrylic, half, spacing=1 / spacings))
+        model.fix_edge(region, 1)
+        loads.append(model.add_traction(region, 3, "y", 1e6))
+    for crack in cracks:
+        model.add_crack(crack)
+    model.set_growth_rate(acrylic, coefficient=COEFFICIENT, exponent=EXPONENT, unit_intensity=UNIT, critical_intensity=1e6)
+    return model, loads
+
+
+def life_in_halves(left: str, right: str, scene: str, spacings: int = 40) -> list[float]:
+    """Cycles at which the first crack has its lengths."""
+    cracks, lengths = HALVES[scene]
+    model, _ = halves(left, right, cracks, spacings)
+    life = model.grow_fatigue(most_length=lengths[-1])
+    return [life.cycles_at(length) for length in lengths]
+
+
+def life_under_cases(spacings: int = 0, shear: float = 0.0, **options: Any) -> bempd.FatigueLife:
+    """A middle crack in a square under two cases, a pull and a shear, in blocks: elements, or a lattice of so many spacings."""
+    model = bempd.Model(log=None)
+    acrylic = model.add_material(young_modulus=3e9, poisson_ratio=1 / 3, fracture_energy=1e6)
+    square = bempd.rectangle(0, -0.5, 1, 0.5)
+    region = model.add_pd_region(acrylic, square, spacing=1 / spacings) if spacings else model.add_bem_region(acrylic, square, element_length=1 / 8)
+    model.add_crack(SQUARES["centre crack"][0][0])
+    model.fix_edge(region, 1)
+    pull, slide = (model.add_load_case([model.add_traction(region, 3, axis, 1e6)]) for axis in ("y", "x"))
+    model.set_growth_rate(acrylic, coefficient=COEFFICIENT, exponent=EXPONENT, unit_intensity=UNIT, critical_intensity=1e6)
+    return model.grow_fatigue([{pull: 1.0, slide: shear}, {pull: 0.6}], [{}, {pull: 0.2}], [1e6, 2e6],
+                              most_length=SQUARES["centre crack"][1], **options)

@@ -6,7 +6,7 @@ in [N], stresses in [Pa]; the load factor multiplies the load.
 >>> import bempd
 >>> specimen = bempd.specimens.compact_tension(width=0.05, crack=0.025, force=1000, thickness=0.0125)
 >>> print(f"{specimen.difference():+.4f}, the formula holds within {specimen.formula.accuracy}")
--0.0044, the formula holds within 0.005
+-0.0039, the formula holds within 0.005
 """
 
 from __future__ import annotations
@@ -101,19 +101,22 @@ class _Builder:
     def traction(self, edge: int, stress: float) -> None:
         self.loads.append(self.model.add_traction(self.region, edge, "y", stress))
 
-    def pin(self, first_edge: int, centre: tuple[float, float], radius: float, force: tuple[float, float], thickness: float) -> None:
-        """A force on the half of a hole towards which it points, as a pressure with the cosine of the angle to it."""
+    def pin(self, centre: tuple[float, float], radius: float, force: tuple[float, float], thickness: float, power: int = 1) -> int:
+        """A hole with a force on the half towards which it points, as a pressure with a power of the cosine of the angle to it."""
+        first_edge = self.model.add_circular_hole(self.region, centre, radius)
         size = math.hypot(*force)
         along = (force[0] / size, force[1] / size)
-        peak = 2 * size / (math.pi * radius * thickness)
+        share = math.sqrt(math.pi) * math.gamma(power / 2 + 1) / math.gamma(power / 2 + 1.5)
+        peak = size / (share * radius * thickness)
 
         def traction(x: float, y: float) -> tuple[tuple[float, float], tuple[float, float]]:
             normal = ((x - centre[0]) / radius, (y - centre[1]) / radius)
-            pressure = peak * max(0.0, normal[0] * along[0] + normal[1] * along[1])
+            pressure = peak * max(0.0, normal[0] * along[0] + normal[1] * along[1])**power
             return (0.0, 0.0), (pressure * normal[0], pressure * normal[1])
 
         for edge in range(first_edge, first_edge + 4):
             self.loads.append(self.model.add_traction_function(self.region, edge, traction))
+        return first_edge
 
     def done(self, formula: Formula) -> Specimen:
         case = self.model.add_load_case(self.loads)
@@ -179,6 +182,7 @@ def compact_tension(*, width: float, crack: float, force: float, thickness: floa
                     options: Optional[dict[str, Any]] = None) -> Specimen:
     """C(T) of ASTM E399: `width` and `crack` count from the line through the pins, whose holes have a quarter of the width.
 
+    The pins of E399 are smaller than their holes: they press on about 10 degrees to each side, as the 32nd power of the cosine.
     ASTM E399, by Srawley: 0.5 % for cracks from 0.2 of the width on.
     """
     _require("compact_tension", width=width, crack=crack, force=abs(force), thickness=thickness)
@@ -186,14 +190,12 @@ def compact_tension(*, width: float, crack: float, force: float, thickness: floa
     w = width
     builder = _Builder([(-0.25 * w, -0.6 * w), (w, -0.6 * w), (w, 0.6 * w), (-0.25 * w, 0.6 * w)], w / 10, thickness, material, options)
     for side in (1, -1):
-        centre = (0.0, side * 0.275 * w)
-        edge = builder.model.add_circular_hole(builder.region, centre, 0.125 * w)
-        builder.pin(edge, centre, 0.125 * w, (0.0, side * force), thickness)
+        builder.pin((0.0, side * 0.275 * w), 0.125 * w, (0.0, side * force), thickness, power=32)
     builder.crack((-0.25 * w, 0), (crack, 0))
     builder.hold((w, -0.6 * w), (w, 0.6 * w))
     a = crack / w
     factor = (2 + a) * (0.886 + 4.64 * a - 13.32 * a**2 + 14.72 * a**3 - 5.6 * a**4) / (1 - a)**1.5
-    return builder.done(Formula(force / (thickness * math.sqrt(w)) * factor, 0, 0.005, "ASTM E399 (Srawley 1976)", a >= 0.2))
+    return builder.done(Formula(force / (thickness * math.sqrt(w)) * factor, 0, 0.005, "ASTM E399 (Srawley 1976)", a >= 0.2 - 1e-12))
 
 
 def _beam(outline: Sequence[tuple[float, float]], width: float, crack: float, thickness: float, material: Optional[Material],
@@ -207,7 +209,8 @@ def three_point_bend(*, width: float, crack: float, force: float, thickness: flo
                      options: Optional[dict[str, Any]] = None) -> Specimen:
     """SE(B): a beam of the height `width` on a span of four times that, with a crack from below, loaded in its middle.
 
-    ASTM E399, by Srawley: 0.5 % for any length. Forces act on 0.005 of the width.
+    ASTM E399, by Srawley: 0.5 % for any length. Below 0.25 of the width it leaves out that the middle force is concentrated.
+    Forces act on 0.005 of the width.
     """
     _require("three_point_bend", width=width, crack=crack, force=abs(force), thickness=thickness)
     _below("three_point_bend", "crack", crack, width, "the width")
@@ -297,9 +300,7 @@ def compact_tension_shear(*, width: float, crack: float, force: float, angle: fl
                               (w / 2 + b / 2, 0.0, pull / 2 + shear * c / b * side)):
             if fx == 0 and fy == 0:
                 continue
-            centre = (place, side * c)
-            edge = builder.model.add_circular_hole(builder.region, centre, radius)
-            builder.pin(edge, centre, radius, (side * fx, side * fy), thickness)
+            builder.pin((place, side * c), radius, (side * fx, side * fy), thickness)
     builder.crack((0, 0), (crack, 0))
     builder.hold((w, -tall / 2), (w, tall / 2))
     r = crack / (w - crack)
@@ -334,8 +335,38 @@ def cracked_hole(*, radius: float, crack: float, stress: float, cracks: int = 2,
                                 half >= 20 * (radius + crack)))
 
 
+def lug(*, width: float, hole: float, crack: float, force: float, thickness: float, material: Optional[Material] = None,
+        options: Optional[dict[str, Any]] = None) -> Specimen:
+    """A lug with a round head and a hole of this diameter, pulled by a pin that fits, with a crack from the hole across the pull.
+
+    No source of a formula with an accuracy was at hand. What stands for it is the limit of a short crack, an edge crack under the
+    stress that the lug without it has there: within 2 % up to a 300th of the hole.
+    """
+    _require("lug", width=width, hole=hole, crack=crack, force=abs(force), thickness=thickness)
+    _below("lug", "hole / 2 + crack", hole / 2 + crack, width / 2, "half the width")
+
+    def body(cracked: bool) -> _Builder:
+        half = width / 2
+        builder = _Builder([(-half, -2 * width), (half, -2 * width), (half, 0), (-half, 0)], width / 8, thickness, material, options)
+        builder.model.set_edge_arc(builder.region, 3, (0, half))
+        first_edge = builder.pin((0.0, 0.0), hole / 2, (0.0, force), thickness)
+        builder.traction(1, -force / (width * thickness))
+        if cracked:
+            builder.crack((hole / 2, 0), (hole / 2 + crack, 0))
+        for edge in range(first_edge, first_edge + (0 if cracked else 4)):
+            builder.model.set_edge_mesh(builder.region, edge, hole / 100)
+        builder.hold((-half, -2 * width), (half, -2 * width))
+        return builder
+
+    whole = body(False)
+    whole.model.step(1.0)
+    stress = float(whole.model.evaluate([(hole / 2, 0.0)]).stress[0][1])
+    return body(True).done(Formula(1.1215 * stress * math.sqrt(math.pi * crack), 0, math.nan, "limit of a short crack",
+                                   crack <= 1.001 * hole / 300))
+
+
 #: All kinds by their short names.
 KINDS: dict[str, Callable[..., Specimen]] = {
     "M(T)": middle_tension, "SENT": edge_tension, "DENT": double_edge_tension, "C(T)": compact_tension, "SE(B)": three_point_bend,
-    "four-point bend": four_point_bend, "DCB": double_cantilever, "CTS": compact_tension_shear, "cracked hole": cracked_hole,
+    "four-point bend": four_point_bend, "DCB": double_cantilever, "CTS": compact_tension_shear, "cracked hole": cracked_hole, "lug": lug,
 }

@@ -14,21 +14,30 @@ import bempd
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[3] / "benchmarks" / "fatigue"))
 import bodies  # noqa: E402
 
-#: Where the library's factors, which do not change with finer elements, are farther from the formula than its source states.
-MEASURED = {("C(T)", "a/W 0.3"): 0.0130, ("SE(B)", "a/W 0.5"): 0.0075, ("SE(B)", "a/W 0.3"): 0.0055,
-            ("four-point bend", "a/W 0.2"): 0.0025, ("four-point bend", "a/W 0.4"): 0.0040}
+#: Where the library's factors, which are those of the body's energy, are farther from the formula than its source states.
+MEASURED = {("SE(B)", "a/W 0.5"): 0.0075, ("SE(B)", "a/W 0.1"): 0.028, ("four-point bend", "a/W 0.2"): 0.0025,
+            ("four-point bend", "a/W 0.4"): 0.0040}
 #: Differences from formulas whose sources state no accuracy.
-UNSTATED = {"CTS": 0.03, "cracked hole": 0.02}
+UNSTATED = {"CTS": 0.03, "cracked hole": 0.02, "lug": 0.022}
 
 
 @pytest.mark.parametrize("kind, sizes, shape", bodies.CASES)
 def test_factors_are_those_of_the_formula(kind: str, sizes: dict[str, float], shape: str) -> None:
     specimen = bempd.specimens.KINDS[kind](**sizes)
     difference, formula = specimen.difference(), specimen.formula
-    print(f"{kind} {shape}: {100 * difference:+.2f} %, the source states {100 * formula.accuracy:g} %")
-    assert formula.holds
+    energy = bodies.by_energy(kind, sizes)
+    print(f"{kind} {shape}: {100 * difference:+.2f} %, the source states {100 * formula.accuracy:g} %, from the energy {100 * energy:+.3f} %")
+    assert abs(energy) < 2.5e-4
     stated = UNSTATED[kind] if math.isnan(formula.accuracy) else formula.accuracy
-    assert abs(difference) < MEASURED.get((kind, shape), stated)
+    assert not formula.holds or abs(difference) < MEASURED.get((kind, shape), stated)
+    assert formula.holds or kind == "lug"
+
+
+def test_short_cracks_of_a_lug_tend_to_edge_cracks() -> None:
+    differences = [bempd.specimens.lug(width=0.06, hole=0.03, crack=crack, force=1e4, thickness=0.01).difference()
+                   for crack in (1e-4, 2.5e-5)]
+    print(f"from the limit of a short crack: {[f'{100 * one:+.2f} %' for one in differences]}")
+    assert differences[1] == pytest.approx(differences[0] / 4, abs=5e-4)
 
 
 def test_a_specimen_is_a_model_that_grows() -> None:
@@ -56,6 +65,8 @@ def test_wrong_sizes_are_refused() -> None:
         specimens.compact_tension(width=0.1, crack=0.05, force=1.0, thickness=0)
     with pytest.raises(bempd.ArgumentError, match="compact_tension_shear: angle is 2"):
         specimens.compact_tension_shear(width=0.09, crack=0.05, force=1.0, angle=2.0, thickness=1.0)
+    with pytest.raises(bempd.ArgumentError, match="lug: hole / 2 \\+ crack is 0.035"):
+        specimens.lug(width=0.06, hole=0.03, crack=0.02, force=1.0, thickness=1.0)
     with pytest.raises(bempd.ArgumentError, match="cracked_hole: cracks is 3"):
         specimens.cracked_hole(radius=0.01, crack=0.01, stress=1.0, cracks=3)
 
