@@ -1235,8 +1235,8 @@ typedef struct bempd_sparse_task {
 typedef int32_t (*bempd_sparse_function)(bempd_sparse_task* task, void* user);
 
 /** @brief Lend a solver of the sparse system to a model, before its first step or result. The model uses it until it is
- * freed or the solver is taken away again; then it gets BEMPD_SPARSE_DETACH. Windows work on it. After a break outside
- * windows the factor preconditions an iteration, because there are no changes of low rank.
+ * freed or the solver is taken away again; then it gets BEMPD_SPARSE_DETACH. Windows work on it. After breaks outside
+ * windows the library carries changes of low rank beside its factor, for which it asks the solver to solve.
  * @param[in] model the model @param[in] function NULL takes the solver away; its factors are forgotten
  * @param[in] user handed to the function; may be NULL @return status @since 0.4 */
 BEMPD_API bempd_status bempd_set_sparse_solver(bempd_model* model, bempd_sparse_function function, void* user);

@@ -108,10 +108,13 @@ void SystemFactor::factorize(const Matrix& matrix) {
 
 void SystemFactor::change(const Matrix& columns, linalg::Change change) {
   const Stopwatch watch(counters_.seconds_update);
-  if (is_current()) changes_.push_back(as_change(columns, change));
-  // A factor that cannot follow the change becomes stale; it still preconditions the iteration in solve().
+  const bool was_current = is_current();
+  if (was_current) changes_.push_back(as_change(columns, change));
+  // A factor that cannot follow the change becomes stale; it still preconditions the iteration in solve(). After an
+  // error, such as a request to cancel, there is none.
+  state_ = FactorState::none;
   const bool follows = solver_->factorization().update(columns, change);
-  state_ = follows && is_current() ? FactorState::updated : FactorState::stale;
+  state_ = follows && was_current ? FactorState::updated : FactorState::stale;
   counters_.factor_updates += columns.cols();
 }
 

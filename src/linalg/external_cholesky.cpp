@@ -11,6 +11,7 @@
 
 #include "cancellation.hpp"
 #include "linalg/dense_parts.hpp"
+#include "linalg/low_rank_change.hpp"
 #include "linalg/sparsity_pattern.hpp"
 #include "phase.hpp"
 
@@ -55,6 +56,7 @@ class ExternalCholesky final : public SparseCholesky {
       return factorize(compressed);
     }
     has_factor_ = false;
+    change_.clear();
     entries_ = 0;
     smallest_pivot_ = 1;
     if (lower.rows() == 0) return has_factor_ = true;
@@ -67,21 +69,8 @@ class ExternalCholesky final : public SparseCholesky {
 
   void solve_in_place(Eigen::Ref<Eigen::MatrixXd> rhs) const override {
     assert(has_factor_);
-    for (Eigen::Index first = 0; first < rhs.cols(); first += most_sides_at_once) {
-      check_cancelled();
-      auto part = rhs.middleCols(first, std::min(most_sides_at_once, rhs.cols() - first));
-      Eigen::MatrixXd values = scale_.asDiagonal() * part;
-      if (plan_.kept == 0) {
-        solver_->solve(number_, values);
-      } else {
-        Eigen::MatrixXd kept = reduced(values);
-        solve_lower(schur_.lower(), kept);
-        solve_upper(schur_.lower(), kept);
-        expand(kept, values);
-      }
-      part = scale_.asDiagonal() * values;
-      check_cancelled();
-    }
+    solve_unchanged(rhs);  // with the matrix that was factorized
+    change_.correct(rhs);
   }
 
   // The first entries of the result are those of the right-hand side: what elimination makes of them stays in the
@@ -89,7 +78,6 @@ class ExternalCholesky final : public SparseCholesky {
   void solve_forward(Eigen::Ref<Eigen::MatrixXd> rhs) const override {
     assert(has_factor_);
     for (Eigen::Index first = 0; first < rhs.cols(); first += most_sides_at_once) {
-      check_cancelled();
       auto part = rhs.middleCols(first, std::min(most_sides_at_once, rhs.cols() - first));
       const Eigen::MatrixXd ordered = part(order_, Eigen::all);
       part.topRows(others()) = ordered.topRows(others());
@@ -109,7 +97,6 @@ class ExternalCholesky final : public SparseCholesky {
     if (known < plan_.kept) finish_kept(transposed, known);
     if (others() == 0) return;
     for (Eigen::Index first = 0; first < transposed.rows(); first += most_sides_at_once) {
-      check_cancelled();
       auto part = transposed.middleRows(first, std::min(most_sides_at_once, transposed.rows() - first));
       Eigen::MatrixXd values(part.cols(), part.rows());
       values(order_, Eigen::all) = part.transpose();
@@ -139,7 +126,8 @@ class ExternalCholesky final : public SparseCholesky {
   }
 
   Eigen::MatrixXd inverse_block(const std::vector<int>& unknowns) const override {
-    if (std::optional<Eigen::MatrixXd> block = inverse_block_of_kept(unknowns)) return *std::move(block);
+    if (change_.is_empty())
+      if (std::optional<Eigen::MatrixXd> block = inverse_block_of_kept(unknowns)) return *std::move(block);
     const auto size = static_cast<Eigen::Index>(unknowns.size());
     Eigen::MatrixXd block(size, size);
     for (Eigen::Index first = 0; first < size; first += most_sides_at_once) {
@@ -159,13 +147,35 @@ class ExternalCholesky final : public SparseCholesky {
     return (unscaled.asDiagonal() * lower).bottomRightCorner(size, size);
   }
 
-  bool update(const SparseMatrix& columns, Change) override { return columns.nonZeros() == 0; }
-  double smallest_pivot_ratio() const override { return smallest_pivot_; }
+  // The solver cannot change its factor, so the change is carried beside it.
+  bool update(const SparseMatrix& columns, Change change) override {
+    if (columns.nonZeros() == 0) return true;
+    if (!has_factor_ || !change_.has_room_for(columns.cols(), scale_.size(), entries_)) return false;
+    return change_.add(columns, change, [this](Eigen::Ref<Eigen::MatrixXd> sides) { solve_unchanged(sides); });
+  }
+  double smallest_pivot_ratio() const override { return std::min(smallest_pivot_, change_.least_share()); }
   std::int64_t factor_nonzeros() const override { return entries_; }
 
  private:
   Eigen::Index others() const { return static_cast<Eigen::Index>(order_.size()) - plan_.kept; }
   std::vector<int> kept_unknowns() const { return {order_.end() - plan_.kept, order_.end()}; }
+
+  void solve_unchanged(Eigen::Ref<Eigen::MatrixXd> rhs) const {
+    for (Eigen::Index first = 0; first < rhs.cols(); first += most_sides_at_once) {
+      auto part = rhs.middleCols(first, std::min(most_sides_at_once, rhs.cols() - first));
+      Eigen::MatrixXd values = scale_.asDiagonal() * part;
+      if (plan_.kept == 0) {
+        solver_->solve(number_, values);
+      } else {
+        Eigen::MatrixXd kept = reduced(values);
+        solve_lower(schur_.lower(), kept);
+        solve_upper(schur_.lower(), kept);
+        expand(kept, values);
+      }
+      part = scale_.asDiagonal() * values;
+      check_cancelled();
+    }
+  }
 
   void choose_scale(const SparseMatrix& lower) {
     scale_ = lower.diagonal().unaryExpr([](double d) { return std::exp2(-std::round(std::log2(d) / 2)); });
@@ -275,6 +285,7 @@ class ExternalCholesky final : public SparseCholesky {
   SparsityPattern<int> pattern_;  // that was analysed
   SparseMatrix coupling_;         // scaled, of all unknowns with the kept ones
   DenseCholesky schur_;           // scaled
+  LowRankChange change_;          // since the factorization
   double smallest_pivot_ = 1;
   std::int64_t entries_ = 0;
   bool has_factor_ = false;

@@ -9,7 +9,7 @@
 namespace bempd::linalg {
 
 // Cholesky factor by a solver from outside the library. The solver eliminates all unknowns but the kept ones; the Schur
-// complement on these is factorized here. There are no changes of low rank: every update() leaves a stale factor.
+// complement on these is factorized here, and changes of low rank are carried beside the factor (low_rank_change.hpp).
 std::unique_ptr<SparseCholesky> external_cholesky(std::shared_ptr<ExternalSolver> solver, std::string scratch);
 
 }  // namespace bempd::linalg

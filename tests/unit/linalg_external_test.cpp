@@ -163,6 +163,57 @@ TEST_P(ExternalCholesky, has_products_of_halves_as_the_own_one) {
   }
 }
 
+// Changes of two kinds, one after the other, as a run makes them, against factors of the changed matrices.
+TEST_P(ExternalCholesky, follows_changes) {
+  SparseMatrix changed = lower;
+  const Eigen::VectorXd units = lower.diagonal().cwiseSqrt();
+  const Eigen::VectorXd weights = waves(3 * n);
+  for (int round = 0; round < 4; ++round) {
+    std::vector<Eigen::Triplet<double>> entries;
+    for (int k = 0; k < 5; ++k)
+      for (int e = 0; e < 3; ++e) {
+        const int unknown = (11 * round + 7 * k + 5 * e) % n;
+        entries.emplace_back(unknown, k, 0.1 * units[unknown] * weights[(k + 3 * e + round) % n]);
+      }
+    SparseMatrix columns(n, 5);
+    columns.setFromTriplets(entries.begin(), entries.end());
+    const Change change = round % 2 == 0 ? Change::remove : Change::add;
+    const SparseMatrix square = lower_triangle(columns * columns.transpose());
+    changed = change == Change::add ? SparseMatrix(changed + square) : SparseMatrix(changed - square);
+    ASSERT_TRUE(external->update(columns, change) && own->factorize(changed)) << round;
+    Eigen::MatrixXd expected = sides, solution = sides;
+    own->solve_in_place(expected);
+    external->solve_in_place(solution);
+    EXPECT_LT(difference(solution, expected), 1e-10) << round;
+    std::vector<int> some = kept.empty() ? std::vector<int>{1, 4} : kept;
+    const Eigen::MatrixXd scale = units(some).asDiagonal();
+    EXPECT_LT(
+        relative_difference(scale * external->inverse_block(some) * scale, scale * own->inverse_block(some) * scale),
+        1e-9);
+  }
+  EXPECT_GT(external->smallest_pivot_ratio(), 1e-4);
+}
+
+// A motion that keeps nothing, or next to nothing: the factor stays the one of before.
+TEST_P(ExternalCholesky, does_not_follow_a_removal_that_leaves_a_motion_free) {
+  const Eigen::VectorXd motion = waves(n);
+  const Eigen::VectorXd force = lower.selfadjointView<Eigen::Lower>() * motion;
+  Eigen::MatrixXd before = sides;
+  external->solve_in_place(before);
+  for (const double left : {0.0, 1e-12, 1e-10}) {
+    const SparseMatrix column = (force * std::sqrt((1 - left) / motion.dot(force))).sparseView();
+    EXPECT_FALSE(external->update(column, Change::remove)) << left;
+    Eigen::MatrixXd after = sides;
+    external->solve_in_place(after);
+    EXPECT_EQ((after - before).cwiseAbs().maxCoeff(), 0) << left;
+  }
+  const SparseMatrix column = (force * std::sqrt((1 - 1e-6) / motion.dot(force))).sparseView();
+  EXPECT_TRUE(external->update(column, Change::remove));
+  EXPECT_NEAR(external->smallest_pivot_ratio(), 1e-6, 1e-8);
+  EXPECT_TRUE(external->factorize(lower));
+  EXPECT_GT(external->smallest_pivot_ratio(), 1e-4);
+}
+
 INSTANTIATE_TEST_SUITE_P(Kept, ExternalCholesky, testing::Values(0, 1, 20, 72));
 
 TEST(ExternalSolver, keeps_its_analysis_while_the_pattern_stays) {

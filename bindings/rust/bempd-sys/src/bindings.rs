@@ -2019,8 +2019,8 @@ pub type bempd_sparse_function = ::std::option::Option<
 extern "C" {
     /// Lend a solver of the sparse system to a model, before its first step or result. The model
     /// uses it until it is freed or the solver is taken away again; then it gets
-    /// BEMPD_SPARSE_DETACH. Windows work on it. After a break outside windows the factor
-    /// preconditions an iteration, because there are no changes of low rank.
+    /// BEMPD_SPARSE_DETACH. Windows work on it. After breaks outside windows the library carries
+    /// changes of low rank beside its factor, for which it asks the solver to solve.
     ///
     /// * model \[in\]: the model
     /// * function \[in\]: NULL takes the solver away; its factors are forgotten
