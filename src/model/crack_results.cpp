@@ -147,6 +147,7 @@ const std::vector<regions::TipValues>& Model::tips() {
   ensure_equilibrium();
   if (tips_generation_ == generation_) return tips_;
   tips_ = compute_tips();
+  look_past_switches(tips_);
   tips_generation_ = generation_;
   return tips_;
 }
@@ -199,7 +200,10 @@ std::vector<Point> ElementCarrier::openings(int crack, const std::vector<double>
   const double length = length_of(model_.crack_path(crack)), own = polyline_length(cracks[number].crack.points);
   const double before = grown_among_bonds(crack, 0, model_.scene_.cracks()[number], model_.extensions());
   for (std::size_t k = 0; k < fractions.size(); ++k) {
-    const double part = is_whole ? fractions[k] : (fractions[k] * length - before) / own;
+    double part = is_whole ? fractions[k] : (fractions[k] * length - before) / own;
+    // In a lattice the crack may lie a little beside its points, which changes its length.
+    if (cracks[number].region_at(0) > 0) part = std::max(part, 0.0);
+    if (cracks[number].region_at(1) > 0) part = std::min(part, 1.0);
     const int region = part < 0 || part > 1 ? 0 : cracks[number].part_at(part).region;
     if (region > 0) openings[k] = within(region, {part}).front();
   }

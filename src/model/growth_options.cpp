@@ -32,7 +32,9 @@ const scene::OptionGroup growth_group(scene::OptionPlace::growth, [] {
           0, 0, 1e9, false),
       scene::number_option("crack.step",
                            "Length by which cracks of BEM regions grow at an event of a step [m]. 0: the library "
-                           "chooses it from the length of the crack and the way to the nearest edge, hole or crack.",
+                           "chooses it from the length of the crack and the way to the nearest edge, hole or crack. "
+                           "It is halved where the crack would turn by more than 20 degrees behind it. In either "
+                           "case a ligament of up to a quarter of the length breaks too.",
                            0, 0, 1e300, false),
       scene::number_option("crack.exponent",
                            "Tips that grow together do so by the length asked for times this power of their energy "

@@ -28,12 +28,16 @@ std::vector<PathVertex> path_in(const scene::Scene& scene, const PreparedScene& 
   if (!is_described) return path_of(crack, {}, extensions);
   const scene::Crack& found = prepared.in_lattices.cracks[number];
   if (found.points.empty()) return {};
+  const regions::PartedCrack& parted = prepared.discretization.cracks[number];
   std::vector<Point> given(found.given().begin(), found.given().end());
   for (const int end : {0, 1}) {
+    Point& place = end == 0 ? given.front() : given.back();
     const bool has_grown =
         std::ranges::any_of(extensions, [&](const auto& e) { return e.crack == crack && e.end == end; });
-    if (!has_grown)
-      (end == 0 ? given.front() : given.back()) = prepared.in_lattices.ends[number][static_cast<std::size_t>(end)];
+    if (parted.region_at(end) > 0)
+      place = end == 0 ? parted.crack.given().front() : parted.crack.given().back();
+    else if (!has_grown)
+      place = prepared.in_lattices.ends[number][static_cast<std::size_t>(end)];
   }
   return path_of(crack, given, extensions);
 }

@@ -160,11 +160,13 @@ void LineEvents::begin_crack(Outcome& outcome) {
     tips.push_back({birth_->middle + law.spacing / 2 * direction, direction, birth_->law, {id + 1, end}});
     const double resistance = steps_.growth_law(tips.back(), birth_->middle).resistance();
     tips.back().grown = law.spacing / 2;
+    tips.back().state = steps_.state_of_begun(tips.back());
     constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
     crack::Extension extension = crack::begin_extension(tips.back().id, birth_->middle, 0, body_.state().load_factor,
                                                         {{unknown, unknown}, {unknown, unknown}}, resistance);
-    crack::arrive(extension, tips.back().place, law.spacing / 2, crack::TipState::grows);
+    crack::arrive(extension, tips.back().place, law.spacing / 2, tips.back().state);
     extension.rate_before = extension.rate_after = unknown;
+    extension.surface_energy = outcome.bond_energy;  // all that the bonds have taken
     outcome.extensions.push_back(extension);
   }
 }

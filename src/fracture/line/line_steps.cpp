@@ -202,6 +202,11 @@ int LineSteps::law_ahead_of(const GrowingTip& tip) const {
   return found;
 }
 
+crack::TipState LineSteps::state_at_edge(const Point& place) const {
+  const bool at_hole = distance_to(laws_.hole_edges, place) < distance_to(laws_.outer_edges, place);
+  return at_hole ? crack::TipState::at_hole : crack::TipState::at_edge;
+}
+
 crack::Extension LineSteps::take(const LineStep& step, const Event& event, double released_energy,
                                  const DisplacementAt& displacement_at, std::vector<GrowingTip>& tips) const {
   move(step, tips);
@@ -237,9 +242,7 @@ crack::Extension LineSteps::remember(const LineStep& step, double ratio, double 
   if (is_first || !step.by_energy)
     tip.energy_ratios.push_back(is_first ? 1 : std::clamp(released, least_ratio, largest_ratio));
   if (tip.energy_ratios.size() > remembered_steps) tip.energy_ratios.erase(tip.energy_ratios.begin());
-  const bool at_hole = step.way.ends_as == crack::TipState::at_edge &&
-                       distance_to(laws_.hole_edges, tip.place) < distance_to(laws_.outer_edges, tip.place);
-  tip.state = at_hole ? crack::TipState::at_hole : step.way.ends_as;
+  tip.state = step.way.ends_as == crack::TipState::at_edge ? state_at_edge(tip.place) : step.way.ends_as;
   crack::Extension extension =
       crack::begin_extension(tip.id, from, step.angle, load_factor, step.factors, fracture_energy);
   crack::arrive(extension, tip.place, step.way.length, tip.state);

@@ -132,6 +132,12 @@ class LineSteps {
   crack::Extension take(const LineStep& step, const Event& event, double released_energy,
                         const DisplacementAt& displacement_at, std::vector<GrowingTip>& tips) const;
 
+  // State of a tip whose crack has just begun: at a free edge or a hole it has ended.
+  crack::TipState state_of_begun(const GrowingTip& tip) const {
+    const bool leaves = way_.leaves_body(tip.place, tip.direction, law_of(tip));
+    return leaves ? state_at_edge(tip.place) : crack::TipState::grows;
+  }
+
   // Nodes whose displacements are needed for these tips, each once.
   std::vector<int> nodes_asked(const std::vector<GrowingTip>& tips) const;
   static bool has_ended(const GrowingTip& tip) { return crack::has_ended(tip.state); }
@@ -178,6 +184,7 @@ class LineSteps {
   AffineIntensity turning_of(const GrowingTip& tip, const AffineIntensity& by_fit, const coupling::Affine& displacement,
                              double present) const;
   int law_ahead_of(const GrowingTip& tip) const;
+  crack::TipState state_at_edge(const Point& place) const;
   // Ratio of a tip's equivalent stress intensity factor after a step to the toughness of `law`. `displacement` is that
   // after the step.
   double ratio_after(const GrowingTip& tip, const pd::TipLaw& law, const coupling::Affine& displacement,

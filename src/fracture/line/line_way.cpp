@@ -118,6 +118,11 @@ int LineWay::clear_spacings(const Point& place, const Point& direction, const pd
   return most;
 }
 
+bool LineWay::leaves_body(const Point& place, const Point& direction, const pd::TipLaw& law) const {
+  const Point end = place + most_empty_steps * law.spacing * direction;
+  return across(place, end, law.horizon).empty() && is_free(place, around_edge * law.spacing);
+}
+
 LineWay::Step LineWay::next(const Point& place, const Point& direction, const pd::TipLaw& law) const {
   using crack::TipState;
   const auto step_of = [&](double length, TipState ends_as) {

@@ -31,6 +31,9 @@ class LineWay {
   // Number of spacings ahead of a tip before the face of a crack or an edge, at most `most`.
   int clear_spacings(const Point& place, const Point& direction, const pd::TipLaw& law, int most) const;
 
+  // Whether a place lies at a free edge or outside of it, with nothing ahead.
+  bool leaves_body(const Point& place, const Point& direction, const pd::TipLaw& law) const;
+
   const linalg::Adjacency& terms_from() const { return terms_from_; }
 
  private:

@@ -18,6 +18,9 @@ constexpr double along = 2.5, off = 3, larger = 1.5;
 constexpr int most_ellipses = 3;
 constexpr std::size_t enough_for_quadratic = 8, enough_for_linear = 4;
 
+// Largest error of a fitted constant for which the points count as determining the fit.
+constexpr double determined = 1e-6;
+
 // Distance from the crack, in spacings, of a place that stands for one side of it.
 constexpr double beside = 1e-3;
 
@@ -87,9 +90,10 @@ class OpeningsOfCrack {
     double reach = 1;
     for (int k = 0; k < most_ellipses; ++k, reach *= larger) {
       const std::vector<int> found = points(place, side, reach);
-      const bool last = k + 1 == most_ellipses;
-      if (found.size() >= enough_for_quadratic || (last && found.size() >= enough_for_linear))
-        return fitted(place, reach, found, displacement);
+      if (found.size() >= enough_for_quadratic)
+        if (const std::optional<Point> fit = fitted(place, reach, found, displacement, 6)) return *fit;
+      if (k + 1 == most_ellipses && found.size() >= enough_for_linear)
+        if (const std::optional<Point> fit = fitted(place, reach, found, displacement, 3)) return *fit;
     }
     return Point::Constant(std::numeric_limits<double>::quiet_NaN());
   }
@@ -111,20 +115,23 @@ class OpeningsOfCrack {
     return std::sqrt(std::max(0.0, 1 - x * x - y * y));
   }
 
-  Point fitted(const Place& place, double reach, const std::vector<int>& nodes,
-               const Eigen::VectorXd& displacement) const {
-    const bool quadratic = nodes.size() >= enough_for_quadratic;
-    Eigen::MatrixXd terms(static_cast<Eigen::Index>(nodes.size()), quadratic ? 6 : 3);
-    Eigen::MatrixXd values(terms.rows(), 2);
+  // Displacement at a place from a fit of 6 terms (quadratic) or 3 (linear). Empty if the points do not determine it,
+  // as those of two rows only: the fit of a constant then differs from it.
+  std::optional<Point> fitted(const Place& place, double reach, const std::vector<int>& nodes,
+                              const Eigen::VectorXd& displacement, Eigen::Index term_count) const {
+    Eigen::MatrixXd terms(static_cast<Eigen::Index>(nodes.size()), term_count);
+    Eigen::MatrixXd values(terms.rows(), 3);
     for (Eigen::Index i = 0; i < terms.rows(); ++i) {
       const int node = nodes[static_cast<std::size_t>(i)];
       const Point arm = (body_.discretization.positions[static_cast<std::size_t>(node)] - place.at) / spacing_;
       const double x = arm.dot(place.tangent), y = arm.dot(place.normal()), w = weight(place, arm, reach);
       terms.row(i).head<3>() << w, w * x, w * y;
-      if (quadratic) terms.row(i).tail<3>() << w * x * x, w * x * y, w * y * y;
-      values.row(i) = w * displacement.segment<2>(2 * node).transpose();
+      if (term_count == 6) terms.row(i).tail<3>() << w * x * x, w * x * y, w * y * y;
+      values.row(i) << w * displacement.segment<2>(2 * node).transpose(), w;
     }
-    return linalg::LeastSquares(terms).solve(values).row(0).transpose();
+    const Eigen::RowVectorXd found = linalg::LeastSquares(terms).solve(values).row(0);
+    if (std::abs(found[2] - 1) > determined) return std::nullopt;
+    return Point(found[0], found[1]);
   }
 
   const BondedBody& body_;

@@ -112,3 +112,27 @@ def test_ends_at_an_edge_a_hole_and_a_crack_are_told_apart(what: str, state: bem
     *before, last = [e for e in model.extensions() if e.crack == 1]
     assert last.ended and last.state == state
     assert all(e.state == bempd.TipState.GROWS for e in before)
+
+
+@pytest.mark.parametrize("horizon", [3, 4])
+def test_the_energies_of_the_last_steps_correct_the_load_of_the_next(horizon: int) -> None:
+    """Of the last eight steps the energies released over those expected, and two steps by the fracture energy: by their mean the
+    energy release rate at which the tip sets out is below the fracture energy. The first step, whose place among the points is
+    chance, counts as one by the fracture energy."""
+    model = bempd.Model(options={"stepping.control": "path", "crack.rule": "tips", "crack.load": "fit"})
+    material = model.add_material(young_modulus=1, poisson_ratio=1 / 3, fracture_energy=1)
+    body = model.add_pd_region(material, bempd.rectangle(0, 0, 50, 40), 1, horizon)
+    model.add_crack([(0, 20.5), (14, 20.5)])
+    model.fix_edge(body, 1, "both")
+    model.prescribe_edge(body, 3, "y", 1)
+    model.fix_edge(body, 3, "x")
+    ratios: list[float] = []
+    for step in range(12):
+        model.step_to_next_event(1e9)
+        grown = model.extensions()[-1]
+        remembered = ratios[-8:]
+        correction = (2 + sum(remembered)) / (2 + len(remembered))
+        assert grown.energy_release_rate_before * correction == pytest.approx(1, rel=1e-9)
+        expected = (grown.energy_release_rate_before + grown.energy_release_rate_after) / 2 * grown.length
+        ratios.append(1 if step == 0 else min(max(grown.released_energy / expected, 0.5), 2))
+    assert max(ratios) > 1.005
