@@ -1,5 +1,5 @@
 """Opens every page of the built site in Chromium, wide and narrow: pictures that do not load, links that lead to nothing, text
-that runs out of the screen, code that a wide screen clips, errors of scripts, buttons and marks that do nothing. Fails with the
+that runs out of the screen, code and small tables that a wide screen clips, errors of scripts, buttons and marks that do nothing. Fails with the
 list; keeps screenshots.
 
     look.py SITE SCREENSHOTS
@@ -65,6 +65,8 @@ const load = (page, width) => new Promise(done => {
       if (doc.querySelector('.toc-tree li li') && !doc.querySelector('.toc-tree .scroll-current')) found.push(`${page}: the contents mark no place`);
       for (const code of doc.querySelectorAll('article pre')) if (code.scrollWidth > code.clientWidth + 1)
         found.push(`${page}: code is clipped: ${code.textContent.split('\\n').sort((a, b) => b.length - a.length)[0].trim().slice(0, 60)}`);
+      for (const table of doc.querySelectorAll('article table')) if (table.rows[0].cells.length <= 6 && table.scrollWidth > table.clientWidth + 1)
+        found.push(`${page}: a table is clipped: ${table.textContent.trim().slice(0, 60)}`);
       for (const image of doc.images) if (image.loading !== 'lazy' && image.naturalWidth === 0) found.push(`${page}: picture ${image.getAttribute('src')} does not load`);
       for (const link of doc.querySelectorAll('article a[href]')) {
         const url = new URL(link.href);
