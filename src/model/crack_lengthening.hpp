@@ -57,8 +57,8 @@ class CrackLengthening {
   virtual bool grows_lines() { return false; }
   // Least length by which a tip can grow, of which its growth is a multiple [m]; 0 for any length.
   virtual double quantum(const regions::TipValues&) const { return 0; }
-  // Distance ahead of its place at which a tip acts [m].
-  virtual double acts_ahead(const regions::TipValues&, const PreparedScene&) const { return 0; }
+  // Distance ahead of its place at which a tip acts [m]; `is_loaded` by the loads for which it is asked.
+  virtual double acts_ahead(const regions::TipValues&, const PreparedScene&, bool /*is_loaded*/) const { return 0; }
 
   // Moves the load factor; cracks do not grow meanwhile.
   virtual void go_to(double load_factor);
