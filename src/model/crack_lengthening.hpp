@@ -69,6 +69,8 @@ class CrackLengthening {
   GrowthResult grown_first(const Growing& growing);
   // Continues in the scene with longer cracks, which becomes the model's.
   virtual void go_on_in(LongerCracks longer);
+  // Leaves a trial that is not accepted: the model is again at its last accepted state.
+  virtual void stay() {}
   // Calls the host's progress function; throws Error (cancelled) if that asks to stop.
   void report_progress();
   void tell(const std::string& warning) const {

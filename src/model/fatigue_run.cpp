@@ -50,6 +50,7 @@ FatigueReport FatigueRun::run() {
   take_up_waiting();
   record();
   while (step()) lengthening_.report_progress();
+  lengthening_.stay();
   report_.error = step_.error(report_.cycles - options_.first_cycle, report_.steps > 0);
   return report_;
 }
@@ -222,6 +223,7 @@ bool FatigueRun::accept(Trial trial, std::size_t leader) {
 }
 
 bool FatigueRun::pass(const crack::CyclesOnStep& cycles) {
+  lengthening_.stay();
   report_.cycles += cycles.cycles;
   for (std::size_t t = 0; t < front_.size(); ++t) {
     overloads_.set(front_[t].id(), cycles.overloads[t]);

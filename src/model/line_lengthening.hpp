@@ -28,6 +28,7 @@ class LineLengthening final : public CrackLengthening {
   void go_to(double load_factor) override;
   LongerCracks lengthened(const std::vector<Lengthened>& tips) override;
   void go_on_in(LongerCracks longer) override;
+  void stay() override { return_to_accepted(); }
 
  private:
   double spacing_at(const regions::TipValues& tip, const PreparedScene& scene) const;
