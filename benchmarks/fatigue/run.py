@@ -23,6 +23,37 @@ def row(what: str, steps: int, value: float, reference: float, against: str, sec
     return f"| {what} | {steps} | {100 * (value / reference - 1):+.3f} % | {against} | {seconds:.2f} |"
 
 
+def rows_of_square(scene: str) -> list[str]:
+    elements, lines = lives.square_life(scene), []
+    for spacings in (40, 60, 80):
+        begin = time.perf_counter()
+        found = lives.square_life(scene, spacings)
+        lines.append(f"| {scene} as a line in a lattice of {spacings} spacings | | {100 * (found / elements - 1):+.3f} % "
+                     f"| boundary elements | {time.perf_counter() - begin:.2f} |")
+    return lines
+
+
+def rows_of_halves(scene: str) -> list[str]:
+    elements, lines = lives.life_in_halves("elements", "elements", scene), []
+    for left, right in (("elements", "lattice"), ("lattice", "elements"), ("lattice", "lattice")):
+        begin = time.perf_counter()
+        found = lives.life_in_halves(left, right, scene)
+        lines.append(f"| {scene}, {left} and {right} of 40 spacings | | {100 * (found[-1] / elements[-1] - 1):+.3f} % "
+                     f"| boundary elements | {time.perf_counter() - begin:.2f} |")
+    return lines
+
+
+def rows_of_cases(shear: float) -> list[str]:
+    end = lives.SQUARES["centre crack"][1]
+    elements, lines = lives.life_under_cases(shear=shear).cycles_at(end), []
+    for spacings in (40, 60, 80):
+        begin = time.perf_counter()
+        found = lives.life_under_cases(spacings, shear).cycles_at(end)
+        lines.append(f"| spectrum of load cases with {shear:g} of shear, a line in {spacings} spacings | | {100 * (found / elements - 1):+.3f} % "
+                     f"| boundary elements | {time.perf_counter() - begin:.2f} |")
+    return lines
+
+
 def table() -> list[str]:
     lines = ["| life | steps | difference | from | time [s] |", "|---|---|---|---|---|"]
     for options in ({}, {"tolerance": 1e-2, "largest_step": 0.5}, {"largest_step": 0.1}):
@@ -69,12 +100,11 @@ def table() -> list[str]:
             lines.append(f"| growth by {name}'s model, {program} | | {100 * (growth / exact - 1):+.3f} % | integration "
                          f"| {time.perf_counter() - begin:.2f} |")
     for scene in lives.SQUARES:
-        elements = lives.square_life(scene)
-        for spacings in (40, 60, 80):
-            begin = time.perf_counter()
-            found = lives.square_life(scene, spacings)
-            lines.append(f"| {scene} as a line in a lattice of {spacings} spacings | | {100 * (found / elements - 1):+.3f} % "
-                         f"| boundary elements | {time.perf_counter() - begin:.2f} |")
+        lines += rows_of_square(scene)
+    for scene in lives.HALVES:
+        lines += rows_of_halves(scene)
+    for shear in (0.0, 0.4):
+        lines += rows_of_cases(shear)
     return lines
 
 

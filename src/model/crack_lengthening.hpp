@@ -57,8 +57,8 @@ class CrackLengthening {
   virtual bool grows_lines() { return false; }
   // Least length by which a tip can grow, of which its growth is a multiple [m]; 0 for any length.
   virtual double quantum(const regions::TipValues&) const { return 0; }
-  // Distance ahead of its place at which a tip acts [m].
-  virtual double acts_ahead(const regions::TipValues&, const PreparedScene&) const { return 0; }
+  // Distance ahead of its place at which a tip acts [m]; `is_loaded` by the loads for which it is asked.
+  virtual double acts_ahead(const regions::TipValues&, const PreparedScene&, bool /*is_loaded*/) const { return 0; }
 
   // Moves the load factor; cracks do not grow meanwhile.
   virtual void go_to(double load_factor);
@@ -69,6 +69,8 @@ class CrackLengthening {
   GrowthResult grown_first(const Growing& growing);
   // Continues in the scene with longer cracks, which becomes the model's.
   virtual void go_on_in(LongerCracks longer);
+  // Leaves a trial that is not accepted: the model is again at its last accepted state.
+  virtual void stay() {}
   // Calls the host's progress function; throws Error (cancelled) if that asks to stop.
   void report_progress();
   void tell(const std::string& warning) const {

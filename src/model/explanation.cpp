@@ -197,11 +197,17 @@ class Explainer {
       if (!last.empty() && last.front().step != record.step) last.clear();
       last.push_back(record);
     }
-    std::erase_if(last, [&](const FatigueRecord& record) {
-      if (!(record.rate > 0) || record.tip.crack > model_.crack_count()) return true;
+    const std::vector<FatigueRecord> all = last;
+    const auto is_there = [&](const FatigueRecord& record) {
+      if (record.tip.crack > model_.crack_count()) return false;
       const std::vector<PathVertex> path = model_.crack_path(record.tip.crack);
       const Point& end = record.tip.end == 0 ? path.front().place : path.back().place;
-      return (end - record.place).norm() > 1e-9 * record.length;
+      return (end - record.place).norm() <= 1e-9 * record.length;
+    };
+    std::erase_if(last, [&](const FatigueRecord& record) {
+      return !(record.rate > 0) || std::ranges::any_of(all, [&](const FatigueRecord& one) {
+        return one.tip.crack == record.tip.crack && !is_there(one);
+      });
     });
     return last;
   }

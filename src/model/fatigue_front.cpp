@@ -78,7 +78,7 @@ Front FrontReader::front(const std::vector<regions::TipValues>& tips, LongerCrac
   for (const regions::TipValues& values : tips) {
     FrontTip tip;
     tip.values = values, tip.region = lengthening_.region_of(values, scene);
-    tip.law = law_in(tip.region), tip.acts_ahead = lengthening_.acts_ahead(values, scene);
+    tip.law = law_in(tip.region), tip.acts_ahead = lengthening_.acts_ahead(values, scene, !levels_.combine_cases());
     if (!tip.law) continue;
     const crack::RateParameters& parameters = *parameters_of(tip.region);
     with_t_stress |= parameters.kind == crack::RateParameters::Kind::host || values.asking.function;

@@ -12,14 +12,17 @@ namespace bempd::model {
 namespace {
 
 constexpr std::size_t numbers_of_one = 7;
+constexpr double is_waiting = 2;  // is added to the end
 
 }  // namespace
 
 std::vector<double> numbers_of(const std::vector<RememberedOverload>& overloads) {
   std::vector<double> numbers;
-  for (const auto& [tip, place, overload] : overloads)
-    numbers.insert(numbers.end(), {static_cast<double>(tip.crack), static_cast<double>(tip.end), place.x(), place.y(),
-                                   overload.end, overload.zone, overload.highest});
+  for (const auto& [tip, place, overload, waiting] : overloads) {
+    const double crack = tip.crack, end = tip.end;
+    numbers.insert(numbers.end(), {crack, end, place.x(), place.y(), overload.end, overload.zone, overload.highest});
+    if (waiting != 0) numbers.insert(numbers.end(), {crack, end + is_waiting, place.x(), place.y(), waiting, 0.0, 0.0});
+  }
   return numbers;
 }
 
@@ -28,26 +31,36 @@ std::vector<RememberedOverload> overloads_of(const std::vector<double>& numbers)
   std::vector<RememberedOverload> overloads;
   for (std::size_t k = 0; sound && k < numbers.size(); k += numbers_of_one) {
     const double* n = numbers.data() + k;
-    sound = n[0] >= 1 && n[0] < 1e9 && (n[1] == 0 || n[1] == 1) && std::isfinite(n[2]) && std::isfinite(n[3]) &&
+    const bool waits = n[1] >= is_waiting;
+    const double end = waits ? n[1] - is_waiting : n[1];
+    sound = n[0] >= 1 && n[0] < 1e9 && (end == 0 || end == 1) && std::isfinite(n[2]) && std::isfinite(n[3]) &&
             n[4] < std::numeric_limits<double>::infinity() && n[5] >= 0 && std::isfinite(n[5]) && n[6] >= 0 &&
-            std::isfinite(n[6]);
-    if (sound)
+            std::isfinite(n[6]) && (!waits || (std::isfinite(n[4]) && !overloads.empty()));
+    if (sound && waits)
+      overloads.back().waiting = n[4];
+    else if (sound)
       overloads.push_back({{static_cast<int>(n[0]), static_cast<int>(n[1])}, {n[2], n[3]}, {n[4], n[5], n[6]}});
   }
   require(sound, "the state remembers overloads that are none; its bytes were altered");
   return overloads;
 }
 
+const RememberedOverload* remembered_at(const FrontTip& tip, const std::vector<RememberedOverload>& known,
+                                        const std::vector<scene::Crack>& cracks) {
+  constexpr double rounding_of_places = 1e-9;
+  const double length = length_of(cracks[static_cast<std::size_t>(tip.values.crack) - 1]);
+  const auto found = std::find_if(known.begin(), known.end(), [&](const RememberedOverload& one) {
+    return one.tip == tip.id() && (one.place - tip.values.place).norm() <= rounding_of_places * length;
+  });
+  return found == known.end() ? nullptr : &*found;
+}
+
 void MetOverloads::take_up(const std::vector<RememberedOverload>& known, const Front& front,
                            const std::vector<scene::Crack>& cracks, double first_cycle) {
-  constexpr double rounding_of_places = 1e-9;
   for (const FrontTip& tip : front) {
     if (!tip.law->retardation()) continue;
-    const double length = length_of(cracks[static_cast<std::size_t>(tip.values.crack) - 1]);
-    const auto found = std::find_if(known.begin(), known.end(), [&](const RememberedOverload& one) {
-      return one.tip == tip.id() && (one.place - tip.values.place).norm() <= rounding_of_places * length;
-    });
-    require(found != known.end(), "first_cycle is ", first_cycle, ", and the overloads that crack ", tip.id().crack,
+    const RememberedOverload* found = remembered_at(tip, known, cracks);
+    require(found != nullptr, "first_cycle is ", first_cycle, ", and the overloads that crack ", tip.id().crack,
             " has met before are not known: the last call of bempd_grow_fatigue() on this model did not end at its "
             "present tip; go on from there, or begin with first_cycle = 0");
     met_[tip.id()] = found->overload;
@@ -64,10 +77,14 @@ crack::Overload MetOverloads::of(const crack::TipId& tip) const {
   return found == met_.end() ? crack::Overload{} : found->second;
 }
 
-std::vector<RememberedOverload> MetOverloads::remembered(const Front& front) const {
+std::vector<RememberedOverload> MetOverloads::remembered(const Front& front,
+                                                         const std::map<crack::TipId, double>& waiting) const {
   std::vector<RememberedOverload> all;
-  for (const FrontTip& tip : front)
-    if (tip.law->retardation()) all.push_back({tip.id(), tip.values.place, of(tip.id())});
+  for (const FrontTip& tip : front) {
+    const auto waits = waiting.find(tip.id());
+    const double growth = waits == waiting.end() ? 0 : waits->second;
+    if (tip.law->retardation() || growth != 0) all.push_back({tip.id(), tip.values.place, of(tip.id()), growth});
+  }
   return all;
 }
 

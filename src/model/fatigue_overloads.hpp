@@ -8,6 +8,10 @@
 
 namespace bempd::model {
 
+// What is remembered of a tip at its place; null: nothing.
+const RememberedOverload* remembered_at(const FrontTip& tip, const std::vector<RememberedOverload>& known,
+                                        const std::vector<scene::Crack>& cracks);
+
 // Overloads that tips have met in a call of growth by cycles, counted from the tips' present places.
 class MetOverloads {
  public:
@@ -19,7 +23,8 @@ class MetOverloads {
   // Sets the overload at the end of a step, in which the tip has grown.
   void keep(const crack::TipOnStep& tip, crack::Overload overload);
   crack::Overload of(const crack::TipId& tip) const;
-  std::vector<RememberedOverload> remembered(const Front& front) const;
+  // What is to be remembered of the tips, with the growth of lines that waits.
+  std::vector<RememberedOverload> remembered(const Front& front, const std::map<crack::TipId, double>& waiting) const;
 
  private:
   std::map<crack::TipId, crack::Overload> met_;

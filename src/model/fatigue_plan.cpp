@@ -46,8 +46,8 @@ double FatigueRun::length_by_cycles(std::size_t tip) const {
   double length = length_of_crack(tip);
   for (const FrontTip& one : front_) {
     const auto ahead = ahead_.find(one.id());
-    const bool waits = one.values.crack == front_[tip].values.crack && lengthening_.quantum(one.values) > 0;
-    if (waits && ahead != ahead_.end()) length += ahead->second;
+    const bool is_waiting = one.values.crack == front_[tip].values.crack && lengthening_.quantum(one.values) > 0;
+    if (is_waiting && ahead != ahead_.end()) length += ahead->second;
   }
   return length;
 }
@@ -82,12 +82,47 @@ std::optional<FatigueRun::Plan> FatigueRun::plan() const {
   }
   if (std::isinf(cycles)) return std::nullopt;
   cycles = std::min(cycles, room * cycles_left());
-  for (std::size_t t = 0; t < front_.size(); ++t) {
-    const auto ahead = ahead_.find(front_[t].id());
-    plan.lengths.push_back(std::max(0.0, cycles * rates_[t] + (ahead == ahead_.end() ? 0 : ahead->second)));
-  }
+  const std::vector<double> ahead = growth_ahead();
+  for (std::size_t t = 0; t < front_.size(); ++t) plan.lengths.push_back(std::max(0.0, cycles * rates_[t] + ahead[t]));
   keep_within_length(plan);
   return plan;
+}
+
+// Growth of each tip by which its crack has not been extended yet.
+std::vector<double> FatigueRun::growth_ahead() const {
+  std::vector<double> ahead;
+  for (const FrontTip& tip : front_) {
+    const auto found = ahead_.find(tip.id());
+    ahead.push_back(found == ahead_.end() ? 0 : found->second);
+  }
+  return ahead;
+}
+
+// Whether the cycles of a trial end before a line has grown by half a step: then it is not extended yet.
+bool FatigueRun::waits(const Trial& trial, std::size_t tip) const {
+  return trial.cycles.end != crack::CyclesEnd::growth &&
+         trial.cycles.growth[tip] < 0.5 * lengthening_.quantum(front_[tip].values);
+}
+
+// Tip with elements that leads instead of a line that waits; empty if none grows by more than rounding.
+std::optional<std::size_t> FatigueRun::leader_instead(const Trial& trial) const {
+  for (std::size_t t = 0; t < front_.size(); ++t)
+    if (!is_line(t) && trial.cycles.growth[t] > 1e-6 * size_of(t)) return t;
+  return std::nullopt;
+}
+
+void FatigueRun::take_up_waiting() {
+  for (std::size_t t = 0; t < front_.size(); ++t) {
+    const RememberedOverload* known = remembered_at(front_[t], model_.fatigue().overloads(), cracks_);
+    if (known && is_line(t)) ahead_[front_[t].id()] = known->waiting;
+  }
+}
+
+std::vector<RememberedOverload> FatigueRun::remembered_overloads() const {
+  std::map<crack::TipId, double> waiting;
+  for (std::size_t t = 0; t < front_.size(); ++t)
+    if (is_line(t)) waiting[front_[t].id()] = growth_ahead()[t];
+  return overloads_.remembered(front_, waiting);
 }
 
 // Shortens a plan to the largest crack length. The tip whose crack reaches that length becomes the leader, so that its

@@ -47,8 +47,10 @@ FatigueReport FatigueRun::run() {
     overloads_.take_up(model_.fatigue().overloads(), front_, cracks_, options_.first_cycle);
     find_rates();
   }
+  take_up_waiting();
   record();
   while (step()) lengthening_.report_progress();
+  lengthening_.stay();
   report_.error = step_.error(report_.cycles - options_.first_cycle, report_.steps > 0);
   return report_;
 }
@@ -76,11 +78,17 @@ bool FatigueRun::step() {
     const std::optional<Plan> plan = this->plan();
     if (!plan) return pass_without_growth();
     try {
+      std::size_t leader = plan->leader;
       Trial trial = made(*plan);
-      if (is_too_short(trial, plan->leader)) return pass(trial.cycles);
+      if (is_line(leader) && waits(trial, leader)) {
+        const std::optional<std::size_t> other = leader_instead(trial);
+        if (!other) return pass(trial.cycles);
+        leader = *other, trial = made({trial.cycles.growth, leader});
+      }
+      if (is_too_short(trial, leader)) return pass(trial.cycles);
       const bool is_last = halvings == most_halvings;
       const bool may_stand = is_last || largest_turn(trial) <= turns_too_much;
-      if (may_stand && choose_step(trial, plan->leader, is_last)) return accept(std::move(trial), plan->leader);
+      if (may_stand && choose_step(trial, leader, is_last)) return accept(std::move(trial), leader);
     } catch (const Error& error) {
       // A crack ends where the remaining ligament is too thin for a solution, or where no scene with the longer crack
       // is possible.
@@ -102,6 +110,7 @@ FatigueRun::Trial FatigueRun::made(const Plan& plan) {
   Trial now = trial(plan.lengths, std::move(angles), plan.leader);
   for (int trials = 1; trials < most_trials && !is_too_short(now, plan.leader); ++trials) {
     const bool turns_on = trials == 1 && largest_turn(now) > turns;
+    if (is_line(plan.leader) && waits(now, plan.leader)) break;
     if (!turns_on && !is_off(now, plan.leader, trials == 1 ? off_at_first : off_later)) break;
     std::vector<double> turned = now.angles;
     for (std::size_t t = 0; turns_on && t < turned.size(); ++t) turned[t] += 0.5 * turn(now, t);
@@ -128,10 +137,8 @@ FatigueRun::Trial FatigueRun::trial(std::vector<double> lengths, std::vector<dou
   std::erase_if(tips, [&](const auto& tip) { return tip_in(front_, {tip.crack, tip.end}) == nullptr; });
   trial.after = reader_.front(tips, &trial.longer);
   trial.on_step = on_step(trial);
-  std::vector<double> ahead;
-  for (const FrontTip& tip : front_) ahead.push_back(ahead_[tip.id()]);
   const crack::CycleIntegration integration(program_, trial.on_step);
-  trial.cycles = integration.run(place_, std::move(ahead), leader, trial.on_step[leader].growth, cycles_left());
+  trial.cycles = integration.run(place_, growth_ahead(), leader, trial.on_step[leader].growth, cycles_left());
   return trial;
 }
 
@@ -196,7 +203,7 @@ bool FatigueRun::accept(Trial trial, std::size_t leader) {
   ++report_.steps;
   for (std::size_t t = 0; t < front_.size(); ++t) {
     const crack::TipOnStep& tip = trial.on_step[t];
-    ahead_[tip.tip] = t == leader ? 0 : trial.cycles.growth[t] - tip.growth;
+    ahead_[tip.tip] = t == leader && !is_line(t) ? 0 : trial.cycles.growth[t] - tip.growth;
     grown_[tip.tip] += tip.growth;
     last_growth_[tip.tip] = tip.growth, last_levels_[tip.tip] = tip.before;
     report_.growth += tip.growth;
@@ -216,8 +223,12 @@ bool FatigueRun::accept(Trial trial, std::size_t leader) {
 }
 
 bool FatigueRun::pass(const crack::CyclesOnStep& cycles) {
+  lengthening_.stay();
   report_.cycles += cycles.cycles;
-  for (std::size_t t = 0; t < front_.size(); ++t) overloads_.set(front_[t].id(), cycles.overloads[t]);
+  for (std::size_t t = 0; t < front_.size(); ++t) {
+    overloads_.set(front_[t].id(), cycles.overloads[t]);
+    if (is_line(t)) ahead_[front_[t].id()] = cycles.growth[t];
+  }
   place_ = cycles.place;
   return !is_over(cycles);
 }
@@ -227,8 +238,7 @@ bool FatigueRun::pass_without_growth() {
   std::vector<crack::TipOnStep> here;
   for (std::size_t t = 0; t < front_.size(); ++t) here.push_back(standing(t));
   const crack::CycleIntegration integration(program_, here);
-  return pass(
-      integration.run(place_, std::vector<double>(front_.size(), 0.0), 0, FatigueOptions::unlimited, cycles_left()));
+  return pass(integration.run(place_, growth_ahead(), 0, FatigueOptions::unlimited, cycles_left()));
 }
 
 bool FatigueRun::is_over(const crack::CyclesOnStep& cycles) {

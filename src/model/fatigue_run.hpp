@@ -23,7 +23,7 @@ class FatigueRun {
 
   FatigueReport run();
   std::vector<FatigueRecord> take_records() { return std::move(records_); }
-  std::vector<RememberedOverload> remembered_overloads() const { return overloads_.remembered(front_); }
+  std::vector<RememberedOverload> remembered_overloads() const;
 
  private:
   // Step that has been computed but not accepted yet; lists have an entry for each tip of the front.
@@ -54,11 +54,16 @@ class FatigueRun {
 
   bool step();  // false where the run is over
   Trial made(const Plan& plan);
+  void take_up_waiting();
   Trial trial(std::vector<double> lengths, std::vector<double> angles, std::size_t leader);
   std::vector<crack::TipOnStep> on_step(const Trial& trial) const;
   double turn(const Trial& trial, std::size_t tip) const;
   double largest_turn(const Trial& trial) const;
   bool is_too_short(const Trial& trial, std::size_t leader) const;
+  bool waits(const Trial& trial, std::size_t tip) const;
+  std::optional<std::size_t> leader_instead(const Trial& trial) const;
+  bool is_line(std::size_t tip) const { return lengthening_.quantum(front_[tip].values) > 0; }
+  std::vector<double> growth_ahead() const;
   bool is_off(const Trial& trial, std::size_t leader, double share) const;
   bool choose_step(const Trial& trial, std::size_t leader, bool must_stand);
   bool accept(Trial trial, std::size_t leader);

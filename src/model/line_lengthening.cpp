@@ -114,10 +114,13 @@ double LineLengthening::spacing_at(const regions::TipValues& tip, const Prepared
 }
 
 // The cut of an initial crack ends so that its tip acts where it was described. A line that has grown acts ahead of its
-// cut: in the direction of rows by 0.06 to 0.12 spacings.
-double LineLengthening::acts_ahead(const regions::TipValues& tip, const PreparedScene& scene) const {
-  constexpr double ahead_of_cut = 0.1;  // in spacings
-  return tip.method == regions::TipMethod::elements || !tip.grown ? 0 : ahead_of_cut * spacing_at(tip, scene);
+// cut, as the field tells if its loads act. Fields behind turns do not tell: then by what straight lines have in the
+// mean.
+double LineLengthening::acts_ahead(const regions::TipValues& tip, const PreparedScene& scene, bool is_loaded) const {
+  constexpr double in_the_mean = 0.1, farthest = 0.25;  // in spacings
+  if (tip.method == regions::TipMethod::elements || !tip.grown) return 0;
+  const double spacing = spacing_at(tip, scene);
+  return is_loaded && std::abs(tip.felt_ahead) < farthest * spacing ? tip.felt_ahead : in_the_mean * spacing;
 }
 
 // No tip grows while the load factor moves. If bonds break away from tips, the body fails at the load itself.
