@@ -6,6 +6,7 @@
 
 #include "coupling/term_flexibility.hpp"
 #include "fracture/line/trial_energy.hpp"
+#include "fracture/line/trial_steps.hpp"
 
 namespace fracture_trial_energy_test {
 namespace {
@@ -151,6 +152,49 @@ TEST(TrialEnergy, ends_before_a_part_comes_free) {
   const fracture::TrialEnergy trial(stiffness, coupling::flexibility_of(body.system, around), Affine::Ones(count, 2));
   EXPECT_EQ(count, 8);
   EXPECT_EQ(trial.count(), 6);
+}
+
+// Growth by up to `count` spacings of 0.5, whose energy release rate is 4 at the tip and rises by the logarithm `slope`
+// for each length. The last cut acts `ahead` of its counted end. A square root of the rate is the ratio, as growth
+// takes an energy of one for each length.
+fracture::TrialGrowth growth(int count, double slope, double ahead = 0) {
+  std::vector<fracture::TrialGrowth::Length> lengths;
+  Affine elongation = Affine::Zero(count, 2);
+  double before = 0;
+  for (int k = 0; k < count; ++k) {
+    const double length = 0.5 * (k + 1), acts = length + ahead;
+    const double energy = 4 * length * std::exp(slope * length / 2) * acts / length;
+    lengths.push_back({k + 1, length, length});
+    elongation(k, 1) = std::sqrt(2 * (energy - before));
+    before = energy;
+  }
+  return {fracture::TrialEnergy(Eigen::VectorXd::Ones(count), Eigen::MatrixXd::Zero(count, count), elongation), lengths,
+          Eigen::VectorXd::Ones(count)};
+}
+
+TEST(TrialGrowth, extrapolates_the_rate_to_the_tip) {
+  for (const int count : {2, 3, 4})
+    for (const double slope : {-0.3, 0.0, 0.4}) EXPECT_NEAR(growth(count, slope).ratio(1), 2, 1e-9);
+}
+
+// With few lengths before an edge, the expected slope is met exactly, and a misplaced cut spoils the ratio less.
+TEST(TrialGrowth, before_an_edge_a_misplaced_cut_matters_less) {
+  for (const int count : {1, 2, 3}) {
+    const double slope = 0.4 / (2 * count) / 0.5;
+    fracture::TrialGrowth exact = growth(count, slope);
+    exact.limit(0.5);
+    EXPECT_NEAR(exact.ratio(1), 2, 1e-9) << count;
+    if (count == 1) continue;
+    for (const double ahead : {-0.05, 0.05}) {
+      fracture::TrialGrowth misplaced = growth(count, slope, ahead);
+      const double without = misplaced.ratio(1) - 2;
+      misplaced.limit(0.5);
+      const double with = misplaced.ratio(1) - 2;
+      std::printf("%d lengths, a cut of %g spacings ahead: %.4f off, %.4f before an edge\n", count, 2 * ahead, without,
+                  with);
+      EXPECT_LT(std::abs(with), 0.6 * std::abs(without));
+    }
+  }
 }
 
 }  // namespace
