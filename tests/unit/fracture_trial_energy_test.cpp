@@ -173,26 +173,23 @@ fracture::TrialGrowth growth(int count, double slope, double ahead = 0) {
 }
 
 TEST(TrialGrowth, extrapolates_the_rate_to_the_tip) {
-  for (const int count : {2, 3, 4})
-    for (const double slope : {-0.3, 0.0, 0.4}) EXPECT_NEAR(growth(count, slope).ratio(1), 2, 1e-9);
+  for (const double slope : {-0.3, 0.0, 0.4}) EXPECT_NEAR(growth(4, slope).ratio(1), 2, 1e-9);
 }
 
-// With few lengths before an edge, the expected slope is met exactly, and a misplaced cut spoils the ratio less.
-TEST(TrialGrowth, before_an_edge_a_misplaced_cut_matters_less) {
+// Fewer lengths before an edge meet the expected slope exactly. A slope that is off, or a cut that acts a tenth of a
+// spacing elsewhere, changes the ratio by some percent.
+TEST(TrialGrowth, before_an_edge_draws_its_slope_to_the_expected_one) {
   for (const int count : {1, 2, 3}) {
     const double slope = 0.4 / (2 * count) / 0.5;
-    fracture::TrialGrowth exact = growth(count, slope);
-    exact.limit(0.5);
-    EXPECT_NEAR(exact.ratio(1), 2, 1e-9) << count;
-    if (count == 1) continue;
-    for (const double ahead : {-0.05, 0.05}) {
-      fracture::TrialGrowth misplaced = growth(count, slope, ahead);
-      const double without = misplaced.ratio(1) - 2;
-      misplaced.limit(0.5);
-      const double with = misplaced.ratio(1) - 2;
-      std::printf("%d lengths, a cut of %g spacings ahead: %.4f off, %.4f before an edge\n", count, 2 * ahead, without,
-                  with);
-      EXPECT_LT(std::abs(with), 0.6 * std::abs(without));
+    EXPECT_NEAR(growth(count, slope).ratio(1), 2, 1e-9) << count;
+    for (const double change : {-0.1, 0.1}) {
+      const double by_slope = growth(count, slope + change).ratio(1) / 2 - 1;
+      const double by_place = growth(count, slope, change / 2).ratio(1) / 2 - 1;
+      std::printf("%d lengths: slope off by %g: %.4f, cut by %g spacings: %.4f\n", count, change, by_slope, change,
+                  by_place);
+      EXPECT_LT(std::abs(by_slope), 0.02);
+      EXPECT_LT(std::abs(by_place), 0.06);
+      if (count > 1) EXPECT_LT(std::abs(by_place), 0.03);  // over one length: half of the tenth
     }
   }
 }

@@ -42,6 +42,45 @@ constexpr double weakened_follows = 0.5;
 // Difference in spacings below which bond vectors count as equal.
 constexpr double same_vector = 1e-6;
 
+// Logarithm of the energy release rate at the tip, and its slope along the path [1/m], from the rates over some
+// lengths.
+struct RateLine {
+  double at_tip, slope;
+};
+
+// Least squares, where longer lengths weigh more.
+RateLine line_through(const std::vector<TrialGrowth::Length>& lengths, const std::vector<double>& rates) {
+  double weights = 0, x_mean = 0, y_mean = 0, xx = 0, xy = 0;
+  for (std::size_t k = 0; k < rates.size(); ++k) {
+    const double length = lengths[k].length;
+    weights += length, x_mean += length * length / 2, y_mean += length * rates[k];
+  }
+  x_mean /= weights, y_mean /= weights;
+  for (std::size_t k = 0; k < rates.size(); ++k) {
+    const double length = lengths[k].length, x = length / 2 - x_mean;
+    xx += length * x * x, xy += length * x * (rates[k] - y_mean);
+  }
+  const double slope = rates.size() > 1 && xx > 0 ? xy / xx : 0;
+  return {y_mean - slope * x_mean, slope};
+}
+
+// Few lengths, before an edge or a face, do not determine a slope: the last cut may act some tenths of a spacing ahead
+// of or behind its counted end, which changes the rates of the shortest lengths most. So this distance is a third
+// unknown, and both it and the slope are drawn to what is expected of them.
+RateLine line_before_edge(const std::vector<TrialGrowth::Length>& lengths, const std::vector<double>& rates) {
+  const double count = static_cast<double>(rates.size()), spacing = lengths.back().length / count;
+  const double weight = std::pow(place_deviation / slope_deviation, 2);
+  Eigen::Matrix3d normal = Eigen::Vector3d(0, weight, 1).asDiagonal();
+  Eigen::Vector3d right(0, weight * slope_before_edge / (2 * count), 0);
+  for (std::size_t k = 0; k < rates.size(); ++k) {
+    const double length = lengths[k].length / spacing;
+    const Eigen::Vector3d row(length, length * length / 2, 1);  // of an equation that the length has been multiplied by
+    normal += row * row.transpose(), right += row * length * rates[k];
+  }
+  const Eigen::Vector3d found = normal.ldlt().solve(right);
+  return {found[0], found[1] / spacing};
+}
+
 }  // namespace
 
 CutStiffness::CutStiffness(const coupling::Terms& terms, const pd::TipLaws& laws)
@@ -126,38 +165,6 @@ CutStiffness::Counted CutStiffness::of(std::size_t bond, double stiffness, const
   return counted;
 }
 
-// Least squares, where longer lengths weigh more.
-TrialGrowth::Line TrialGrowth::line_through(const std::vector<double>& rates) const {
-  double weights = 0, x_mean = 0, y_mean = 0, xx = 0, xy = 0;
-  for (std::size_t k = 0; k < rates.size(); ++k) {
-    const double length = lengths_[k].length;
-    weights += length, x_mean += length * length / 2, y_mean += length * rates[k];
-  }
-  x_mean /= weights, y_mean /= weights;
-  for (std::size_t k = 0; k < rates.size(); ++k) {
-    const double length = lengths_[k].length, x = length / 2 - x_mean;
-    xx += length * x * x, xy += length * x * (rates[k] - y_mean);
-  }
-  const double slope = rates.size() > 1 && xx > 0 ? xy / xx : 0;
-  return {y_mean - slope * x_mean, slope};
-}
-
-// Few lengths do not determine a slope: the last cut may act some tenths of a spacing ahead of or behind its counted
-// end, which changes the rates of the shortest lengths most. So this distance is a third unknown, and both it and the
-// slope are drawn to what is expected of them.
-TrialGrowth::Line TrialGrowth::line_before_edge(const std::vector<double>& rates) const {
-  const double expected = slope_before_edge / (2 * static_cast<double>(rates.size()));
-  Eigen::Matrix3d normal = Eigen::Vector3d(0, std::pow(place_deviation / slope_deviation, 2), 1).asDiagonal();
-  Eigen::Vector3d right(0, normal(1, 1) * expected, 0);
-  for (std::size_t k = 0; k < rates.size(); ++k) {
-    const double length = lengths_[k].length / limited_by_;
-    const Eigen::Vector3d row(length, length * length / 2, 1);  // of an equation that the length has been multiplied by
-    normal += row * row.transpose(), right += row * length * rates[k];
-  }
-  const Eigen::Vector3d found = normal.ldlt().solve(right);
-  return {found[0], found[1] / limited_by_};
-}
-
 // Extrapolates the energy release rate to the tip. Along the path x it varies as g exp(c x) times the shape of a kink,
 // so its mean over s is about g exp(c s / 2) times the mean shape. Growth takes the energy of the first length.
 TrialGrowth::AtTip TrialGrowth::at_tip(double load_factor) const {
@@ -165,7 +172,8 @@ TrialGrowth::AtTip TrialGrowth::at_tip(double load_factor) const {
   double weights = 0, off = 0;
   for (const Length& l : lengths_)
     rates.push_back(std::log(energy_.released(l.terms, load_factor) / (l.length * kink_.mean(l.length, load_factor))));
-  const auto [at_tip, slope] = limited_by_ > 0 ? line_before_edge(rates) : line_through(rates);
+  const auto [at_tip, slope] =
+      rates.size() < std::size_t{longest_trial} ? line_before_edge(lengths_, rates) : line_through(lengths_, rates);
   for (std::size_t k = 0; k < rates.size(); ++k) {
     weights += lengths_[k].length;
     off += lengths_[k].length * std::pow(rates[k] - at_tip - slope * lengths_[k].length / 2, 2);
@@ -258,10 +266,8 @@ std::optional<TrialGrowth> TrialSteps::along(const GrowingTip& tip, const pd::Ti
   if (!flexibility) return std::nullopt;
   TrialEnergy energy(stiffness, *flexibility, elongation);
   while (!found.empty() && found.back().terms > energy.count()) found.pop_back();
-  if (found.empty()) return std::nullopt;
-  TrialGrowth growth(std::move(energy), std::move(found), std::move(opening));
-  if (lengths < longest_trial) growth.limit(law.spacing);
-  return growth;
+  return found.empty() ? std::nullopt
+                       : std::optional(TrialGrowth(std::move(energy), std::move(found), std::move(opening)));
 }
 
 // Direction of the largest ratio: the top of a parabola through the best direction and its neighbours.

@@ -70,8 +70,6 @@ class TrialGrowth {
   double first_energy() const { return lengths_.front().energy; }
   // Sets the shape of the energy release rate behind a kink.
   void shape(const KinkShape& kink) { kink_ = kink; }
-  // Says that an edge or a face ahead, in a lattice of this spacing, leaves room for these lengths only.
-  void limit(double spacing) { limited_by_ = spacing; }
 
   // Load factor at which the ratio reaches one, found by an iteration from `nearby`, and the slope of the ratio there.
   // `sense` is the sign of the load path; `proportional`: there are no constant loads. Empty if the ratio does not rise
@@ -83,18 +81,11 @@ class TrialGrowth {
     double ratio, ratio_after, error;
   };
   AtTip at_tip(double load_factor) const;
-  // Logarithm of the energy release rate at the tip, and its slope along the path [1/m].
-  struct Line {
-    double at_tip, slope;
-  };
-  Line line_through(const std::vector<double>& rates) const;
-  Line line_before_edge(const std::vector<double>& rates) const;
 
   TrialEnergy energy_;
   std::vector<Length> lengths_;
   Eigen::VectorXd opening_;
   KinkShape kink_;
-  double limited_by_ = 0;  // spacing [m]; 0 without an edge or a face ahead
 };
 
 // Trial steps of tips: their loads follow from the energy that they release. Used where the field ahead of a tip is not
