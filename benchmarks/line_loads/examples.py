@@ -6,6 +6,7 @@ import functools
 import importlib.util
 import math
 import pathlib
+import sys
 import types
 from typing import Callable
 
@@ -23,6 +24,7 @@ Numbers = dict[str, float]
 def program(name: str) -> types.ModuleType:
     spec = importlib.util.spec_from_file_location(f"example_{name}", FOLDER / name / "main.py")
     module = importlib.util.module_from_spec(spec)
+    sys.modules[spec.name] = module  # where its data classes look for it
     spec.loader.exec_module(module)
     return module
 
@@ -95,9 +97,21 @@ def hole(load: str | None, turned: bool) -> Numbers:
     return {"first load": first, "enters the hole at": ends}
 
 
+def torn(load: str | None, kind: str, turned: float = 0.0, shift: float = 0.0) -> Numbers:
+    model = program("one_crack").body(kind if load else "elements", 0.5e-3, turned=turned, shift=shift)
+    if load:
+        model.options["crack.load"] = load
+    model.step(1.0)
+    return {"first load [um]": model.tips()[0].critical_load_factor}
+
+
 EXAMPLES_BY_LINES: dict[str, Callable[[str | None], Numbers]] = {
     "first_crack": strip,
     "three_point_bend": bend,
+    "one_crack, lattice": functools.partial(torn, kind="lattice"),
+    "one_crack, both": functools.partial(torn, kind="both"),
+    "one_crack, lattice turned by 20 degrees": functools.partial(torn, kind="lattice", turned=20.0),
+    "one_crack, lattice shifted": functools.partial(torn, kind="lattice", shift=0.25e-3),
     "round_hole, rows along the axes": functools.partial(hole, turned=False),
     "round_hole, rows along the plate": functools.partial(hole, turned=True),
 }

@@ -217,8 +217,10 @@ std::vector<StartingTip> tips_of_cracks(const Scene& scene, const LatticeCracks&
           has_grown ? std::nullopt : found.even_ahead[c][static_cast<std::size_t>(number)];
       const Point& end = number == 0 ? points.front() : points.back();
       const Point& before = number == 0 ? points[1] : points.end()[-2];
+      // The cut may end in another region than the one in which the tip acts.
+      const Point& acts_at = even ? found.ends[c][static_cast<std::size_t>(number)] : end;
       for (const auto& region : d.regions) {
-        if (locate(scene.region(region->id()).outline(), end, d.tolerance) != Location::inside) continue;
+        if (locate(scene.region(region->id()).outline(), acts_at, d.tolerance) != Location::inside) continue;
         if (region->tip_law(options))
           tips.push_back({end, (end - before).normalized(), region->id(), {static_cast<int>(c) + 1, number}, even});
       }

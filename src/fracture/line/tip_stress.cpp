@@ -197,13 +197,14 @@ bool TipStress::is_crowded(const GrowingTip& tip, const pd::TipLaw& law, double 
          });
 }
 
+// Another fracture energy alone leaves the field as it is.
 bool TipStress::meets_other_material(const GrowingTip& tip, const pd::TipLaw& law, double reach) const {
   return std::ranges::any_of(near_.about(tip.place, reach), [&](int node) {
     const auto n = static_cast<std::size_t>(node);
     const int number = n < laws_.of_node.size() ? laws_.of_node[n] : -1;
     if (number < 0 || (positions_[n] - tip.place).norm() >= reach) return false;
     const pd::TipLaw& its = laws_.laws[static_cast<std::size_t>(number)];
-    return its.modulus != law.modulus || its.toughness != law.toughness;
+    return its.modulus != law.modulus;
   });
 }
 
