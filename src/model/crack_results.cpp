@@ -201,7 +201,7 @@ std::vector<Point> ElementCarrier::openings(int crack, const std::vector<double>
   const double before = grown_among_bonds(crack, 0, model_.scene_.cracks()[number], model_.extensions());
   for (std::size_t k = 0; k < fractions.size(); ++k) {
     double part = is_whole ? fractions[k] : (fractions[k] * length - before) / own;
-    // In a lattice the crack may lie a little beside its points, which changes its length.
+    // The crack may lie a little beside its points in a lattice, which changes its length.
     if (cracks[number].region_at(0) > 0) part = std::max(part, 0.0);
     if (cracks[number].region_at(1) > 0) part = std::min(part, 1.0);
     const int region = part < 0 || part > 1 ? 0 : cracks[number].part_at(part).region;

@@ -1,4 +1,4 @@
-// What is told of tips: as the run goes on, and of the growth ahead of them.
+// Tips of the history, and the growth ahead of tips where faces open or close.
 #include "error.hpp"
 #include "model/driven_growth.hpp"
 #include "model/element_carrier.hpp"
@@ -6,8 +6,8 @@
 
 namespace bempd::model {
 
-// Where faces open or close as soon as the load factor moves, as in a body at rest, tips grow with the faces as they
-// are then. If there is no such equilibrium, nothing is known of the growth.
+// Takes the growth of tips from a state a little ahead if faces open or close as soon as the load factor moves, as in a
+// body at rest. If there is no such equilibrium, nothing is known of the growth.
 void Model::look_past_switches(std::vector<regions::TipValues>& tips) {
   for (const bool upwards : {true, false}) {
     std::vector<regions::TipValues> ahead(tips.size());

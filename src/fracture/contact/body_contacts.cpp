@@ -147,7 +147,7 @@ void LoadedBody::look_ahead(double direction) {
   settle_constraints(direction);
   settled_at_ = settled_at, settled_farther_on_ = settled_farther_on;
   update_ratios();
-  // Without constant parts everything is in proportion to the load factor, so that only its sign matters.
+  // Displacements without constant parts are in proportion to the load factor, of which only the sign matters.
   const double at = farther_on(farthest_ahead, direction);
   state_.load_factor = at != state_.load_factor ? at : state_.load_factor + direction;
 }

@@ -43,6 +43,12 @@ double distance_to(const std::vector<Edge>& edges, const Point& place) {
   return nearest;
 }
 
+Point middle_of(const coupling::Terms& terms, int term, const std::vector<Point>& positions) {
+  const auto t = static_cast<std::size_t>(term);
+  return (positions[static_cast<std::size_t>(terms.first[t])] + positions[static_cast<std::size_t>(terms.second[t])]) /
+         2;
+}
+
 }  // namespace
 
 AffineIntensity LineSteps::on_way(AffineIntensity intensity, const LoadWay& way) {
@@ -268,25 +274,16 @@ std::vector<int> LineSteps::nodes_asked(const std::vector<GrowingTip>& tips) con
 
 // Whether a term is guarded by a tip. The middle of the term decides, so that the order of its ends does not matter.
 bool LineSteps::is_spared(int term, const GrowingTip& tip) const {
-  const coupling::Terms& terms = body_.system().terms();
-  const std::vector<Point>& positions = body_.positions();
-  const auto t = static_cast<std::size_t>(term);
-  const Point middle =
-      (positions[static_cast<std::size_t>(terms.first[t])] + positions[static_cast<std::size_t>(terms.second[t])]) / 2;
+  const Point middle = middle_of(system_.terms(), term, body_.positions());
   return (middle - tip.place).norm() < (1 - rounding_of_places) * guarded_reach * law_of(tip).horizon;
 }
 
 void LineSteps::spare(const GrowingTip& tip, std::vector<char>& intact, std::optional<double> overloaded_at) const {
   // Only overloaded bonds closest to an unloading tip are exempt; the overload of others has another cause.
   const auto bears = [&](int term) {
-    const auto t = static_cast<std::size_t>(term);
-    if (!overloaded_at) return false;
-    const coupling::Terms& terms = system_.terms();
-    const Point middle = (body_.positions()[static_cast<std::size_t>(terms.first[t])] +
-                          body_.positions()[static_cast<std::size_t>(terms.second[t])]) /
-                         2;
-    return !(body_.ratios().at(t, *overloaded_at) > 1) ||
-           (middle - tip.place).norm() > relaxing_reach * law_of(tip).horizon;
+    return overloaded_at && (!(body_.ratios().at(static_cast<std::size_t>(term), *overloaded_at) > 1) ||
+                             (middle_of(system_.terms(), term, body_.positions()) - tip.place).norm() >
+                                 relaxing_reach * law_of(tip).horizon);
   };
   for (const int node : stress_.near().about(tip.place, (guarded_reach + 1) * law_of(tip).horizon)) {
     for (const int term : way_.terms_from().of(node))
