@@ -99,36 +99,37 @@ def schur(points: int) -> Lines:
     lines.append("|---|---|---|---|---|---|")
     program = str(Path(os.environ["BEMPD_BENCHMARKS"]) / "bempd_schur")
     for ranks in (1, 2):
-        for kept in (0, 300, 1000, 2000):
+        for kept in (0, 100, 300) if points < 200 else (0, 300, 1000, 2000):
             one = lines_of([program, str(points), str(kept)], ranks)[0]
             note(lines, f"| {one['unknowns']:,} | {kept:,} | {ranks} | {one['analysis']:.2f} | {one['factorization']:.2f} | {megabytes(one)} |")
     return lines
 
 
 def ensembles(cases: int) -> tuple[Lines, float]:
-    """Runs an hour, what starting and ending takes, and what the executor adds to a run; and seconds of a run alone."""
+    """Runs an hour by wall time; processor time of starting and ending and of what the executor adds to a run, over that of
+    the same run without one; and seconds of a run alone."""
     lines: Lines = []
-    note(lines, "| executor | workers | runs an hour | start and end [s] | added to a run [ms] |")
+    note(lines, "| executor | workers | runs an hour | start and end, processor [s] | added to a run, processor [ms] |")
     lines.append("|---|---|---|---|---|")
     alone, reference = 0.0, None
     for executor, workers in (("serial", 1), ("processes", 1), ("processes", 2), ("mpi", 1), ("mpi", 2), ("dask", 1), ("dask", 2)):
-        walls = []
+        walls, processors = [], []
         for count in (2, cases):
             command = python("plates.py", executor, workers, count)
             if executor == "mpi":
-                command[1:1] = ["-m", "mpi4py.futures"]
-                command[3:6] = []
-            begin = time.perf_counter()
+                command = [sys.executable, "-W", "ignore", "-m", "mpi4py.futures", *command[4:]]
+            begin, before = time.perf_counter(), os.times()
             answer = lines_of(command, workers + 1 if executor == "mpi" else 0)[0]
+            after = os.times()
             walls.append(time.perf_counter() - begin)
+            processors.append(after.children_user + after.children_system - before.children_user - before.children_system)
         reference = reference or answer["values"]
         if answer["errors"] or answer["values"] != reference:
             raise SystemExit(f"{executor}: other results")
-        inside = answer["inside"] / cases
-        alone = alone or inside
-        each = (walls[1] - walls[0]) / (cases - 2)  # wall time
-        start = walls[1] - each * cases
-        note(lines, f"| {executor} | {workers} | {3600 / each:,.0f} | {start:.1f} | {1e3 * max(0.0, each * workers - inside):.1f} |")
+        each, processor = ((of[1] - of[0]) / (cases - 2) for of in (walls, processors))
+        alone = alone or processor
+        note(lines, f"| {executor} | {workers} | {3600 / each:,.0f} | {processors[0] - 2 * processor:.1f} | "
+                    f"{1e3 * (processor - alone):.0f} |")
     return lines, alone
 
 
@@ -163,7 +164,7 @@ def measure(parts: list[str]) -> tuple[dict[str, Lines], bool]:
     if "costs" in parts:
         found["costs"], solves = costs((1, 2) if quick else (2, 5, 10, 18) if "--large" in sys.argv else (2, 5, 10))
     if "schur" in parts:
-        found["schur"] = schur(100 if quick else 400)
+        found["schur"] = schur(100 if quick else 260)
     if "ensembles" in parts:
         found["ensembles"], run = ensembles(10 if quick else 100)
     kept = Path(os.environ.get("BEMPD_OUTPUT", "out/mpi")) / "figures.json"  # for parts that are measured one by one
