@@ -9,12 +9,12 @@ usage: benchmarks/run.sh mpi [--write] [--quick] [--large] [--only PART,...]
 from __future__ import annotations
 
 import json
+import math
 import os
 import re
 import subprocess
 import sys
 import tempfile
-import time
 from pathlib import Path
 from typing import Any
 
@@ -72,12 +72,14 @@ def same_events(most: int) -> tuple[Lines, bool]:
     return lines, good
 
 
-def costs(fines: tuple[int, ...]) -> tuple[Lines, list[Answer]]:
-    """Elastic solutions of a plate; and the library's own figures of each size."""
+def costs(fines: tuple[int, ...]) -> tuple[Lines, list[Answer], float]:
+    """Elastic solutions of a plate; the library's own figures of each size; and the memory of a rank over its share of the
+    largest factor that four ranks had."""
     lines: Lines = []
     note(lines, "| unknowns | solver | elastic solve [s] | over the library | memory of each process [MB] | entries of the factor |")
     lines.append("|---|---|---|---|---|---|")
     of_library: list[Answer] = []
+    over_share = 0.0
     for fine in fines:
         with tempfile.TemporaryDirectory(dir="/var/tmp") as scratch:
             for name, ranks, solver, folder in (("the library", 1, "own", ""), ("MUMPS, 1 rank", 1, "mumps", ""),
@@ -88,9 +90,11 @@ def costs(fines: tuple[int, ...]) -> tuple[Lines, list[Answer]]:
                 answer = lines_of(python("worker.py", "plate, bond by bond", fine, solver, *([folder] if folder else [])), ranks)[0]
                 if solver == "own":
                     of_library.append(answer)
+                if ranks == 4:
+                    over_share = max(answer["memory"][1:]) / (2e-6 * answer["entries"])
                 note(lines, f"| {answer['unknowns']:,} | {name} | {answer['seconds']:.2f} | {answer['seconds'] / of_library[-1]['seconds']:.2f} | "
                             f"{megabytes(answer)} | {answer['entries']:,} |")
-    return lines, of_library
+    return lines, of_library, over_share
 
 
 def schur(points: int) -> Lines:
@@ -99,80 +103,77 @@ def schur(points: int) -> Lines:
     lines.append("|---|---|---|---|---|---|")
     program = str(Path(os.environ["BEMPD_BENCHMARKS"]) / "bempd_schur")
     for ranks in (1, 2):
-        for kept in (0, 300, 1000, 2000):
+        for kept in (0, 100, 300) if points < 200 else (0, 300, 1000, 2000):
             one = lines_of([program, str(points), str(kept)], ranks)[0]
             note(lines, f"| {one['unknowns']:,} | {kept:,} | {ranks} | {one['analysis']:.2f} | {one['factorization']:.2f} | {megabytes(one)} |")
     return lines
 
 
 def ensembles(cases: int) -> tuple[Lines, float]:
-    """Runs an hour, what starting and ending takes, and what the executor adds to a run; and seconds of a run alone."""
+    """Processor time of starting and ending, and of what the executor adds to a run, over that of the same run without one; what
+    follows for an hour in which each worker has a core; and seconds of a run alone."""
     lines: Lines = []
     note(lines, "| executor | workers | runs an hour | start and end [s] | added to a run [ms] |")
     lines.append("|---|---|---|---|---|")
     alone, reference = 0.0, None
     for executor, workers in (("serial", 1), ("processes", 1), ("processes", 2), ("mpi", 1), ("mpi", 2), ("dask", 1), ("dask", 2)):
-        walls = []
+        seconds = []
         for count in (2, cases):
             command = python("plates.py", executor, workers, count)
             if executor == "mpi":
-                command[1:1] = ["-m", "mpi4py.futures"]
-                command[3:6] = []
-            begin = time.perf_counter()
+                command = [sys.executable, "-W", "ignore", "-m", "mpi4py.futures", *command[4:]]
+            before = os.times()
             answer = lines_of(command, workers + 1 if executor == "mpi" else 0)[0]
-            walls.append(time.perf_counter() - begin)
+            after = os.times()
+            seconds.append(after.children_user + after.children_system - before.children_user - before.children_system)
         reference = reference or answer["values"]
         if answer["errors"] or answer["values"] != reference:
             raise SystemExit(f"{executor}: other results")
-        inside = answer["inside"] / cases
-        alone = alone or inside
-        each = (walls[1] - walls[0]) / (cases - 2)  # wall time
-        start = walls[1] - each * cases
-        note(lines, f"| {executor} | {workers} | {3600 / each:,.0f} | {start:.1f} | {1e3 * max(0.0, each * workers - inside):.1f} |")
+        each = (seconds[1] - seconds[0]) / (cases - 2)
+        alone = alone or each
+        note(lines, f"| {executor} | {workers} | {3600 * workers / each:,.0f} | {seconds[0] - 2 * each:.1f} | {1e3 * (each - alone):.0f} |")
     return lines, alone
 
 
-def on_paper(solves: list[Answer], run: float) -> Lines:
+def on_paper(solves: list[Answer], over_share: float, run: float) -> Lines:
     """What 10^7 points, 16 nodes and 10^6 runs need, from the two largest plates and from one run."""
-    from math import log
-
     small, large = solves[-2:]
-    wanted = 2e7
+    grown = 2e7 / large["unknowns"]
 
     def power(name: str) -> float:
-        return log(large[name] / small[name]) / log(large["unknowns"] / small["unknowns"])
+        return math.log(large[name] / small[name]) / math.log(large["unknowns"] / small["unknowns"])
 
-    grown = wanted / large["unknowns"]
     factor = 8e-9 * large["entries"] * grown ** power("entries")
-    seconds = large["seconds"] * grown ** power("seconds")
+    hours = [large["seconds"] / 3600 * grown**one for one in (power("seconds"), 1.5)]
     rest = 1e-3 * (large["memory"][0] - 8e-6 * large["entries"]) * grown
-    return [f"On paper, by the growth between the two largest plates: 10^7 points have a factor of {factor:,.0f} GB, which is "
-            f"{factor / 16:,.0f} GB on each of 16 nodes, and one elastic solve takes {seconds / 3600:.1f} hours of one core, or "
-            f"{seconds / 960:,.0f} minutes of 16 if they share the work evenly. Rank 0 needs {rest:,.0f} GB more for lattice, bonds and "
-            f"matrix, and is the limit. 10^6 runs of {run:.2g} s take {run * 1e6 / 3600:,.0f} hours of one core, and "
-            f"{run * 1e6 / 3600 / 128:.1f} hours of 16 nodes with 8 cores each."]
+    return [f"On paper, from these figures: 10^7 points have a factor of {factor:,.0f} GB. That is {factor / 16 * over_share:,.0f} GB on each of "
+            f"16 nodes, with {over_share:.1f} times its share as on 4 ranks. Rank 0 needs {rest:,.0f} GB more for lattice, bonds and matrix: it "
+            f"is the limit. An elastic solve takes {hours[0]:.1f} to {hours[1]:.1f} hours of one core (unknowns to the power "
+            f"{power('seconds'):.2f} or 1.5). Sixteen that share the work evenly take {hours[0] * 3.75:.0f} to {hours[1] * 3.75:.0f} minutes. 10^6 "
+            f"runs of {run:.2f} s take {run * 1e6 / 3600:,.0f} hours of one core, or {run * 1e6 / 3600 / 128 * 60:.0f} minutes of 16 nodes with "
+            f"8 cores each."]
 
 
 def measure(parts: list[str]) -> tuple[dict[str, Lines], bool]:
     quick = "--quick" in sys.argv
     found: dict[str, Lines] = {}
     solves: list[Answer] = []
-    run, good = 0.0, True
+    over_share, run, good = 0.0, 0.0, True
     if "events" in parts:
         found["events"], good = same_events(12 if quick else EVENTS)
     if "costs" in parts:
-        found["costs"], solves = costs((1, 2) if quick else (2, 5, 10, 18) if "--large" in sys.argv else (2, 5, 10))
+        found["costs"], solves, over_share = costs((1, 2) if quick else (2, 5, 10, 18) if "--large" in sys.argv else (2, 5, 10))
     if "schur" in parts:
-        found["schur"] = schur(100 if quick else 400)
+        found["schur"] = schur(100 if quick else 260)
     if "ensembles" in parts:
         found["ensembles"], run = ensembles(10 if quick else 100)
     kept = Path(os.environ.get("BEMPD_OUTPUT", "out/mpi")) / "figures.json"  # for parts that are measured one by one
     figures = json.loads(kept.read_text(encoding="utf-8")) if kept.exists() else {}
-    figures |= {name: value for name, value in (("solves", solves), ("run", run)) if value}
+    figures |= {name: value for name, value in (("solves", solves), ("over_share", over_share), ("run", run)) if value}
     kept.parent.mkdir(parents=True, exist_ok=True)
     kept.write_text(json.dumps(figures), encoding="utf-8")
-    if {"solves", "run"} <= set(figures):
-        found["paper"] = on_paper(figures["solves"], figures["run"])
+    if {"solves", "over_share", "run"} <= set(figures):
+        found["paper"] = on_paper(figures["solves"], figures["over_share"], figures["run"])
     return found, good
 
 

@@ -57,7 +57,7 @@ bool LowRankChange::add(const Eigen::SparseMatrix<double>& columns, Change chang
   return true;
 }
 
-// With all columns added, the removed ones R leave a motion the share that is an eigenvalue of 1 - R^T (A + ...)^-1 R.
+// Removed columns R leave motions the shares that are eigenvalues of 1 - R^T B^-1 R, where B is A with the added ones.
 double LowRankChange::least_share_of(const Eigen::MatrixXd& middle) const {
   std::vector<Eigen::Index> added, removed;
   for (Eigen::Index k = 0; k < size(); ++k)
