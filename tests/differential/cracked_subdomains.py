@@ -10,6 +10,7 @@ from __future__ import annotations
 
 import argparse
 import math
+import os
 import random
 import sys
 import warnings
@@ -18,6 +19,7 @@ from typing import Any
 import bempd
 import numpy as np
 
+os.environ["BEMPD_TEST_HOOKS"] = "1"  # option test.subdomain_elements
 WHOLE = 10**9
 # Largest differences over the largest value; of reactions, over the load; of growth, over the load and over the side of
 # a cell. The elements' own error is some 1e-3 of the stress intensity factors, and more of stresses.
