@@ -1,7 +1,7 @@
 """Large BEM regions, whole and cut into subdomains: the tables of docs/scaling.md.
 
-usage: benchmarks/run.sh subdomains [--write] [--quick]
-    --write: into docs/scaling.md;  --quick: small bodies only
+usage: benchmarks/run.sh subdomains [--write] [--quick] [--growth]
+    --write: into docs/scaling.md;  --quick: small bodies only;  --growth: growing cracks only
 """
 
 from __future__ import annotations
@@ -15,7 +15,7 @@ import subprocess
 import sys
 import time
 from pathlib import Path
-from typing import Any
+from typing import Any, Iterator
 
 import bempd
 
@@ -26,26 +26,50 @@ SHEETS = ((16, 48, 0), (16, 48, WHOLE), (64, 48, 0), (256, 48, 0), (1024, 48, 0)
 OTHER_CUTS = ((64, 48, 40), (64, 48, 160), (256, 48, 40), (256, 48, 160))
 SQUARES = ((500, 0), (1000, WHOLE), (1000, 0), (2000, 0), (8000, 0), (32000, 0))
 
+# The same for sheets with cracks, and the steps of growth that are timed.
+GROWING = ((16, 24, WHOLE), (16, 24, 80), (64, 48, 0), (256, 48, 0))
+STEPS = 2
+
 Answer = dict[str, Any]
 
 
 def sheet(holes: int, elements_of_hole: int, most: int) -> bempd.Model:
     """Square sheet with a round hole of random size and place in each unit cell, to be stretched by its left and right edge."""
-    choose = random.Random(1)
     count = math.isqrt(holes)
     model = new_model(most)
-    solid = model.add_material(young_modulus=1, poisson_ratio=0.3)
+    solid = model.add_material(young_modulus=1, poisson_ratio=0.3, fracture_energy=1e-9)
     region = model.add_bem_region(solid, bempd.rectangle(0, 0, count, count), 1 / 8)
+    for x, y, radius in holes_of(count):
+        first = model.add_circular_hole(region, (x, y), radius)
+        for edge in range(first, first + 4):
+            model.set_edge_mesh(region, edge, 2 * math.pi * radius / elements_of_hole)
+    stretch(model, region, count)
+    return model
+
+
+def cracked(holes: int, elements_of_hole: int, most: int) -> bempd.Model:
+    """Such a sheet, pulled, with a crack that begins at the right side of one hole in each of some rows of cells."""
+    model, count = sheet(holes, elements_of_hole, most), math.isqrt(holes)
+    for row in range(0, count, max(1, count // 10)):
+        column = (7 * row + 1) % count
+        x, y, radius = hole_in(count, column, row)
+        model.add_crack([(x + radius * math.cos(0.5), y + radius * math.sin(0.5)),
+                         (x + (radius + 0.08) * math.cos(0.5), y + (radius + 0.08) * math.sin(0.5))])
+    return model
+
+
+def hole_in(count: int, column: int, row: int) -> tuple[float, float, float]:
+    return list(holes_of(count))[column * count + row]
+
+
+def holes_of(count: int) -> Iterator[tuple[float, float, float]]:
+    """Centre and radius of the hole in each cell."""
+    choose = random.Random(1)
     for i in range(count):
         for j in range(count):
             radius = math.sqrt(POROSITY / math.pi) * choose.uniform(0.7, 1.3)
             room = 0.8 * (0.5 - radius)
-            first = model.add_circular_hole(region, (i + 0.5 + room * choose.uniform(-1, 1),
-                                                     j + 0.5 + room * choose.uniform(-1, 1)), radius)
-            for edge in range(first, first + 4):
-                model.set_edge_mesh(region, edge, 2 * math.pi * radius / elements_of_hole)
-    stretch(model, region, count)
-    return model
+            yield (i + 0.5 + room * choose.uniform(-1, 1), j + 0.5 + room * choose.uniform(-1, 1), radius)
 
 
 def square(elements: int, most: int) -> bempd.Model:
@@ -67,7 +91,24 @@ def stretch(model: bempd.Model, region: int, width: float) -> None:
     model.prescribe_edge(region, 2, "x", 1e-3 * width)
 
 
+def grow(*numbers: int) -> Answer:
+    """Growth of the cracks, step by step: load factors, stress intensity factors and processor seconds of a step."""
+    model = cracked(*numbers)
+    first = model.step_to_next_event(1e9)
+    begin, loads = time.process_time(), [first.load_factor]
+    for _ in range(STEPS):
+        loads.append(model.step_to_next_event(1e9).load_factor)
+    seconds = (time.process_time() - begin) / STEPS
+    sizes = model.statistics()
+    ends = [[grown.x, grown.y] for grown in model.extensions()]
+    return {"nodes": sizes.boundary_nodes, "subdomains": sizes.subdomains, "cracks": model.crack_count, "seconds": seconds,
+            "memory": resource.getrusage(resource.RUSAGE_SELF).ru_maxrss / 1e6, "loads": loads, "ends": ends,
+            "factors": [tip.stress_intensity_1 for tip in model.tips()]}
+
+
 def solve(kind: str, *numbers: int) -> Answer:
+    if kind == "grow":
+        return grow(*numbers)
     model = {"sheet": sheet, "square": square}[kind](*numbers)
     begin = time.perf_counter()
     report = model.step(1)
@@ -114,18 +155,39 @@ def table(quick: bool) -> list[str]:
     return lines
 
 
+def growth(quick: bool) -> list[str]:
+    lines = ["| body | cracks | nodes | subdomains | processor seconds of a step | memory [GB] |", "|---|---|---|---|---|---|"]
+    answers = {numbers: in_process("grow", *numbers) for numbers in (GROWING[:2] if quick else GROWING)}
+    for (holes, _, _), answer in answers.items():
+        parts = f"{answer['subdomains']:,}" if answer["subdomains"] else "whole"
+        lines.append(f"| sheet, {holes:,} holes | {answer['cracks']} | {answer['nodes']:,} | {parts} | {answer['seconds']:.1f} "
+                     f"| {answer['memory']:.2f} |")
+    whole, cut = answers[GROWING[0]], answers[GROWING[1]]
+    off = {name: max(abs(b / a - 1) for a, b in zip(whole[name], cut[name])) for name in ("loads", "factors")}
+    ends = max(math.dist(a, b) for a, b in zip(whole["ends"], cut["ends"]))
+    return [*lines, "", f"* Cut and whole, after {STEPS + 1} steps: loads {off['loads']:.1e} apart, stress intensity factors "
+            f"{off['factors']:.1e}, ends of cracks {ends:.1e} of a cell."]
+
+
+def write(name: str, lines: list[str]) -> None:
+    begin, end = f"<!-- {name} of benchmarks/subdomains -->\n", "<!-- end of it -->"
+    found = begin + "\n".join(lines) + "\n" + end
+    text = PAGE.read_text(encoding="utf-8")
+    PAGE.write_text(re.sub(re.escape(begin) + ".*?" + re.escape(end), lambda _: found, text, count=1, flags=re.DOTALL),
+                    encoding="utf-8")
+
+
 def main() -> None:
     if "--solve" in sys.argv:
         print(json.dumps(solve(sys.argv[2], *map(int, sys.argv[3:]))))
         return
-    lines = table("--quick" in sys.argv)
-    print("\n".join(lines))
-    if "--write" in sys.argv:
-        begin, end = "<!-- table of benchmarks/subdomains -->\n", "<!-- end of it -->"
-        found = begin + "\n".join(lines) + "\n" + end
-        text = PAGE.read_text(encoding="utf-8")
-        PAGE.write_text(re.sub(re.escape(begin) + ".*?" + re.escape(end), lambda _: found, text, flags=re.DOTALL),
-                        encoding="utf-8")
+    quick, writes = "--quick" in sys.argv, "--write" in sys.argv
+    tables = {"growth": growth} if "--growth" in sys.argv else {"table": table, "growth": growth}
+    for name, make in tables.items():
+        lines = make(quick)
+        print("\n".join(lines))
+        if writes:
+            write(name, lines)
 
 
 if __name__ == "__main__":

@@ -14,7 +14,7 @@ namespace {
 // Growth of a cut's elements with the distance from the boundary.
 constexpr double growth_with_distance = 0.35;
 // The same for the distance from cracks; then the smallest distance from a crack, as a share of its element's length.
-constexpr double growth_with_distance_from_cracks = 0.25, least_clearance_of_cracks = 1;
+constexpr double growth_with_distance_from_cracks = 0.2, least_clearance_of_cracks = 1;
 // Smallest distance of a cut from a side, as a share of the side's length.
 constexpr double least_clearance = 0.3;
 // Angles between a cut and the boundary at its ends: the best, and those accepted if there is none [rad].

@@ -6,6 +6,7 @@
 #include <numbers>
 #include <unordered_map>
 
+#include "geometry/edge.hpp"
 #include "geometry/segment.hpp"
 #include "geometry/turning.hpp"
 

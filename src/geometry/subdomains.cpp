@@ -15,6 +15,8 @@ namespace {
 
 // A cut counts only if no part keeps a larger share of the elements.
 constexpr double largest_share = 0.85;
+// Largest number of elements beside cracks, over that elsewhere: there cuts would cost accuracy.
+constexpr std::size_t largest_beside_cracks = 2;
 
 std::size_t count_of(const SubdomainLoops& loops) {
   std::size_t count = 0;
@@ -81,9 +83,12 @@ class Subdivider {
 
   Subdivision run(const std::vector<Stations>& cuts, const std::vector<Stations>& cracks) {
     cracks_ = cracks;
-    std::vector<SubdomainLoop> made = cuts_that_stay(cuts);
-    const std::vector<SubdomainLoops> parts = split(loops_of(body_), made, positions_);
-    divide(parts);
+    std::vector<char> made(cuts.size());
+    for (std::size_t c = 0; c < cuts.size(); ++c) made[c] = is_clear_of(cuts[c], cracks_) ? 1 : 0;
+    std::vector<SubdomainLoops> parts;
+    do parts = split(loops_of(body_), cuts_made(cuts, made), positions_);
+    while (drop_slits(parts, made));
+    divide(std::move(parts));
     return finished();
   }
 
@@ -95,7 +100,8 @@ class Subdivider {
       waiting.pop_back();
       std::vector<int> cracks = cracks_in(loops);
       std::vector<SubdomainLoops> parts;
-      if (count_of(loops) > most_ && (cracks_.empty() || !cracks.empty() || misses_cut(loops)))
+      const bool is_changed = !cracks.empty() || misses_cut(loops);
+      if (count_of(loops) > (is_changed ? largest_beside_cracks * most_ : most_) && (cracks_.empty() || is_changed))
         parts = halves(loops, cracks);
       if (parts.empty()) {
         done_.subdomains.push_back(subdomain(loops));
@@ -135,22 +141,47 @@ class Subdivider {
     return false;
   }
 
-  // Cuts that keep off all cracks and end at nodes of the body or of earlier cuts.
-  std::vector<SubdomainLoop> cuts_that_stay(const std::vector<Stations>& cuts) {
+  // Makes those of the cuts that are flagged and end at nodes of the body or of earlier cuts.
+  std::vector<SubdomainLoop> cuts_made(const std::vector<Stations>& cuts, const std::vector<char>& made) {
+    positions_.resize(body_.nodes.size());
+    left_out_.clear();
+    done_.cuts.clear();
+    cut_of_panel_.clear();
     PlacedNodes ends(body_);
-    std::vector<SubdomainLoop> made;
-    for (const Stations& cut : cuts) {
-      const int from = ends.at(cut.front()), to = ends.at(cut.back());
-      if (from < 0 || to < 0 || !is_clear_of(cut, cracks_)) {
+    std::vector<SubdomainLoop> rows;
+    for (std::size_t c = 0; c < cuts.size(); ++c) {
+      const int from = ends.at(cuts[c].front()), to = ends.at(cuts[c].back());
+      if (from < 0 || to < 0 || !made[c]) {
         if (from >= 0) left_out_.insert(from);
         if (to >= 0) left_out_.insert(to);
         continue;
       }
-      made.push_back(elements_on({from, to, cut}));
-      for (const SubdomainSide& side : made.back())
+      cut_of_panel_[panels_] = c;
+      rows.push_back(elements_on({from, to, cuts[c]}));
+      for (const SubdomainSide& side : rows.back())
         if (side.nodes[2] != to) ends.add(positions_[side.nodes[2]], side.nodes[2]);
     }
-    return made;
+    return rows;
+  }
+
+  // Takes off the flags of cuts with the same part on both sides; whether there are any.
+  bool drop_slits(const std::vector<SubdomainLoops>& parts, std::vector<char>& made) const {
+    bool found = false;
+    for (const SubdomainLoops& part : parts)
+      for (const int panel : slits_in(part)) {
+        made[cut_of_panel_.at(panel)] = 0;
+        found = true;
+      }
+    return found;
+  }
+
+  // Panels of cuts that have a part on both sides.
+  static std::set<int> slits_in(const SubdomainLoops& part) {
+    std::set<int> slits, middles;
+    for (const SubdomainLoop& loop : part)
+      for (const SubdomainSide& side : loop)
+        if (side.element < 0 && !middles.insert(side.nodes[1]).second) slits.insert(side.panel);
+    return slits;
   }
 
   // Parts of a subdomain with these cracks; empty if it cannot be cut.
@@ -165,10 +196,11 @@ class Subdivider {
       std::vector<SubdomainLoop> cuts;
       for (const MaterialCut& cut : division->cuts) cuts.push_back(elements_on(cut));
       std::vector<SubdomainLoops> parts = split(loops, cuts, positions_);
-      const auto is_small = [&](const SubdomainLoops& part) {
-        return static_cast<double>(count_of(part)) <= largest_share * static_cast<double>(count_of(loops));
+      const auto serves = [&](const SubdomainLoops& part) {
+        return static_cast<double>(count_of(part)) <= largest_share * static_cast<double>(count_of(loops)) &&
+               slits_in(part).empty();
       };
-      if (std::all_of(parts.begin(), parts.end(), is_small)) return parts;
+      if (std::all_of(parts.begin(), parts.end(), serves)) return parts;
       positions_.resize(nodes);
       done_.cuts.resize(made);
     }
@@ -254,6 +286,7 @@ class Subdivider {
   int panels_ = 0;  // numbers in use
   std::vector<Stations> cracks_;
   std::set<int> left_out_;  // nodes at which cuts end that were not made
+  std::map<int, std::size_t> cut_of_panel_;
   Subdivision done_;
 };
 

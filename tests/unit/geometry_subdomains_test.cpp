@@ -1,12 +1,14 @@
 // Subdivision of bodies: the subdomains fill the body, keep its elements, and share the cuts.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <numbers>
 #include <random>
 
 #include "geometry/outline.hpp"
+#include "geometry/segment.hpp"
 #include "geometry/subdomains.hpp"
 
 namespace geometry_subdomains_test {
@@ -131,6 +133,73 @@ TEST(Subdomains, of_bodies_that_differ_by_a_translation_do_so_too) {
   ASSERT_EQ(one.subdomains.size(), other.subdomains.size());
   for (std::size_t i = 0; i < one.subdomains.size(); ++i)
     EXPECT_TRUE(differ_by_translation(one.subdomains[i].mesh, other.subdomains[i].mesh)) << i;
+}
+
+// Cracks, with short elements at both ends, that begin at round holes.
+std::vector<Stations> cracks_at_holes(int cells, unsigned seed) {
+  std::mt19937 random(seed);
+  std::uniform_real_distribution<double> uniform(0, 1);
+  std::vector<Stations> cracks;
+  for (int i = 0; i < cells; ++i)
+    for (int j = 0; j < cells; ++j) {
+      const double angle = 2 * std::numbers::pi * uniform(random), length = 0.1 + 0.15 * uniform(random);
+      if (uniform(random) > 0.2) continue;
+      cracks.emplace_back();
+      for (const double share : {0.0, 0.1, 0.3, 0.6, 0.85, 0.95, 1.0})
+        cracks.back().push_back(Point(i + 0.5, j + 0.5) +
+                                (0.2 + share * length) * Point(std::cos(angle), std::sin(angle)));
+    }
+  return cracks;
+}
+
+BoundaryMesh regular_sheet(int cells) {
+  const double side = cells;
+  std::vector<std::vector<Panel>> loops{loop_of({{0, 0}, {side, 0}, {side, side}, {0, side}}, 1.0 / 6)};
+  for (int i = 0; i < cells; ++i)
+    for (int j = 0; j < cells; ++j) loops.push_back(round_hole({i + 0.5, j + 0.5}, 0.2, 4));
+  return mesh_boundary(loops);
+}
+
+bool crosses(const Stations& cut, const Stations& crack) {
+  for (std::size_t c = 0; c + 1 < cut.size(); ++c)
+    for (std::size_t k = 0; k + 1 < crack.size(); ++k)
+      if (closest_approach({cut[c], cut[c + 1]}, {crack[k], crack[k + 1]}).distance < 1e-3) return true;
+  return false;
+}
+
+TEST(Subdomains, lie_around_cracks_and_change_beside_them_only) {
+  int kept = 0, all = 0;
+  for (unsigned seed = 1; seed <= 40; ++seed) {
+    const int cells = 4 + static_cast<int>(seed % 3);
+    const BoundaryMesh body = regular_sheet(cells);
+    const std::size_t most = 60 + 20 * (seed % 4);
+    const Subdivision without = subdivide(body, most);
+    std::vector<Stations> cracks = cracks_at_holes(cells, seed);
+    const Subdivision cut = subdivide(body, most, without.cuts, cracks);
+    check(body, cut);
+    std::vector<int> found(cracks.size(), 0);
+    for (const Subdomain& part : cut.subdomains) {
+      for (const int crack : part.cracks) ++found[static_cast<std::size_t>(crack)];
+      // No subdomain has both faces of a cut.
+      std::vector<int> nodes = part.nodes;
+      std::sort(nodes.begin(), nodes.end());
+      EXPECT_EQ(std::adjacent_find(nodes.begin(), nodes.end()), nodes.end()) << "seed " << seed;
+    }
+    for (const int count : found) EXPECT_EQ(count, 1) << "seed " << seed;
+    for (const Stations& one : cut.cuts)
+      for (const Stations& crack : cracks) EXPECT_FALSE(crosses(one, crack)) << "seed " << seed;
+    // A crack that grows leaves the subdomains elsewhere as they are.
+    if (cracks.empty()) continue;
+    Stations& grown = cracks.front();
+    grown.push_back(grown.back() + 0.2 * (grown.back() - grown.front()));
+    const Subdivision next = subdivide(body, most, without.cuts, cracks);
+    for (const Subdomain& part : next.subdomains) {
+      ++all;
+      kept += std::any_of(cut.subdomains.begin(), cut.subdomains.end(),
+                          [&](const Subdomain& one) { return one.mesh.nodes == part.mesh.nodes; });
+    }
+  }
+  EXPECT_GT(kept, 0.9 * all);
 }
 
 }  // namespace
