@@ -147,7 +147,6 @@ const std::vector<regions::TipValues>& Model::tips() {
   ensure_equilibrium();
   if (tips_generation_ == generation_) return tips_;
   tips_ = compute_tips();
-  look_past_switches(tips_);
   tips_generation_ = generation_;
   return tips_;
 }

@@ -6,6 +6,7 @@
 #include "coupling/affine.hpp"
 #include "model/crack_paths.hpp"
 #include "model/prepared_scene.hpp"
+#include "regions/tips/tip_rings.hpp"
 #include "regions/tips/tip_search.hpp"
 #include "scene/options.hpp"
 #include "scene/scene.hpp"

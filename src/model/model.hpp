@@ -208,7 +208,6 @@ class Model {
   void run_recording(double target, fracture::Goal goal, const fracture::SteppingOptions& stepping,
                      ElementCarrier& elements, StepResult& result);
   std::vector<regions::TipValues> compute_tips() const;
-  void look_past_switches(std::vector<regions::TipValues>& tips);
   std::vector<regions::TipValues> tips_in_lattices() const;
   std::vector<regions::TipValues> tips_of_lines() const;
   std::vector<Point> openings_in_lattices(int crack, const std::vector<double>& fractions) const;

@@ -18,11 +18,6 @@ constexpr double shear_for_load = 1.03, shear_for_load_beside = 0.94;
 
 }  // namespace
 
-AffineIntensity TipStress::at(const GrowingTip& tip, const pd::TipLaw& law, const coupling::Affine& displacement,
-                              const Eigen::RowVector2d& pressure) const {
-  return as_read(fitted(tip, law, displacement, pressure).factors(law.horizon));
-}
-
 AffineIntensity TipStress::as_read(AffineIntensity fitted) const {
   if (laws_.loads_by_energy) fitted.two /= shear_as_fitted;
   return fitted;

@@ -27,13 +27,10 @@ class TipStress {
 
   TipStress(const coupling::EquilibriumSystem& system, const std::vector<Point>& positions, const pd::TipLaws& laws);
 
-  // Stress intensity factors of a tip. `pressure` is the fluid pressure in its crack (constant and proportional part):
-  // a uniform pressure of that size is subtracted from the stress, so that the faces are free of load.
-  AffineIntensity at(const GrowingTip& tip, const pd::TipLaw& law, const coupling::Affine& displacement,
-                     const Eigen::RowVector2d& pressure) const;
-  // fitted(): Williams' series fitted to the stress ahead of the tip. as_read(): the tip's stress intensity factors
-  // from those of the fit. If loads come from energies, it reduces K_II, which the fit gives too large. for_load():
-  // those that give the load of growth.
+  // fitted(): Williams' series fitted to the stress ahead of the tip. `pressure` is the fluid pressure in its crack
+  // (constant and proportional part): a uniform pressure of that size is subtracted from the stress, so that the faces
+  // are free of load. as_read(): the tip's stress intensity factors from those of the fit. If loads come from energies,
+  // it reduces K_II, which the fit gives too large. for_load(): those that give the load of growth.
   WilliamsFit fitted(const GrowingTip& tip, const pd::TipLaw& law, const coupling::Affine& displacement,
                      const Eigen::RowVector2d& pressure) const;
   AffineIntensity as_read(AffineIntensity fitted) const;
@@ -44,8 +41,8 @@ class TipStress {
   AffineIntensity closely_ahead_of(const GrowingTip& tip, const pd::TipLaw& law, const coupling::Affine& displacement,
                                    const Eigen::RowVector2d& pressure) const;
 
-  // Nodes on whose displacements at() depends, or also closely_ahead_of() if `closely_ahead`; some of them more than
-  // once.
+  // Nodes on whose displacements fitted() depends, or also closely_ahead_of() if `closely_ahead`; some of them more
+  // than once.
   void add_nodes_asked(const GrowingTip& tip, const pd::TipLaw& law, bool closely_ahead, std::vector<int>& nodes) const;
 
   // Unit vector perpendicular to the largest principal stress at a bond: of the mean stress of its two points.
