@@ -95,7 +95,6 @@ void EquilibriumSystem::change_factor(const std::vector<Eigen::Triplet<double>>&
                                       linalg::Change change) {
   rebuild_factor();
   if (!factor_.exists() || entries.empty()) return;
-  if (base_ && base_.use_count() == 1) base_ = nullptr;  // so that the factor may change
   Eigen::SparseMatrix<double> matrix(unknowns_.count(), columns);
   matrix.setFromTriplets(entries.begin(), entries.end());
   factor_.change(matrix, change);

@@ -1,6 +1,5 @@
 // Matrix of a system, its factor, and the record from which a factor can be made again.
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
 #include "coupling/equilibrium_system.hpp"
@@ -47,60 +46,9 @@ const Eigen::SparseMatrix<double>& EquilibriumSystem::assemble() const {
 
 const Eigen::SparseMatrix<double>& EquilibriumSystem::assemble_to_factorize() {
   const Eigen::SparseMatrix<double>& matrix = assemble();
-  note_source();
-  return matrix;
-}
-
-void EquilibriumSystem::note_source() {
   source_ = {stages_, springs_, {}, constraints_.closed_exact(), places_met_, false, {}};
   constraints_.for_each_closed_penalty([&](const Constraint& closed) { source_.closed.push_back(closed); });
-}
-
-void EquilibriumSystem::take_over(const EquilibriumSystem& before) {
-  operators_.take_over(before.operators_);
-  base_ = before.base_;
-}
-
-// Whether the factor can serve for other systems, and others for this one: it consists of operators only, and a factor
-// of its own takes long.
-bool EquilibriumSystem::can_share_factor() const {
-  constexpr Eigen::Index least_unknowns = 4000;
-  return is_symmetric() && terms_.size() == 0 && ties_.nodes().empty() && !positions_.empty() &&
-         unknowns_.count() >= least_unknowns;
-}
-
-std::vector<MatrixPart> EquilibriumSystem::matrix_parts() const {
-  std::vector<MatrixPart> parts;
-  for (const OperatorSchurComplement& op : operators_.list()) {
-    if (op.shared_dofs().empty()) continue;
-    parts.push_back({op.schur(), {}, {}, op.constraint_count() > 0, {}});
-    if (op.constraint_count() > 0) parts.back().matrix = op.schur_complement();
-    for (const int dof : op.shared_dofs()) {
-      parts.back().unknowns.push_back(unknowns_.unknown_of[dof]);
-      parts.back().places.push_back(positions_[static_cast<std::size_t>(dof / 2)]);
-    }
-  }
-  return parts;
-}
-
-// Makes a factor out of that of a similar system; false if there is none.
-bool EquilibriumSystem::factorize_from_base() {
-  if (!base_ || !can_share_factor()) return false;
-  const Stopwatch watch(counters_.seconds_factorization);
-  std::vector<SpringEntry> springs;
-  std::vector<UnknownEntry> pull;
-  for (const HoldingSpring& s : springs_) {
-    pull.clear();
-    append_pull(unknowns_.unknown_of, ties_, s.node, s.cosine, s.sine, std::sqrt(s.stiffness), pull);
-    for (const UnknownEntry& row : pull)
-      for (const UnknownEntry& column : pull)
-        springs.push_back({row.unknown, column.unknown, row.weight * column.weight});
-  }
-  std::unique_ptr<SystemSolver> solver = bordered_solver(base_, matrix_parts(), springs, unknowns_.count());
-  if (!solver) return false;
-  note_source();
-  factor_.take(std::move(solver), largest_stiffness_);
-  return true;
+  return matrix;
 }
 
 void EquilibriumSystem::keep_last(std::vector<int> nodes) {
@@ -130,16 +78,13 @@ void EquilibriumSystem::forget_places_met() {
 
 void EquilibriumSystem::factorize() {
   rebuild_factor();
-  if (factor_.exists() || factorize_from_base()) return;
-  base_ = nullptr;
+  if (factor_.exists()) return;
   const Eigen::SparseMatrix<double>* matrix = nullptr;
   {
     const Stopwatch watch(counters_.seconds_assembly);
     matrix = &assemble_to_factorize();
   }
   factor_.factorize(*matrix);
-  if (can_share_factor() && springs_.empty())
-    base_ = std::make_shared<const FactorBase>(factor_.share(), matrix_parts(), unknowns_.count());
 }
 
 std::optional<FactorOrigin> EquilibriumSystem::factor_origin() const {

@@ -117,7 +117,6 @@ void EquilibriumSystem::collect_bodies(const std::vector<DenseOperator>& operato
 
 void EquilibriumSystem::place_nodes(const std::vector<Point>& positions) {
   if (is_symmetric()) factor_.set_graph(coupling_graph(positions, terms_, ties_, bodies_));
-  positions_ = positions;
 }
 
 void EquilibriumSystem::set_load(Affine force, Affine prescribed) {
@@ -187,11 +186,6 @@ FactorizedSystem EquilibriumSystem::factorized() {
   assert(is_symmetric());
   condense();
   factorize();
-  if (!factor_.has_cholesky()) {
-    base_ = nullptr;
-    forget_factor();
-    factorize();
-  }
   const Stopwatch watch(counters_.seconds_solve);
   condense_load();
   return {factor_.cholesky(), unknowns_.dof_of,  factor_.kept(), operators_.list(), ties_,

@@ -12,7 +12,6 @@
 
 #include "coupling/affine.hpp"
 #include "coupling/applied_load.hpp"
-#include "coupling/bordered_factor.hpp"
 #include "coupling/condensed_operators.hpp"
 #include "coupling/constraints.hpp"
 #include "coupling/factor_origin.hpp"
@@ -60,10 +59,6 @@ class EquilibriumSystem {
 
   // Sets the positions of the nodes. A symmetric system derives from them an order of elimination with less fill.
   void place_nodes(const std::vector<Point>& positions);
-
-  // Takes over what this system has in common with `before`, the one of a scene with shorter cracks: condensed
-  // operators and, of a large system, the factor.
-  void take_over(const EquilibriumSystem& before);
 
   // Makes the next factorization eliminate the unknowns of these nodes last, and drops the present factor.
   void keep_last(std::vector<int> nodes);
@@ -231,10 +226,6 @@ class EquilibriumSystem {
   void condense_load();
   void factorize();
   void rebuild_factor();
-  void note_source();
-  bool can_share_factor() const;
-  std::vector<MatrixPart> matrix_parts() const;
-  bool factorize_from_base();
   std::unique_ptr<StiffnessAssembly> assembly_with(const PlacesMet* places) const;
   const Eigen::SparseMatrix<double>& assemble_to_factorize();
   bool has_load(int part) const;
@@ -275,8 +266,6 @@ class EquilibriumSystem {
   SolverCounters counters_;
   SystemFactor factor_;
   FactorSource source_;
-  std::vector<Point> positions_;            // of the nodes, once they are placed
-  std::shared_ptr<const FactorBase> base_;  // factor of a similar system; null: none
 };
 
 }  // namespace bempd::coupling

@@ -86,8 +86,7 @@ void SystemFactor::factorize(const Matrix& matrix) {
   changes_.clear();
   const Stopwatch watch(counters_.seconds_factorization);
   largest_diagonal_ = matrix.diagonal().maxCoeff();
-  if (!solver_ || is_taken_ || solver_.use_count() > 1) solver_ = method_.make_solver();
-  is_taken_ = false;
+  if (!solver_) solver_ = method_.make_solver();
   {
     const Phase phase("ordering of the sparse system");
     choose_order();
@@ -107,19 +106,6 @@ void SystemFactor::factorize(const Matrix& matrix) {
   counters_.factor_nonzeros = factor.factor_nonzeros();
 }
 
-void SystemFactor::take(std::shared_ptr<SystemSolver> solver, double largest_diagonal) {
-  lose();
-  changes_.clear();
-  solver_ = std::move(solver);
-  is_taken_ = true;
-  largest_diagonal_ = largest_diagonal;
-  state_ = FactorState::factorized;
-  kept_when_made_ = kept_nodes_;
-  const linalg::SparseFactorization& factor = solver_->factorization();
-  counters_.reciprocal_condition = std::min(counters_.reciprocal_condition, factor.smallest_pivot_ratio());
-  counters_.factor_nonzeros = factor.factor_nonzeros();
-}
-
 void SystemFactor::change(const Matrix& columns, linalg::Change change) {
   const Stopwatch watch(counters_.seconds_update);
   const bool was_current = is_current();
@@ -127,7 +113,7 @@ void SystemFactor::change(const Matrix& columns, linalg::Change change) {
   // A factor that cannot follow the change becomes stale; it still preconditions the iteration in solve(). After an
   // error, such as a request to cancel, there is none.
   state_ = FactorState::none;
-  const bool follows = solver_.use_count() == 1 && solver_->factorization().update(columns, change);
+  const bool follows = solver_->factorization().update(columns, change);
   state_ = follows && was_current ? FactorState::updated : FactorState::stale;
   counters_.factor_updates += columns.cols();
 }

@@ -58,12 +58,6 @@ class SystemFactor {
 
   // Factorizes the matrix. Throws Error (unsolvable) if it is singular.
   void factorize(const Matrix& matrix);
-  // Takes a solver that has a factor of the present matrix already. share() gives the solver to others; it then stays
-  // as it is.
-  void take(std::shared_ptr<SystemSolver> solver, double largest_diagonal);
-  std::shared_ptr<SystemSolver> share() const { return solver_; }
-  bool has_cholesky() const { return solver_ && solver_->cholesky(); }
-  double largest_diagonal() const { return largest_diagonal_; }
 
   // Changes an existing factor for the matrix plus or minus columns * columns^T.
   void change(const Matrix& columns, linalg::Change change);
@@ -91,8 +85,7 @@ class SystemFactor {
   std::unique_ptr<linalg::NodeGraph> graph_;
   std::vector<int> kept_nodes_;
   int kept_ = 0;
-  std::shared_ptr<SystemSolver> solver_;
-  bool is_taken_ = false;
+  std::unique_ptr<SystemSolver> solver_;
   FactorState state_ = FactorState::none, forgotten_ = FactorState::none;
   std::vector<int> kept_when_made_;
   std::vector<FactorChange> changes_;

@@ -2,10 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 #include "cancellation.hpp"
-#include "linalg/dense_parts.hpp"
 
 namespace bempd::linalg {
 
@@ -60,88 +58,39 @@ class FactorColumns {
   std::vector<int> supernode_of_;
 };
 
-// Columns of y that may have entries in each row: a range, empty at first.
-struct ColumnRange {
-  Eigen::Index begin = 0, end = 0;
-
-  void extend(const ColumnRange& other) {
-    if (other.begin == other.end) return;
-    *this = begin == end ? other : ColumnRange{std::min(begin, other.begin), std::max(end, other.end)};
-  }
-};
-
-// Product y^T y, where y has entries in `ranges` only. Many rows are multiplied in parts, each with the columns that
-// have entries there.
-template <class Rows>
-Eigen::MatrixXd square_of(const Rows& y, const std::vector<ColumnRange>& ranges) {
-  constexpr Eigen::Index rows_at_once = 256;
-  if (y.rows() <= 8 * rows_at_once) return y.transpose() * y;
-  Eigen::MatrixXd square = Eigen::MatrixXd::Zero(y.cols(), y.cols());
-  for (Eigen::Index first = 0; first < y.rows(); first += rows_at_once) {
-    check_cancelled();
-    const Eigen::Index count = std::min(rows_at_once, y.rows() - first);
-    ColumnRange range;
-    for (Eigen::Index k = first; k < first + count; ++k) range.extend(ranges[static_cast<std::size_t>(k)]);
-    const Eigen::Index wide = range.end - range.begin;
-    if (wide == 0) continue;
-    const Eigen::MatrixXd part = y.block(first, range.begin, count, wide);
-    add_square(square.block(range.begin, range.begin, wide, wide), part.transpose());
-  }
-  square.triangularView<Eigen::StrictlyUpper>() = square.transpose();
-  return square;
-}
-
 }  // namespace
 
 // Computes the block as y^T y, or y^T D^-1 y, where L y = b and the columns of b are the unit vectors of the places.
-// With many places in the order of elimination, those on one branch of the elimination tree are neighbours.
 template <class Index>
-Eigen::MatrixXd inverse_block(const cholmod_factor& factor, const std::vector<int>& given) {
+Eigen::MatrixXd inverse_block(const cholmod_factor& factor, const std::vector<int>& places) {
   using Rows = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
   const FactorColumns<Index> columns(factor);
-  std::vector<int> number(given.size());
-  std::iota(number.begin(), number.end(), 0);
-  constexpr std::size_t many = 600;
-  if (given.size() > many)
-    std::stable_sort(number.begin(), number.end(), [&](int a, int b) { return given[a] < given[b]; });
   std::vector<int> way, row_of(factor.n, -1);
-  for (const int place : given)
+  for (const int place : places)
     for (int j = place; j >= 0 && row_of[static_cast<std::size_t>(j)] < 0; j = columns.parent(j)) {
       row_of[static_cast<std::size_t>(j)] = 0;
       way.push_back(j);
     }
   std::sort(way.begin(), way.end());
   for (std::size_t k = 0; k < way.size(); ++k) row_of[static_cast<std::size_t>(way[k])] = static_cast<int>(k);
-  Rows y = Rows::Zero(static_cast<Eigen::Index>(way.size()), static_cast<Eigen::Index>(given.size()));
-  std::vector<ColumnRange> ranges(way.size());
-  for (std::size_t k = 0; k < number.size(); ++k) {
-    const int row = row_of[static_cast<std::size_t>(given[static_cast<std::size_t>(number[k])])];
-    const auto column = static_cast<Eigen::Index>(k);
-    y(row, column) = 1;
-    ranges[static_cast<std::size_t>(row)].extend({column, column + 1});
-  }
-  Eigen::VectorXd roots = Eigen::VectorXd::Ones(y.rows());  // of D
+  Rows y = Rows::Zero(static_cast<Eigen::Index>(way.size()), static_cast<Eigen::Index>(places.size()));
+  for (std::size_t k = 0; k < places.size(); ++k)
+    y(row_of[static_cast<std::size_t>(places[k])], static_cast<Eigen::Index>(k)) = 1;
+  Eigen::VectorXd roots(y.rows());  // of D
   for (Eigen::Index k = 0; k < y.rows(); ++k) {
     if (k % 64 == 0) check_cancelled();
-    const ColumnRange own = ranges[static_cast<std::size_t>(k)];
-    const auto entries = [&](Eigen::Index row) { return y.row(row).segment(own.begin, own.end - own.begin); };
     columns.for_each(way[static_cast<std::size_t>(k)], [&](int row, double value) {
       if (row != way[static_cast<std::size_t>(k)]) {
-        const int below = row_of[static_cast<std::size_t>(row)];
-        ranges[static_cast<std::size_t>(below)].extend(own);
-        entries(below) -= value * entries(k);
+        y.row(row_of[static_cast<std::size_t>(row)]) -= value * y.row(k);
       } else if (columns.has_roots()) {
-        entries(k) /= value;
+        y.row(k) /= value;
       } else {
         roots[k] = std::sqrt(value);
       }
     });
   }
   if (!columns.has_roots()) y = roots.cwiseInverse().asDiagonal() * y;
-  const Eigen::MatrixXd sorted = square_of(y, ranges);
-  Eigen::MatrixXd block(sorted.rows(), sorted.cols());
-  block(number, number) = sorted;
-  return block;
+  return y.transpose() * y;
 }
 
 template Eigen::MatrixXd inverse_block<int>(const cholmod_factor&, const std::vector<int>&);
