@@ -1,7 +1,7 @@
 """Large BEM regions, whole and cut into subdomains: the tables of docs/scaling.md.
 
 usage: benchmarks/run.sh subdomains [--write] [--quick] [--growth]
-    --write: into docs/scaling.md;  --quick: small bodies only;  --growth: growing cracks only
+    --write: the first table into docs/scaling.md;  --quick: small bodies only;  --growth: growing cracks only
 """
 
 from __future__ import annotations
@@ -26,7 +26,7 @@ SHEETS = ((16, 48, 0), (16, 48, WHOLE), (64, 48, 0), (256, 48, 0), (1024, 48, 0)
 OTHER_CUTS = ((64, 48, 40), (64, 48, 160), (256, 48, 40), (256, 48, 160))
 SQUARES = ((500, 0), (1000, WHOLE), (1000, 0), (2000, 0), (8000, 0), (32000, 0))
 
-# The same for sheets with cracks, and the steps of growth that are timed.
+# Sheets with cracks, likewise, and the steps of growth that are timed.
 GROWING = ((16, 24, WHOLE), (16, 24, 80), (64, 48, 0), (256, 48, 0))
 STEPS = 2
 
@@ -101,7 +101,7 @@ def grow(*numbers: int) -> Answer:
     seconds = (time.process_time() - begin) / STEPS
     sizes = model.statistics()
     ends = [[grown.x, grown.y] for grown in model.extensions()]
-    return {"nodes": sizes.boundary_nodes, "subdomains": sizes.subdomains, "cracks": model.crack_count, "seconds": seconds,
+    return {"nodes": sizes.boundary_nodes, "subdomains": sizes.subdomains, "cracks": model.crack_count(), "seconds": seconds,
             "memory": resource.getrusage(resource.RUSAGE_SELF).ru_maxrss / 1e6, "loads": loads, "ends": ends,
             "factors": [tip.stress_intensity_1 for tip in model.tips()]}
 
@@ -186,7 +186,7 @@ def main() -> None:
     for name, make in tables.items():
         lines = make(quick)
         print("\n".join(lines))
-        if writes:
+        if writes and name == "table":
             write(name, lines)
 
 

@@ -13,7 +13,8 @@ namespace {
 
 // Growth of a cut's elements with the distance from the boundary.
 constexpr double growth_with_distance = 0.35;
-// The same for the distance from cracks; then the smallest distance from a crack, as a share of its element's length.
+// Growth of a cut's elements with the distance from cracks, and the smallest distance from a crack, as a share of its
+// element's length.
 constexpr double growth_with_distance_from_cracks = 0.2, least_clearance_of_cracks = 1;
 // Smallest distance of a cut from a side, as a share of the side's length.
 constexpr double least_clearance = 0.3;

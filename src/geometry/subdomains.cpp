@@ -2,12 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
 #include <map>
 #include <set>
 
 #include "geometry/edge.hpp"
 #include "geometry/material_cut.hpp"
+#include "geometry/placed_nodes.hpp"
 
 namespace bempd {
 
@@ -38,37 +38,6 @@ SubdomainLoops loops_of(const BoundaryMesh& body) {
   }
   return loops;
 }
-
-// Nodes by their places, which may differ by rounding.
-class PlacedNodes {
- public:
-  explicit PlacedNodes(const BoundaryMesh& body) {
-    Box box;
-    for (const Point& place : body.nodes) box.extend(place);
-    cell_ = 1e-9 * box.diagonal().norm();
-    origin_ = box.min();
-    for (const BoundaryElement& element : body.elements) add(body.nodes[element.nodes[0]], element.nodes[0]);
-  }
-  void add(const Point& place, int node) { nodes_[cell_of(place)] = node; }
-  int at(const Point& place) const {  // -1: there is none
-    const auto [column, row] = cell_of(place);
-    for (const std::int64_t i : {0, -1, 1})
-      for (const std::int64_t j : {0, -1, 1})
-        if (const auto found = nodes_.find({column + i, row + j}); found != nodes_.end()) return found->second;
-    return -1;
-  }
-
- private:
-  using Cell = std::pair<std::int64_t, std::int64_t>;
-  Cell cell_of(const Point& place) const {
-    const Point off = (place - origin_) / cell_;
-    return {std::llround(off.x()), std::llround(off.y())};
-  }
-
-  double cell_;
-  Point origin_;
-  std::map<Cell, int> nodes_;
-};
 
 class Subdivider {
  public:

@@ -88,4 +88,17 @@ InteriorOfPieces BoundaryRegion::inside_without(const LinearBodyForce& particula
   return all;
 }
 
+const CrackLines* BoundaryRegion::crack_lines() const { return cracks_ ? &cracks_->lines() : nullptr; }
+
+std::optional<Overlap> BoundaryRegion::overlap(const Solution& solution) const {
+  if (!cracks_ || cracked_.front().closing) return std::nullopt;
+  std::optional<Overlap> worst;
+  const std::vector<bem::CrackedState> states = cracked_states(solution);
+  for (std::size_t k = 0; k < cracked_.size(); ++k) {
+    const std::optional<Overlap> own = cracked_[k].cracks->overlap(states[k]);
+    if (own && (!worst || own->depth > worst->depth)) worst = own;
+  }
+  return worst;
+}
+
 }  // namespace bempd::regions

@@ -289,17 +289,4 @@ std::vector<CrackPicture> BoundaryRegion::crack_pictures(const Solution& solutio
   return pictures;
 }
 
-const CrackLines* BoundaryRegion::crack_lines() const { return cracks_ ? &cracks_->lines() : nullptr; }
-
-std::optional<Overlap> BoundaryRegion::overlap(const Solution& solution) const {
-  if (!cracks_ || cracked_.front().closing) return std::nullopt;
-  std::optional<Overlap> worst;
-  const std::vector<bem::CrackedState> states = cracked_states(solution);
-  for (std::size_t k = 0; k < cracked_.size(); ++k) {
-    const std::optional<Overlap> own = cracked_[k].cracks->overlap(states[k]);
-    if (own && (!worst || own->depth > worst->depth)) worst = own;
-  }
-  return worst;
-}
-
 }  // namespace bempd::regions
