@@ -2284,8 +2284,8 @@ typedef struct bempd_fatigue_report {
  * grows @return status @since 0.3 */
 BEMPD_API bempd_status bempd_fatigue_report_init(bempd_fatigue_report* report, int64_t struct_size);
 
-/** @brief Let cracks grow by cycles of the loads, and count the cycles: with boundary elements, or as lines in
- * peridynamic regions.
+/** @brief Let cracks grow by cycles of the loads, and count the cycles: with boundary elements, as lines in
+ * peridynamic regions, and from one into the other.
  *
  * A block is a number of cycles between two load factors; blocks follow each other and are repeated. Each tip grows by
  * the law of its material, in the direction in which bempd_grow_cracks() would have it grow at the load at which its
@@ -2295,8 +2295,8 @@ BEMPD_API bempd_status bempd_fatigue_report_init(bempd_fatigue_report* report, i
  * block by block. Steps are so long that the estimated error of their cycles is below the tolerance, and at most a
  * quarter of the way to the nearest edge, hole or crack.
  *
- * Crack lines grow by whole spacings, so they may pass the length asked for by half of one. Their material has a
- * fracture_energy.
+ * Crack lines grow by whole spacings, so they may pass the length asked for by half of one. What they grow by cycles
+ * without a step waits for the next call, also in a state. Their material has a fracture_energy.
  *
  * Growth ends at the critical factor of a tip, K_c of the law or the toughness of the material at that place, and where
  * a net section yields. The progress callback is called after every step. After a failure, and where a callback
@@ -2317,8 +2317,7 @@ BEMPD_API bempd_status bempd_grow_fatigue(bempd_model* model, int64_t block_coun
  * Each end of a cycle is a combination of load cases (bempd_load_case_add()), each times a factor; other loads do not
  * act. The body is solved under each combination by itself, with the faces of cracks closed that press on each other.
  * A tip grows in the direction that belongs to the combination under which its factor is largest. Within a cycle its
- * range is that between the two ends. Steps are events at the model's load factor, which stays where it is. It takes
- * cracks with boundary elements.
+ * range is that between the two ends. Steps are events at the model's load factor, which stays where it is.
  * @param[in] model the model @param[in] block_count number of blocks, >= 1; 1 is a constant amplitude
  * @param[in] case_count number of factors of a combination; cases beyond have 0
  * @param[in] high shape [block_count][case_count], factors of the cases at one end of a cycle [-]
@@ -2340,7 +2339,7 @@ typedef struct bempd_fatigue_record {
   int32_t crack;                 /**< id of the crack */
   int32_t end;                   /**< a bempd_tip_end */
   double cycles;                 /**< that have passed, with those before [-] */
-  double length;                 /**< length of the crack [m] */
+  double length;                 /**< length of the crack, of lines as grown by cycles and to where tips act [m] */
   double growth;                 /**< growth of this tip in the call [m] */
   double x;                      /**< place of the tip [m] */
   double y;                      /**< [m] */

@@ -1036,7 +1036,7 @@ module bempd_c
     integer(c_int32_t) :: end
     !> that have passed, with those before [-]
     real(c_double) :: cycles
-    !> length of the crack [m]
+    !> length of the crack, of lines as grown by cycles and to where tips act [m]
     real(c_double) :: length
     !> growth of this tip in the call [m]
     real(c_double) :: growth
@@ -4278,8 +4278,8 @@ module bempd_c
       integer(c_int) :: bempd_fatigue_report_init
     end function bempd_fatigue_report_init
 
-    !> Let cracks grow by cycles of the loads, and count the cycles: with boundary elements, or as lines in peridynamic
-    !> regions.
+    !> Let cracks grow by cycles of the loads, and count the cycles: with boundary elements, as lines in peridynamic
+    !> regions, and from one into the other.
     !>
     !> A block is a number of cycles between two load factors; blocks follow each other and are repeated. Each tip grows
     !> by the law of its material, in the direction in which bempd_grow_cracks() would have it grow at the load at which
@@ -4289,8 +4289,8 @@ module bempd_c
     !> and the cycles are counted block by block. Steps are so long that the estimated error of their cycles is below
     !> the tolerance, and at most a quarter of the way to the nearest edge, hole or crack.
     !>
-    !> Crack lines grow by whole spacings, so they may pass the length asked for by half of one. Their material has a
-    !> fracture_energy.
+    !> Crack lines grow by whole spacings, so they may pass the length asked for by half of one. What they grow by
+    !> cycles without a step waits for the next call, also in a state. Their material has a fracture_energy.
     !>
     !> Growth ends at the critical factor of a tip, K_c of the law or the toughness of the material at that place, and
     !> where a net section yields. The progress callback is called after every step. After a failure, and where a
@@ -4324,7 +4324,7 @@ module bempd_c
     !> not act. The body is solved under each combination by itself, with the faces of cracks closed that press on each
     !> other. A tip grows in the direction that belongs to the combination under which its factor is largest. Within a
     !> cycle its range is that between the two ends. Steps are events at the model's load factor, which stays where it
-    !> is. It takes cracks with boundary elements.
+    !> is.
     !>
     !> model [in]: the model
     !> block_count [in]: number of blocks, >= 1; 1 is a constant amplitude

@@ -44,7 +44,7 @@ void FrontReader::set_direction(FrontTip& tip) const {
   const KinkCriterion criterion = growth_criterion(model_.options());
   crack::GrowthLaw law = law_of(tip.values, model_.options());
   tip.high = levels_.highest(), tip.low = levels_.lowest();
-  // Under load cases a line goes where its caller says, which is by the stress ahead of it as in any run.
+  // A line goes by the stress ahead of it, also under load cases.
   const bool is_line = tip.values.method != regions::TipMethod::elements && levels_.combine_cases();
   const auto kink_at = [&](std::size_t level) {
     Kink kink = law.kink(tip.levels[level].factors);

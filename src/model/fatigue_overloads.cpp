@@ -55,6 +55,27 @@ const RememberedOverload* remembered_at(const FrontTip& tip, const std::vector<R
   return found == known.end() ? nullptr : &*found;
 }
 
+std::vector<double> WaitingGrowth::of(const Front& front) const {
+  std::vector<double> all;
+  for (const FrontTip& tip : front) all.push_back(of(tip.id()));
+  return all;
+}
+
+std::map<crack::TipId, double> WaitingGrowth::of_lines(const Front& front, const CrackLengthening& lengthening) const {
+  std::map<crack::TipId, double> lines;
+  for (const FrontTip& tip : front)
+    if (lengthening.quantum(tip.values) > 0) lines[tip.id()] = of(tip.id());
+  return lines;
+}
+
+void WaitingGrowth::take_up(const std::vector<RememberedOverload>& known, const Front& front,
+                            const std::vector<scene::Crack>& cracks, const CrackLengthening& lengthening) {
+  for (const FrontTip& tip : front) {
+    const RememberedOverload* found = remembered_at(tip, known, cracks);
+    if (found && lengthening.quantum(tip.values) > 0) of_tips_[tip.id()] = found->waiting;
+  }
+}
+
 void MetOverloads::take_up(const std::vector<RememberedOverload>& known, const Front& front,
                            const std::vector<scene::Crack>& cracks, double first_cycle) {
   for (const FrontTip& tip : front) {

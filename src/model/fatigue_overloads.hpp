@@ -12,6 +12,24 @@ namespace bempd::model {
 const RememberedOverload* remembered_at(const FrontTip& tip, const std::vector<RememberedOverload>& known,
                                         const std::vector<scene::Crack>& cracks);
 
+// Growth of tips by cycles by which their cracks have not been extended yet [m].
+class WaitingGrowth {
+ public:
+  double& operator[](const crack::TipId& tip) { return of_tips_[tip]; }
+  double of(const crack::TipId& tip) const {
+    const auto found = of_tips_.find(tip);
+    return found == of_tips_.end() ? 0 : found->second;
+  }
+  std::vector<double> of(const Front& front) const;
+  // That of lines is remembered from call to call.
+  std::map<crack::TipId, double> of_lines(const Front& front, const CrackLengthening& lengthening) const;
+  void take_up(const std::vector<RememberedOverload>& known, const Front& front,
+               const std::vector<scene::Crack>& cracks, const CrackLengthening& lengthening);
+
+ private:
+  std::map<crack::TipId, double> of_tips_;
+};
+
 // Overloads that tips have met in a call of growth by cycles, counted from the tips' present places.
 class MetOverloads {
  public:

@@ -41,14 +41,11 @@ double FatigueRun::length_of_crack(std::size_t tip) const {
   return length;
 }
 
-// The same with the growth of lines that is less than a spacing, by which they have not been extended yet.
+// It is with the growth of lines that waits for a whole spacing.
 double FatigueRun::length_by_cycles(std::size_t tip) const {
   double length = length_of_crack(tip);
-  for (const FrontTip& one : front_) {
-    const auto ahead = ahead_.find(one.id());
-    const bool is_waiting = one.values.crack == front_[tip].values.crack && lengthening_.quantum(one.values) > 0;
-    if (is_waiting && ahead != ahead_.end()) length += ahead->second;
-  }
+  for (const auto& [id, growth] : ahead_.of_lines(front_, lengthening_))
+    if (id.crack == front_[tip].values.crack) length += growth;
   return length;
 }
 
@@ -82,20 +79,10 @@ std::optional<FatigueRun::Plan> FatigueRun::plan() const {
   }
   if (std::isinf(cycles)) return std::nullopt;
   cycles = std::min(cycles, room * cycles_left());
-  const std::vector<double> ahead = growth_ahead();
+  const std::vector<double> ahead = ahead_.of(front_);
   for (std::size_t t = 0; t < front_.size(); ++t) plan.lengths.push_back(std::max(0.0, cycles * rates_[t] + ahead[t]));
   keep_within_length(plan);
   return plan;
-}
-
-// Growth of each tip by which its crack has not been extended yet.
-std::vector<double> FatigueRun::growth_ahead() const {
-  std::vector<double> ahead;
-  for (const FrontTip& tip : front_) {
-    const auto found = ahead_.find(tip.id());
-    ahead.push_back(found == ahead_.end() ? 0 : found->second);
-  }
-  return ahead;
 }
 
 // Whether the cycles of a trial end before a line has grown by half a step: then it is not extended yet.
@@ -109,20 +96,6 @@ std::optional<std::size_t> FatigueRun::leader_instead(const Trial& trial) const 
   for (std::size_t t = 0; t < front_.size(); ++t)
     if (!is_line(t) && trial.cycles.growth[t] > 1e-6 * size_of(t)) return t;
   return std::nullopt;
-}
-
-void FatigueRun::take_up_waiting() {
-  for (std::size_t t = 0; t < front_.size(); ++t) {
-    const RememberedOverload* known = remembered_at(front_[t], model_.fatigue().overloads(), cracks_);
-    if (known && is_line(t)) ahead_[front_[t].id()] = known->waiting;
-  }
-}
-
-std::vector<RememberedOverload> FatigueRun::remembered_overloads() const {
-  std::map<crack::TipId, double> waiting;
-  for (std::size_t t = 0; t < front_.size(); ++t)
-    if (is_line(t)) waiting[front_[t].id()] = growth_ahead()[t];
-  return overloads_.remembered(front_, waiting);
 }
 
 // Shortens a plan to the largest crack length. The tip whose crack reaches that length becomes the leader, so that its

@@ -47,7 +47,7 @@ FatigueReport FatigueRun::run() {
     overloads_.take_up(model_.fatigue().overloads(), front_, cracks_, options_.first_cycle);
     find_rates();
   }
-  take_up_waiting();
+  ahead_.take_up(model_.fatigue().overloads(), front_, cracks_, lengthening_);
   record();
   while (step()) lengthening_.report_progress();
   lengthening_.stay();
@@ -138,7 +138,7 @@ FatigueRun::Trial FatigueRun::trial(std::vector<double> lengths, std::vector<dou
   trial.after = reader_.front(tips, &trial.longer);
   trial.on_step = on_step(trial);
   const crack::CycleIntegration integration(program_, trial.on_step);
-  trial.cycles = integration.run(place_, growth_ahead(), leader, trial.on_step[leader].growth, cycles_left());
+  trial.cycles = integration.run(place_, ahead_.of(front_), leader, trial.on_step[leader].growth, cycles_left());
   return trial;
 }
 
@@ -238,7 +238,7 @@ bool FatigueRun::pass_without_growth() {
   std::vector<crack::TipOnStep> here;
   for (std::size_t t = 0; t < front_.size(); ++t) here.push_back(standing(t));
   const crack::CycleIntegration integration(program_, here);
-  return pass(integration.run(place_, growth_ahead(), 0, FatigueOptions::unlimited, cycles_left()));
+  return pass(integration.run(place_, ahead_.of(front_), 0, FatigueOptions::unlimited, cycles_left()));
 }
 
 bool FatigueRun::is_over(const crack::CyclesOnStep& cycles) {

@@ -23,7 +23,9 @@ class FatigueRun {
 
   FatigueReport run();
   std::vector<FatigueRecord> take_records() { return std::move(records_); }
-  std::vector<RememberedOverload> remembered_overloads() const;
+  std::vector<RememberedOverload> remembered_overloads() const {
+    return overloads_.remembered(front_, ahead_.of_lines(front_, lengthening_));
+  }
 
  private:
   // Step that has been computed but not accepted yet; lists have an entry for each tip of the front.
@@ -40,7 +42,6 @@ class FatigueRun {
     std::vector<double> lengths;
     std::size_t leader = 0;
   };
-
   void find_front();
   void find_rates();
   crack::TipOnStep standing(std::size_t tip) const;
@@ -51,10 +52,8 @@ class FatigueRun {
   double size_of(std::size_t tip) const;
   double longest(std::size_t tip) const;
   double cycles_left() const { return options_.most_cycles - report_.cycles; }
-
   bool step();  // false where the run is over
   Trial made(const Plan& plan);
-  void take_up_waiting();
   Trial trial(std::vector<double> lengths, std::vector<double> angles, std::size_t leader);
   std::vector<crack::TipOnStep> on_step(const Trial& trial) const;
   double turn(const Trial& trial, std::size_t tip) const;
@@ -63,7 +62,6 @@ class FatigueRun {
   bool waits(const Trial& trial, std::size_t tip) const;
   std::optional<std::size_t> leader_instead(const Trial& trial) const;
   bool is_line(std::size_t tip) const { return lengthening_.quantum(front_[tip].values) > 0; }
-  std::vector<double> growth_ahead() const;
   bool is_off(const Trial& trial, std::size_t leader, double share) const;
   bool choose_step(const Trial& trial, std::size_t leader, bool must_stand);
   bool accept(Trial trial, std::size_t leader);
@@ -72,7 +70,6 @@ class FatigueRun {
   bool is_over(const crack::CyclesOnStep& cycles);
   bool end_by(FatigueEnd end, const crack::TipId& tip = {});
   void record();
-
   Model& model_;
   CrackLengthening& lengthening_;
   const FatigueOptions& options_;
@@ -80,9 +77,9 @@ class FatigueRun {
   crack::CycleProgram program_;
   FrontReader reader_;
   Front front_;
-  std::vector<scene::Crack> cracks_;      // as they are now
-  std::vector<double> rates_;             // of the front, mean over the program
-  std::map<crack::TipId, double> ahead_;  // by how much a tip has grown more than its crack [m]
+  std::vector<scene::Crack> cracks_;  // as they are now
+  std::vector<double> rates_;         // of the front, mean over the program
+  WaitingGrowth ahead_;
   std::map<crack::TipId, double> grown_;
   std::map<crack::TipId, double> last_growth_;                            // in the step before [m]
   std::map<crack::TipId, std::vector<crack::LevelFactors>> last_levels_;  // before that

@@ -8,6 +8,7 @@ import sys
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT / "benchmarks" / "fatigue"))
+import bodies  # noqa: E402
 import lives  # noqa: E402
 import resistance  # noqa: E402
 
@@ -35,6 +36,9 @@ def main() -> None:
         "fatigue_retarded": max(abs(100 * (growth / exact - 1)) for growth, exact in retarded),
         "fatigue_lattice": max(abs(100 * (lives.square_life(scene, 60) / lives.square_life(scene) - 1))
                                for scene in ("edge crack", "centre crack", "two edge cracks")),
+        "fatigue_halves": max(abs(100 * (found / exact - 1)) for scene in lives.HALVES for halves in (("elements", "lattice"), ("lattice", "elements"))
+                              for found, exact in zip(lives.life_in_halves(*halves, scene), lives.life_in_halves("elements", "elements", scene))),
+        "specimen_energy": max(abs(100 * bodies.by_energy(kind, sizes)) for kind, sizes, _ in bodies.CASES),
         "resistance_peak": max(abs(100 * (resistance.peak(length) / resistance.PEAKS[length][0] - 1)) for length in resistance.PEAKS),
         "weak_plane": resistance.critical_ratio(),
     }

@@ -3313,8 +3313,8 @@ struct_size [in]: sizeof(bempd_fatigue_report) as the caller was compiled: older
 return: status
 since: 0.3""",
     "bempd_grow_fatigue": """\
-Let cracks grow by cycles of the loads, and count the cycles: with boundary elements, or as lines in
-peridynamic regions.
+Let cracks grow by cycles of the loads, and count the cycles: with boundary elements, as lines in
+peridynamic regions, and from one into the other.
 
 A block is a number of cycles between two load factors; blocks follow each other and are repeated.
 Each tip grows by the law of its material, in the direction in which bempd_grow_cracks() would have
@@ -3325,8 +3325,9 @@ the factor of a tip is taken as a power of its crack's length, and the cycles ar
 block. Steps are so long that the estimated error of their cycles is below the tolerance, and at
 most a quarter of the way to the nearest edge, hole or crack.
 
-Crack lines grow by whole spacings, so they may pass the length asked for by half of one. Their
-material has a fracture_energy.
+Crack lines grow by whole spacings, so they may pass the length asked for by half of one. What they
+grow by cycles without a step waits for the next call, also in a state. Their material has a
+fracture_energy.
 
 Growth ends at the critical factor of a tip, K_c of the law or the toughness of the material at that
 place, and where a net section yields. The progress callback is called after every step. After a
@@ -3349,7 +3350,7 @@ Each end of a cycle is a combination of load cases (bempd_load_case_add()), each
 other loads do not act. The body is solved under each combination by itself, with the faces of
 cracks closed that press on each other. A tip grows in the direction that belongs to the combination
 under which its factor is largest. Within a cycle its range is that between the two ends. Steps are
-events at the model's load factor, which stays where it is. It takes cracks with boundary elements.
+events at the model's load factor, which stays where it is.
 
 model [in]: the model
 block_count [in]: number of blocks, >= 1; 1 is a constant amplitude
@@ -3373,7 +3374,8 @@ since: 0.3""",
     "bempd_fatigue_record.crack": """id of the crack""",
     "bempd_fatigue_record.end": """a bempd_tip_end""",
     "bempd_fatigue_record.cycles": """that have passed, with those before [-]""",
-    "bempd_fatigue_record.length": """length of the crack [m]""",
+    "bempd_fatigue_record.length": """\
+length of the crack, of lines as grown by cycles and to where tips act [m]""",
     "bempd_fatigue_record.growth": """growth of this tip in the call [m]""",
     "bempd_fatigue_record.x": """place of the tip [m]""",
     "bempd_fatigue_record.y": """[m]""",

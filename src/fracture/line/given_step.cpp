@@ -7,12 +7,13 @@
 namespace bempd::fracture {
 
 // What such a step releases says nothing of the fit. Without a load all of it, which is nothing, is taken.
-std::optional<LineStep> LineSteps::towards(const Point& direction, const std::vector<GrowingTip>& tips,
-                                           const crack::TipId& tip, const std::optional<LineStep>& by_load) const {
-  const auto found =
-      std::find_if(tips.begin(), tips.end(), [&](const GrowingTip& one) { return one.id == tip && !has_ended(one); });
+std::optional<LineStep> step_towards(const Point& direction, const crack::TipId& tip, const LineSteps& steps,
+                                     const BodyState& state, const std::optional<LineStep>& by_load) {
+  const std::vector<GrowingTip>& tips = state.tips;
+  const auto found = std::find_if(tips.begin(), tips.end(),
+                                  [&](const GrowingTip& one) { return one.id == tip && !LineSteps::has_ended(one); });
   if (found == tips.end()) return std::nullopt;
-  const double present = body_.state().load_factor;
+  const double present = state.load_factor;
   LineStep step = by_load.value_or(LineStep{});
   step.tip = static_cast<std::size_t>(found - tips.begin()), step.id = tip, step.law = found->law;
   step.angle = std::atan2(cross(found->direction, direction), found->direction.dot(direction));
@@ -20,7 +21,7 @@ std::optional<LineStep> LineSteps::towards(const Point& direction, const std::ve
   step.by_energy = true, step.after_step = 1, step.taken_energy = 0;
   step.is_loaded = by_load && step.ratio_at(present) > 0;
   if (!step.is_loaded) step.load_factor = present, step.constant = 1, step.growing = 0;
-  step.way = way_.next(found->place, direction, law_of(*found).at(found->acts_at(), found->grown));
+  step.way = steps.way().next(found->place, direction, steps.law_of(*found).at(found->acts_at(), found->grown));
   return step.way.bonds.empty() ? std::nullopt : std::optional(step);
 }
 

@@ -130,7 +130,7 @@ const Event* LineEvents::step_of(const crack::TipId& tip, const std::optional<Po
   const LoadWay way{state.load_factor, true, Control::path};
   for (const LineStep& step : steps_.all(state.tips, state.displacement, way, &trials_, true))
     if (step.id == tip) step_ = step;
-  if (direction) step_ = steps_.towards(*direction, state.tips, tip, step_);
+  if (direction) step_ = step_towards(*direction, tip, steps_, state, step_);
   if (!step_) return nullptr;
   event_ = steps_.event_of(*step_, state.load_factor);
   event_.changes = body_.system().with_followers(std::move(event_.changes));

@@ -257,9 +257,8 @@ crack::Extension LineSteps::remember(const LineStep& step, double ratio, double 
       law.function ? fracture_energy : there.toughness * there.toughness / there.modulus * share_of_direction;
   const double mean_energy = (fracture_energy + energy_there) / 2;
   extension.surface_energy = mean_energy * law.thickness * step.way.length;
-  const double load = step.is_loaded ? 1 : 0;
-  extension.rate_before = in_range(fracture_energy * before * before) * load;
-  extension.rate_after = arrives ? 0 : in_range(fracture_energy * after * after) * load;
+  extension.rate_before = step.is_loaded ? in_range(fracture_energy * before * before) : 0;
+  extension.rate_after = arrives || !step.is_loaded ? 0 : in_range(fracture_energy * after * after);
   return extension;
 }
 

@@ -53,6 +53,12 @@ struct LineStep {
   double ratio_at(double at) const { return constant + at * growing; }
 };
 
+class LineSteps;
+// Step of a tip in a direction, whatever its load. `by_load` is the one that the present loads let it take, if any.
+// Empty if no bond lies ahead.
+std::optional<LineStep> step_towards(const Point& direction, const crack::TipId& tip, const LineSteps& steps,
+                                     const BodyState& state, const std::optional<LineStep>& by_load);
+
 // Whether one of the steps whose fits do not hold may be the first, where `steps` have the loads of their fits. Its
 // load then has to come from the energy of a trial step, which a TrialBody is needed for.
 bool need_body(const std::vector<LineStep>& steps, const LoadWay& way);
@@ -90,10 +96,6 @@ class LineSteps {
   // is used all the same.
   std::vector<LineStep> all(const std::vector<GrowingTip>& tips, const coupling::Affine& displacement,
                             const LoadWay& way, TrialBody* body = nullptr, bool with_frozen = false) const;
-  // Step of a tip in a direction, whatever its load. `by_load` is the one that the present loads let it take, if any.
-  // Empty if no bond lies ahead.
-  std::optional<LineStep> towards(const Point& direction, const std::vector<GrowingTip>& tips, const crack::TipId& tip,
-                                  const std::optional<LineStep>& by_load) const;
   // Candidates for the order of growth: the load factors of the steps.
   static std::vector<crack::Candidate> candidates(const std::vector<LineStep>& steps, const LoadWay& way);
   // Tip that grows first on a path (crack/order.hpp), used for the whole body and in windows alike.
@@ -141,7 +143,6 @@ class LineSteps {
   // Nodes whose displacements are needed for these tips, each once.
   std::vector<int> nodes_asked(const std::vector<GrowingTip>& tips) const;
   static bool has_ended(const GrowingTip& tip) { return crack::has_ended(tip.state); }
-
   // Whether a term is too close to a tip to break by itself.
   bool is_spared(int term, const GrowingTip& tip) const;
 
@@ -153,6 +154,7 @@ class LineSteps {
   void spare(const GrowingTip& tip, std::vector<char>& intact, std::optional<double> overloaded_at = {}) const;
 
   const TipStress& stress() const { return stress_; }
+  const LineWay& way() const { return way_; }
 
  private:
   // Stress intensity factors as functions of the load factor times the sign of the load path.

@@ -3941,8 +3941,8 @@ extern "C" {
     ) -> bempd_status;
 }
 extern "C" {
-    /// Let cracks grow by cycles of the loads, and count the cycles: with boundary elements, or as
-    /// lines in peridynamic regions.
+    /// Let cracks grow by cycles of the loads, and count the cycles: with boundary elements, as
+    /// lines in peridynamic regions, and from one into the other.
     ///
     /// A block is a number of cycles between two load factors; blocks follow each other and are
     /// repeated. Each tip grows by the law of its material, in the direction in which
@@ -3955,7 +3955,8 @@ extern "C" {
     /// the nearest edge, hole or crack.
     ///
     /// Crack lines grow by whole spacings, so they may pass the length asked for by half of one.
-    /// Their material has a fracture_energy.
+    /// What they grow by cycles without a step waits for the next call, also in a state. Their
+    /// material has a fracture_energy.
     ///
     /// Growth ends at the critical factor of a tip, K_c of the law or the toughness of the material
     /// at that place, and where a net section yields. The progress callback is called after every
@@ -3989,7 +3990,7 @@ extern "C" {
     /// the faces of cracks closed that press on each other. A tip grows in the direction that
     /// belongs to the combination under which its factor is largest. Within a cycle its range is
     /// that between the two ends. Steps are events at the model's load factor, which stays where it
-    /// is. It takes cracks with boundary elements.
+    /// is.
     ///
     /// * model \[in\]: the model
     /// * block_count \[in\]: number of blocks, \>= 1; 1 is a constant amplitude
@@ -4032,7 +4033,7 @@ pub struct bempd_fatigue_record {
     pub end: i32,
     /// that have passed, with those before \[-\]
     pub cycles: f64,
-    /// length of the crack \[m\]
+    /// length of the crack, of lines as grown by cycles and to where tips act \[m\]
     pub length: f64,
     /// growth of this tip in the call \[m\]
     pub growth: f64,
