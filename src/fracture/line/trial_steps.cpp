@@ -25,6 +25,8 @@ constexpr int longest_trial = 4;
 // that of the place at which a cut acts, at either end of a step, from the one by its counted length [spacings]. They
 // are measured on cracks that run to an edge, with rows of the lattice at 10 to 40 degrees.
 constexpr double slope_before_edge = 0.4, slope_deviation = 0.06, place_deviation = 0.1;
+// Least cosine of a turn up to which a step goes straight. Behind a sharper one beside a face the rate may fall.
+constexpr double least_cosine_straight = 0.9;
 
 // Directions that are tried: their number on each side, and the angle between two of them [rad].
 constexpr int trials_aside = 2;
@@ -172,8 +174,8 @@ TrialGrowth::AtTip TrialGrowth::at_tip(double load_factor) const {
   double weights = 0, off = 0;
   for (const Length& l : lengths_)
     rates.push_back(std::log(energy_.released(l.terms, load_factor) / (l.length * kink_.mean(l.length, load_factor))));
-  const auto [at_tip, slope] =
-      rates.size() < std::size_t{longest_trial} ? line_before_edge(lengths_, rates) : line_through(lengths_, rates);
+  const bool is_limited = straight_ && rates.size() < std::size_t{longest_trial};
+  const auto [at_tip, slope] = (is_limited ? line_before_edge : line_through)(lengths_, rates);
   for (std::size_t k = 0; k < rates.size(); ++k) {
     weights += lengths_[k].length;
     off += lengths_[k].length * std::pow(rates[k] - at_tip - slope * lengths_[k].length / 2, 2);
@@ -266,8 +268,10 @@ std::optional<TrialGrowth> TrialSteps::along(const GrowingTip& tip, const pd::Ti
   if (!flexibility) return std::nullopt;
   TrialEnergy energy(stiffness, *flexibility, elongation);
   while (!found.empty() && found.back().terms > energy.count()) found.pop_back();
-  return found.empty() ? std::nullopt
-                       : std::optional(TrialGrowth(std::move(energy), std::move(found), std::move(opening)));
+  if (found.empty()) return std::nullopt;
+  TrialGrowth growth(std::move(energy), std::move(found), std::move(opening));
+  growth.goes_straight(tip.direction.dot(direction) > least_cosine_straight);
+  return growth;
 }
 
 // Direction of the largest ratio: the top of a parabola through the best direction and its neighbours.
