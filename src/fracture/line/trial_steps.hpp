@@ -71,9 +71,6 @@ class TrialGrowth {
   // Sets the shape of the energy release rate behind a kink.
   void shape(const KinkShape& kink) { kink_ = kink; }
 
-  // Says whether the step goes on without a sharp turn.
-  void goes_straight(bool straight) { straight_ = straight; }
-
   // Load factor at which the ratio reaches one, found by an iteration from `nearby`, and the slope of the ratio there.
   // `sense` is the sign of the load path; `proportional`: there are no constant loads. Empty if the ratio does not rise
   // on the path, or if the step would close.
@@ -89,7 +86,6 @@ class TrialGrowth {
   std::vector<Length> lengths_;
   Eigen::VectorXd opening_;
   KinkShape kink_;
-  bool straight_ = true;
 };
 
 // Trial steps of tips: their loads follow from the energy that they release. Used where the field ahead of a tip is not
