@@ -155,8 +155,7 @@ TEST(TrialEnergy, ends_before_a_part_comes_free) {
 }
 
 // Growth by up to `count` spacings of 0.5, whose energy release rate is 4 at the tip and rises by the logarithm `slope`
-// for each length.  A square root of the rate is the ratio, as growth
-// takes an energy of one for each length.
+// for each length. Growth takes an energy of one for each length, so the ratio is the root of the rate.
 fracture::TrialGrowth growth(int count, double slope) {
   std::vector<fracture::TrialGrowth::Length> lengths;
   Affine elongation = Affine::Zero(count, 2);
