@@ -1,6 +1,5 @@
 #include "fracture/line/trial_steps.hpp"
 
-#include <Eigen/Dense>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -21,11 +20,6 @@ namespace {
 // spacing, by 2 % over four. Near an edge or a face it reaches half of the way.
 constexpr int longest_trial = 4;
 
-// Before an edge or a face: the slope of the rate's logarithm that is expected, over the room ahead; its deviation; and
-// that of the place at which a cut acts, at either end of a step, from the one by its counted length [spacings]. They
-// are measured on cracks that run to an edge, with rows of the lattice at 10 to 40 degrees.
-constexpr double slope_before_edge = 0.4, slope_deviation = 0.06, place_deviation = 0.1;
-
 // Directions that are tried: their number on each side, and the angle between two of them [rad].
 constexpr int trials_aside = 2;
 constexpr double between_trials = 10 * std::numbers::pi / 180;
@@ -41,45 +35,6 @@ constexpr double weakened_follows = 0.5;
 
 // Difference in spacings below which bond vectors count as equal.
 constexpr double same_vector = 1e-6;
-
-// Logarithm of the energy release rate at the tip, and its slope along the path [1/m], from the rates over some
-// lengths.
-struct RateLine {
-  double at_tip, slope;
-};
-
-// Least squares, where longer lengths weigh more.
-RateLine line_through(const std::vector<TrialGrowth::Length>& lengths, const std::vector<double>& rates) {
-  double weights = 0, x_mean = 0, y_mean = 0, xx = 0, xy = 0;
-  for (std::size_t k = 0; k < rates.size(); ++k) {
-    const double length = lengths[k].length;
-    weights += length, x_mean += length * length / 2, y_mean += length * rates[k];
-  }
-  x_mean /= weights, y_mean /= weights;
-  for (std::size_t k = 0; k < rates.size(); ++k) {
-    const double length = lengths[k].length, x = length / 2 - x_mean;
-    xx += length * x * x, xy += length * x * (rates[k] - y_mean);
-  }
-  const double slope = rates.size() > 1 && xx > 0 ? xy / xx : 0;
-  return {y_mean - slope * x_mean, slope};
-}
-
-// Few lengths, before an edge or a face, do not determine a slope: the last cut may act some tenths of a spacing ahead
-// of or behind its counted end, which changes the rates of the shortest lengths most. So this distance is a third
-// unknown, and both it and the slope are drawn to what is expected of them.
-RateLine line_before_edge(const std::vector<TrialGrowth::Length>& lengths, const std::vector<double>& rates) {
-  const double count = static_cast<double>(rates.size()), spacing = lengths.back().length / count;
-  const double weight = std::pow(place_deviation / slope_deviation, 2);
-  Eigen::Matrix3d normal = Eigen::Vector3d(0, weight, 1).asDiagonal();
-  Eigen::Vector3d right(0, weight * slope_before_edge / (2 * count), 0);
-  for (std::size_t k = 0; k < rates.size(); ++k) {
-    const double length = lengths[k].length / spacing;
-    const Eigen::Vector3d row(length, length * length / 2, 1);  // of an equation that the length has been multiplied by
-    normal += row * row.transpose(), right += row * length * rates[k];
-  }
-  const Eigen::Vector3d found = normal.ldlt().solve(right);
-  return {found[0], found[1] / spacing};
-}
 
 }  // namespace
 
@@ -168,19 +123,23 @@ CutStiffness::Counted CutStiffness::of(std::size_t bond, double stiffness, const
 // Extrapolates the energy release rate to the tip. Along the path x it varies as g exp(c x) times the shape of a kink,
 // so its mean over s is about g exp(c s / 2) times the mean shape. Growth takes the energy of the first length.
 TrialGrowth::AtTip TrialGrowth::at_tip(double load_factor) const {
-  std::vector<double> rates;
-  double weights = 0, off = 0;
-  for (const Length& l : lengths_)
-    rates.push_back(std::log(energy_.released(l.terms, load_factor) / (l.length * kink_.mean(l.length, load_factor))));
-  const auto [at_tip, slope] =
-      rates.size() < std::size_t{longest_trial} ? line_before_edge(lengths_, rates) : line_through(lengths_, rates);
-  for (std::size_t k = 0; k < rates.size(); ++k) {
-    weights += lengths_[k].length;
-    off += lengths_[k].length * std::pow(rates[k] - at_tip - slope * lengths_[k].length / 2, 2);
+  double weights = 0, x_mean = 0, y_mean = 0, xx = 0, xy = 0;
+  const auto rate = [&](const Length& l) {
+    return std::log(energy_.released(l.terms, load_factor) / (l.length * kink_.mean(l.length, load_factor)));
+  };
+  for (const Length& l : lengths_) weights += l.length, x_mean += l.length * l.length / 2, y_mean += l.length * rate(l);
+  x_mean /= weights, y_mean /= weights;
+  for (const Length& l : lengths_) {
+    const double x = l.length / 2 - x_mean;
+    xx += l.length * x * x, xy += l.length * x * (rate(l) - y_mean);
   }
-  const double first = lengths_.front().length, taken = lengths_.front().energy / first;
-  const double here = std::sqrt(std::exp(at_tip) / taken);
-  return {here, here * std::sqrt(kink_.at(first, load_factor) * std::exp(slope * first)), std::sqrt(off / weights) / 2};
+  const double slope = lengths_.size() > 1 && xx > 0 ? xy / xx : 0;
+  const double logarithm = y_mean - slope * x_mean, first = lengths_.front().length;
+  double off = 0;
+  for (const Length& l : lengths_) off += l.length * std::pow(rate(l) - logarithm - slope * l.length / 2, 2) / weights;
+  const double taken = lengths_.front().energy / lengths_.front().length;
+  const double here = std::sqrt(std::exp(logarithm) / taken);
+  return {here, here * std::sqrt(kink_.at(first, load_factor) * std::exp(slope * first)), std::sqrt(off) / 2};
 }
 
 double TrialGrowth::mean_ratio(double load_factor) const {
