@@ -10,9 +10,14 @@ namespace bempd::regions {
 
 std::vector<PlacedNode> BoundaryRegion::nodes_on(const EdgeSpan& span, double tolerance) const {
   const double slack = 10 * tolerance / span.geometry.length();
+  // Where the span ends at the mouth of a crack, the lip beside it belongs to a panel outside the span.
+  const auto is_inside = [&](const PanelSource& panel) {
+    const double common = std::min(panel.to, span.to) - std::max(panel.from, span.from);
+    return panel.edge == span.edge && (common > slack || span.to - span.from <= slack);
+  };
   std::vector<char> wanted(mesh_.nodes.size(), 0);
   for (const BoundaryElement& element : mesh_.elements) {
-    if (panels_[element.panel].edge != span.edge) continue;
+    if (!is_inside(panels_[element.panel])) continue;
     for (int node : element.nodes) wanted[node] = 1;
   }
   std::vector<PlacedNode> found;

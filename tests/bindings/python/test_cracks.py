@@ -189,3 +189,17 @@ def test_faces_of_crossing_cracks_meet_where_the_load_turns_round():
     report = model.run_program([0.3, 0.5, 1.2], [0.5, -0.2, 0.8])
     assert report.energy_balance_error < 1e-9 and report.residual < 1e-9
     assert abs(model.reaction(support)[0] + 0.8 * 2e8 * 10) < 1e-9 * 2e9
+
+
+def test_a_support_that_ends_at_the_mouth_of_a_crack_holds_one_of_its_lips():
+    def energy(part):
+        model = bempd.Model()
+        glass = model.add_material(young_modulus=1, poisson_ratio=0.3)
+        plate = model.add_bem_region(glass, bempd.rectangle(0, 0, 4, 2), element_length=0.25)
+        model.add_crack([(2, 0), (2, 0.6)])
+        model.fix_edge(plate, 3)
+        model.prescribe_edge(plate, 1, "y", -0.01, part=part)
+        return model.step(1).stored_energy
+
+    assert energy((0, 0.5)) == pytest.approx(energy((0, 0.499)), rel=1e-3)
+    assert energy((0.5, 1)) == pytest.approx(energy((0, 0.5)), rel=1e-6)
