@@ -62,7 +62,8 @@ bempd_step_report report_of(const model::StepResult& result, const fracture::Evo
 void write_report(model::Model& m, const model::StepResult& result, bempd_step_report* report) {
   if (!report) return;
   const model::PreparedScene* scene = m.prepared_or_null();  // null if the step was stopped while it was prepared
-  bempd_step_report r = report_of(result, scene ? scene->evolution->progress() : fracture::EvolutionState{});
+  static const fracture::EvolutionState nothing;
+  bempd_step_report r = report_of(result, scene ? scene->evolution->progress() : nothing);
   if (scene) r.closed_places = static_cast<std::int64_t>(scene->system->constraints().closed_count());
   write_struct(report, r, "report");
 }

@@ -41,7 +41,7 @@ double FatigueRun::length_of_crack(std::size_t tip) const {
   return length;
 }
 
-// This length counts the growth of lines that waits for a whole spacing.
+// Growth of lines that waits for a whole spacing counts.
 double FatigueRun::length_by_cycles(std::size_t tip) const {
   double length = length_of_crack(tip);
   for (const auto& [id, growth] : ahead_.of_lines(front_, lengthening_))

@@ -120,7 +120,7 @@ static void ways_lead_from_one_form_of_values_to_another(void) {
   {
     static const double again[2] = {0.024, 0.0024}, none[2] = {0.0, 0.0};
     CHECK_OK(host.model, bempd_set_support_values(host.model, host.pulled_right, 2, again, none));
-    CHECK_FAILS(host.model, BEMPD_ERROR_ARGUMENT, "made with 2",
+    CHECK_FAILS(host.model, BEMPD_ERROR_ARGUMENT, "has 2 values",
                 bempd_set_support_values(host.model, host.pulled_right, 1, again, none));
   }
   bempd_model_free(expected.model);

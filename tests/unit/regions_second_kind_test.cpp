@@ -33,6 +33,7 @@ class NeighbourDescription final : public regions::PeridynamicDescription {
  public:
   using PeridynamicDescription::PeridynamicDescription;
   const char* adjective() const override { return "nearest-neighbour"; }
+  bool may_be_curved() const override { return false; }
   std::unique_ptr<regions::Region> build(int id, const regions::Preparation& preparation) const override {
     return std::make_unique<NeighbourLattice>(id, *this, preparation.scene.material(material()));
   }

@@ -360,7 +360,9 @@ def lug(*, width: float, hole: float, crack: float, force: float, thickness: flo
 
     whole = body(False)
     whole.model.step(1.0)
-    stress = float(whole.model.evaluate([(hole / 2, 0.0)]).stress[0][1])
+    stresses = whole.model.evaluate([(hole / 2, 0.0)]).stress
+    assert stresses is not None
+    stress = float(stresses[0][1])
     return body(True).done(Formula(1.1215 * stress * math.sqrt(math.pi * crack), 0, math.nan, "limit of a short crack",
                                    crack <= 1.001 * hole / 300))
 

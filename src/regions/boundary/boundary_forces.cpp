@@ -8,16 +8,22 @@
 
 namespace bempd::regions {
 
+namespace {
+
+// A panel lies in a part of an edge if they have more than an end in common: of the lips at the mouth of a crack where
+// the part ends, one belongs to a panel outside. Parts without length have the panels around them.
+bool lies_in(const EdgeSpan& span, const PanelSource& panel, double slack) {
+  const double common = std::min(panel.to, span.to) - std::max(panel.from, span.from);
+  return panel.edge == span.edge && (common > slack || span.to - span.from <= slack);
+}
+
+}  // namespace
+
 std::vector<PlacedNode> BoundaryRegion::nodes_on(const EdgeSpan& span, double tolerance) const {
   const double slack = 10 * tolerance / span.geometry.length();
-  // Where the span ends at the mouth of a crack, the lip beside it belongs to a panel outside the span.
-  const auto is_inside = [&](const PanelSource& panel) {
-    const double common = std::min(panel.to, span.to) - std::max(panel.from, span.from);
-    return panel.edge == span.edge && (common > slack || span.to - span.from <= slack);
-  };
   std::vector<char> wanted(mesh_.nodes.size(), 0);
   for (const BoundaryElement& element : mesh_.elements) {
-    if (!is_inside(panels_[element.panel])) continue;
+    if (!lies_in(span, panels_[element.panel], slack)) continue;
     for (int node : element.nodes) wanted[node] = 1;
   }
   std::vector<PlacedNode> found;

@@ -7,6 +7,7 @@ import pathlib
 import signal
 import subprocess
 import sys
+import tempfile
 import time
 
 import bempd
@@ -15,9 +16,12 @@ import study
 
 STUDY = pathlib.Path(study.__file__)
 MPI = ["mpirun", "-np", "3", "--oversubscribe", sys.executable, "-m", "mpi4py.futures"]
+# Dask tells on stderr of folders that a killed cluster left, so it has one of its own here.
+DASK_FOLDER = tempfile.TemporaryDirectory()
 # Open MPI refuses to run as root otherwise, and looks for ssh where it starts nothing on other machines.
 ENVIRONMENT = {**os.environ, "OMPI_ALLOW_RUN_AS_ROOT": "1", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1", "OMPI_MCA_plm_rsh_agent": "false",
-               "OMPI_MCA_rmaps_base_oversubscribe": "1", "OMPI_MCA_btl": "self,vader", "OMPI_MCA_hwloc_base_binding_policy": "none"}
+               "OMPI_MCA_rmaps_base_oversubscribe": "1", "OMPI_MCA_btl": "self,vader", "OMPI_MCA_hwloc_base_binding_policy": "none",
+               "DASK_TEMPORARY_DIRECTORY": DASK_FOLDER.name}
 
 
 def started(command, *arguments):
