@@ -179,7 +179,7 @@ def measure(parts: list[str]) -> tuple[dict[str, Lines], bool]:
 
 def main() -> int:
     if "--events" in sys.argv:
-        lines, good = same_events(10**6 if sys.argv[-1] == "long" else 12)
+        lines, good = same_events(10**6 if sys.argv[-1] == "long" else 5)
         return 0 if good else 1
     parts = sys.argv[sys.argv.index("--only") + 1].split(",") if "--only" in sys.argv else list(PARTS)
     found, good = measure(parts)

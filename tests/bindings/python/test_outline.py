@@ -316,7 +316,7 @@ def test_edges_by_place():
     with pytest.raises(bempd.ArgumentError, match="region 7 does not exist"):
         model.edge_at(7, (0, 0))
     with pytest.raises(bempd.ArgumentError, match="its edges have no names; name_edge"):
-        model.edge_named(plate.plate, "left")
+        model.edge_named(plate.plate, "upper")
     with pytest.raises(bempd.ArgumentError, match="edge 5 does not exist; region 1 has edges 1 .. 4"):
         model.name_edge(plate.plate, 5, "fifth")
 
