@@ -10,8 +10,9 @@ done
 mkdir -p "$work"
 folder=$(dirname "$library")
 mpicc.mpich -std=c99 -O1 -I "$source/include" "$source/examples/mpi_study/study.c" -o "$work/study" -L "$folder" -lbempd -lm "-Wl,-rpath,$folder"
-ldd "$work/study" | grep -q libmpich || { echo "the program is not one of MPICH"; exit 1; }
-if ldd "$work/study" | grep -E 'libmpi\.so|libopen-|mumps|libbempd_mpi'; then echo "Open MPI or MUMPS came along"; exit 1; fi
+linked=$(ldd "$work/study")
+grep -q libmpich <<<"$linked" || { echo "the program is not one of MPICH"; exit 1; }
+if grep -E 'libmpi\.so|libopen-|mumps|libbempd_mpi' <<<"$linked"; then echo "Open MPI or MUMPS came along"; exit 1; fi
 export OPENBLAS_NUM_THREADS=1
 one=$(mpirun.mpich -np 1 "$work/study" 6)
 three=$(mpirun.mpich -np 3 "$work/study" 6)
