@@ -16,7 +16,7 @@ exported=$(nm -D --defined-only "$mpi" | awk '{ print $NF }' | LC_ALL=C sort -u)
 declared=$(grep -E '^BEMPD_API' "$include/bempd_mpi.h" | grep -oE '\bbempd_mpi_[a-z_]+\(' | tr -d '(' | LC_ALL=C sort -u)
 [ -n "$declared" ] || fail "bempd_mpi.h declares nothing"
 [ "$exported" = "$declared" ] || { diff <(echo "$declared") <(echo "$exported") || true; fail "libbempd_mpi exports other functions (>) than its header declares (<)"; }
-nm -D "$mpi" | grep -q ' U dmumps_c' || fail "libbempd_mpi does not call MUMPS: the test would see nothing"
+nm -D "$mpi" | grep ' U dmumps_c' >/dev/null || fail "libbempd_mpi does not call MUMPS: the test would see nothing"
 if ldd "$mpi" | grep -E 'mumps_seq|mpiseq'; then fail "libbempd_mpi uses the sequential MUMPS"; fi
 
 if [ "$linalg" = eigen ] && ldd "$mpi" | grep -E 'cholmod|umfpack'; then fail "libbempd_mpi needs SuiteSparse"; fi
