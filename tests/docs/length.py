@@ -11,7 +11,7 @@ import pathlib
 import re
 import sys
 
-MOST_WORDS = 26850
+MOST_WORDS = 26870
 MOST_README_BYTES = 7000
 WRITTEN_BY_THE_LIBRARY = "docs/options.md"
 MEASURED = re.compile(r"<!-- (?!end)[^>]*-->\n\|.*?<!-- end[^>]*-->", re.DOTALL)
