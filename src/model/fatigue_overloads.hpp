@@ -21,7 +21,7 @@ class WaitingGrowth {
     return found == of_tips_.end() ? 0 : found->second;
   }
   std::vector<double> of(const Front& front) const;
-  // The overload of tips of lines is remembered from call to call.
+  // The growth of tips of lines alone, which is remembered from call to call.
   std::map<crack::TipId, double> of_lines(const Front& front, const CrackLengthening& lengthening) const;
   void take_up(const std::vector<RememberedOverload>& known, const Front& front,
                const std::vector<scene::Crack>& cracks, const CrackLengthening& lengthening);
