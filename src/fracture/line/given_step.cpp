@@ -6,7 +6,8 @@
 
 namespace bempd::fracture {
 
-// What such a step releases says nothing of the fit. Without a load all of it, which is nothing, is taken.
+// The step counts as one by energy, so that its energy does not correct later loads by the fit. A tip that bears no
+// load releases no energy by it.
 std::optional<LineStep> step_towards(const Point& direction, const crack::TipId& tip, const LineSteps& steps,
                                      const BodyState& state, const std::optional<LineStep>& by_load) {
   const std::vector<GrowingTip>& tips = state.tips;

@@ -48,7 +48,7 @@ struct LineStep {
   bool by_energy = false;
   double toughness = 0;  // at that load factor by a function of the host; 0 without one [Pa m^(1/2)]
   double after_step = 1, taken_energy = 0;
-  bool is_loaded = true;  // at the load factor of the step, if that is given
+  bool is_loaded = true;  // the tip bears a load at the step's load factor; false only for steps in a given direction
 
   double ratio_at(double at) const { return constant + at * growing; }
 };
