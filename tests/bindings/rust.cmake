@@ -21,6 +21,7 @@ endfunction()
 
 set(rust_with_library "${CMAKE_COMMAND}" -E env ${rust_environment} "BEMPD_LIB_DIR=$<TARGET_FILE_DIR:bempd>")
 bempd_add_rust_test(bindings.rust ${rust_with_library} "${BEMPD_CARGO}" test --workspace --offline --locked)
+set_tests_properties(bindings.rust PROPERTIES COST 150)
 
 if(BEMPD_RUSTFMT)
   file(GLOB rust_roots CONFIGURE_DEPENDS "${rust_source}/*/build.rs" "${rust_source}/bempd/src/lib.rs"
