@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Builds and tests everything; installs missing Debian packages first.
-#   tests/run.sh        both sparse backends, then clang's sanitizers and fuzz targets in a host that fetches the library
-#   tests/run.sh quick  the default backend only
+#   tests/run.sh        everything, also with the other sparse backend, then clang's sanitizers in a host that fetches the library
+#   tests/run.sh quick  without the sanitizers
 #   tests/run.sh long   all of it, tests and cases that take long, the site of documents looked at in Chromium, the library
 #                       without the scheme paper, then unit and physics tests under the sanitizers, threads, clang, and
 #                       searches of an hour and more (BEMPD_FUZZ_SECONDS, 1800 for each fuzz target, BEMPD_SCENES, 20000,
@@ -11,7 +11,7 @@ root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 cd "$root"
 
 case "${1:-all}" in
-  all) stages=(ci ci-eigen fetch-sanitize) ;;
+  all) stages=(ci fetch-sanitize) ;;
   quick) stages=(ci) ;;
   long) stages=(ci cases site scenes backends memory ci-symmetric eigen fetch-sanitize sanitize tsan clang fuzz) ;;
   *) echo "usage: tests/run.sh [quick | long]" >&2; exit 2 ;;

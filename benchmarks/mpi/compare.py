@@ -1,6 +1,6 @@
 """The same bonds by the library and by MUMPS on 1, 2 and 4 ranks: prints a line of JSON for each body.
 
-usage: mpirun -np 4 python3 compare.py FINE EVENTS
+usage: mpirun -np 4 python3 compare.py FINE EVENTS [BODY ...]
 """
 
 from __future__ import annotations
@@ -68,9 +68,9 @@ def difference(one: list[Any], other: list[Any]) -> str:
 
 
 def main() -> None:
-    fine, most = map(int, sys.argv[1:])
+    fine, most, bodies = int(sys.argv[1]), int(sys.argv[2]), sys.argv[3:] or list(BODIES)
     comms = {ranks: WORLD.Split(0 if WORLD.rank < ranks else 1, WORLD.rank) for ranks in RANKS}
-    for body in BODIES:
+    for body in bodies:
         own = run(body, fine, most, None) if WORLD.rank == 0 else {}
         found: dict[str, Any] = {"body": body, "own": own, "ranks": {}}
         for ranks, comm in comms.items():

@@ -1,6 +1,6 @@
 """Life of a riveted lap: cracks from two rivet holes under a spectrum, a-N curve, inspections, scatter of the material.
 
-usage: main.py [--full | --short] [FOLDER]     --full: 100 materials; --short: 4, no picture and no film, as a test
+usage: main.py [--full | --short] [FOLDER]     --full: 100 materials; --short: 2, no picture and no film, as a test
 """
 
 from __future__ import annotations
@@ -80,7 +80,7 @@ def main() -> int:
     life.write_csv(given.folder / "life.csv")
     print(f"{life.cycles:.4g} cycles, {life.stop_reason.name} at crack {life.crack}, an inspection every {life.interval:.3g} cycles")
     print(str(model.explain()).rsplit("By cycles, ", 1)[-1])
-    found = bempd.ensemble(life_of, materials(100 if given.full else 4 if given.short else 12), results=given.folder / "scatter.jsonl")
+    found = bempd.ensemble(life_of, materials(100 if given.full else 2 if given.short else 12), results=given.folder / "scatter.jsonl")
     logs = np.log10(found.values("cycles"))
     print(f"{len(found)} materials: mean life {10 ** logs.mean():.4g}, standard deviation of its logarithm {logs.std(ddof=1):.3f}")
     with open(given.folder / "summary.csv", "w", encoding="utf-8") as file:

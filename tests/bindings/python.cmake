@@ -20,7 +20,22 @@ function(bempd_add_python_test name)
     ENVIRONMENT "PYTHONPATH=${python_package};BEMPD_LIBRARY=$<TARGET_FILE:bempd>;PYTHONDONTWRITEBYTECODE=1;BEMPD_TEST_HOOKS=1")
 endfunction()
 
-bempd_add_python_test(bindings.python -m pytest -q -p no:cacheprovider "${CMAKE_CURRENT_SOURCE_DIR}/python")
+# Files whose scenes take longest are entries of their own, which can run at once.
+set(python_tests "${CMAKE_CURRENT_SOURCE_DIR}/python")
+set(python_growth test_fatigue.py test_fatigue_of_lines.py test_specimens.py test_resistance.py test_falling_loads.py)
+set(python_lines test_crack_lines.py test_line_windows.py test_line_extensions.py test_line_energy.py test_reported_growth.py
+    test_side_by_side.py test_torn_plates.py)
+set(python_rest)
+foreach(part growth lines)
+  list(TRANSFORM python_${part} PREPEND "${python_tests}/")
+  bempd_add_python_test(bindings.python_${part} -m pytest -q -p no:cacheprovider ${python_${part}})
+  foreach(file ${python_${part}})
+    list(APPEND python_rest "--ignore=${file}")
+  endforeach()
+endforeach()
+bempd_add_python_test(bindings.python -m pytest -q -p no:cacheprovider "${python_tests}" ${python_rest})
+# The longest begin first, so that no core waits for them in the end.
+set_tests_properties(bindings.python bindings.python_growth bindings.python_lines PROPERTIES COST 300)
 # Processes, Open MPI and Dask; fails where Debian's python3-mpi4py or python3-distributed is missing.
 bempd_add_python_test(bindings.ensembles -m pytest -q -p no:cacheprovider "${CMAKE_CURRENT_SOURCE_DIR}/ensembles")
 # Needs Debian's python3-vtk9.

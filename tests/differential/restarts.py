@@ -1,7 +1,7 @@
 """Saving reads and nothing else, and restored runs go on to the last bit: bodies with windows and without, faces of cracks
 that meet, boundary elements, other Poisson's ratios, heat, lines, growing cracks, and supports that get new values.
 
-    restarts.py [--scene NAME ...] [--verbose]
+    restarts.py [--scene NAME ... | --short] [--verbose]
 
 Each scene runs never saved, with a state saved after every call, and from the bytes of some of these states, in models of
 their own and in the one that was saved. All must end in the same state bytes. Prints one line for every scene; exits with 1 if one does
@@ -165,6 +165,11 @@ SCENES: dict[str, tuple[Build, list[Call]]] = {
 }
 
 
+# Scenes that repeat another with the solver of the whole body, which "whole body" has, or with other steps.
+REPEATED = {"windows in small steps", "windows and looks", "squares in the whole body", "contact in the whole body",
+            "lines in the whole body", "boundary elements, no windows", "new values of the whole body"}
+
+
 def refused(call: Call, model: bempd.Model) -> Optional[str]:
     try:
         call(model)
@@ -205,8 +210,11 @@ def check(build: Build, calls: list[Call]) -> Optional[str]:
 def main() -> int:
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--scene", nargs="*", default=list(SCENES))
+    parser.add_argument("--short", action="store_true", help="without scenes that repeat others")
     parser.add_argument("--verbose", action="store_true")
     arguments = parser.parse_args()
+    if arguments.short:
+        arguments.scene = [name for name in SCENES if name not in REPEATED]
     failed = 0
     for name in arguments.scene:
         finding = check(*SCENES[name])

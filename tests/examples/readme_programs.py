@@ -88,7 +88,7 @@ def run(programs, claim, work, arguments):
         (work / "main.rs").rename(work / "src/main.rs")
         (work / "Cargo.toml").write_text(RUST_PACKAGE.format(crates=source / "bindings/rust"))
         said["rust"] = output_of([arguments.rust, "run", "--quiet", "--offline", f"--manifest-path={work}/Cargo.toml"],
-                                 BEMPD_LIB_DIR=str(libraries), LD_LIBRARY_PATH=str(libraries))
+                                 CARGO_TARGET_DIR=str(work.parent / "target"), BEMPD_LIB_DIR=str(libraries), LD_LIBRARY_PATH=str(libraries))
 
     for language, line in said.items():
         print(f"{language:8} {line}", end="")

@@ -115,7 +115,7 @@ int main(int argc, char** argv) {
   if (run(model, known) != BEMPD_OK) return EXIT_FAILURE;
   bempd_model_free(model);
   int bad = 0, told = 0, all_done = 0;
-  for (rlim_t spare = 0; spare <= 640; spare += every_one ? 8 : 80) {
+  for (rlim_t spare = 0; spare <= 640; spare += every_one ? 8 : 160) {
     const int status = in_a_process([&] { return run_within(spare * megabyte, known); });
     const bool ended_well = WIFEXITED(status) && (WEXITSTATUS(status) == done || WEXITSTATUS(status) == told_and_done);
     const char* const what = WIFSIGNALED(status)                    ? WTERMSIG(status) == SIGALRM ? "hung" : "signal"

@@ -5,6 +5,12 @@ if(TARGET bempd)
     fracture_window_test.cpp fracture_sources_test.cpp fracture_fragments_test.cpp fracture_new_loads_test.cpp
     many_cracks_test.cpp fracture_dead_load_test.cpp fracture_equilibrium_path_test.cpp fracture_scaling_test.cpp
     outlined_elastic_test.cpp outlined_fracture_test.cpp outlined_interface_test.cpp outlined_tips_test.cpp)
+  # Windows and plain loops are compared by random scenes, too, at any ratio; horizons of 3, 4 and 5 stand for 6.
+  bempd_long_test(fracture_window_test fracture_tests
+    "AnyRatio/*ratio_45*:AnyRatio/*crack_ratio_20*:*crack_nearly_incompressible:*wide_band:*inclined_crack_short_windows:*coupled_short_windows")
+  bempd_long_test(fracture_griffith_test fracture_tests "*horizon_of_6")
+  bempd_long_test(fracture_tip_test fracture_tests "*bond_by_bond")
+  bempd_thorough_test(mixed_cracks_test fracture_tests mixed_cracks_test)
   bempd_shorten_test(fracture_griffith_test "*horizon_of_3")
   bempd_shorten_test(fracture_window_test "*debonding_grips:*square_hole")
   bempd_shorten_test(fracture_sources_test "*tied*")

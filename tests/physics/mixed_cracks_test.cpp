@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "host.hpp"
+#include "thorough.hpp"
 
 namespace mixed_cracks_test {
 namespace {
@@ -93,9 +94,12 @@ double difference(const bempd_crack_tip& tip, const bempd_crack_tip& reference) 
 }
 
 TEST(MixedCracks, have_the_factors_of_elements_at_all_angles_and_borders) {
+  int combination = 0;
   for (const double slant : {0.0, 5.0}) {
     for (const double degrees : {0.0, 20.0, 45.0, 63.0}) {
+      combination += 2;  // another height at every angle
       for (const double y : {32.0, 32.2, 32.5}) {
+        if (!bempd_tests::is_thorough() && combination++ % 3 != 0) continue;
         const Outline crack = inclined(degrees, 16, {middle, y});
         const Answer elements = Plate{}(all_elements, crack), mixed = Plate{1.0 / 3, slant}(both, crack);
         ASSERT_EQ(mixed.tips.size(), 2u);

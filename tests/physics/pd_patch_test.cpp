@@ -4,6 +4,7 @@
 #include <cstdio>
 #include <vector>
 
+#include "thorough.hpp"
 #include "unit/pd_bodies.hpp"
 
 namespace pd_patch_test {
@@ -49,8 +50,8 @@ TEST(PatchTest, constant_strain_is_exact_for_any_poissons_ratio) {
   const std::vector<double> ratios{-0.2, 0.0, 0.2, 0.3, 0.4, 0.45, 0.49};
   for (const PlaneState state : {PlaneState::stress, PlaneState::strain}) {
     for (const double ratio : ratios) {
-      // Every horizon with the ratios at the ends, one of them with each between.
-      const bool is_between = ratio != ratios.front() && ratio != ratios.back();
+      // Every horizon with the ratios at the ends, if the test is thorough, and one of them with each between.
+      const bool is_between = !bempd_tests::is_thorough() || (ratio != ratios.front() && ratio != ratios.back());
       for (const int m : {2, 3, 4}) {
         if (is_between && m != 2 + std::lround(100 * ratio) % 3) continue;
         double largest = 0;

@@ -134,13 +134,13 @@ def all_ways(model: bempd.Model, sign: int) -> list[tuple[float, ...] | str]:
 def test_random_scenes_with_loads_and_load_factors_negated_go_the_same_way_to_the_last_digit() -> None:
     random_scenes.LINES = True
     events = 0
-    for seed in range(1, 61):
+    for seed in range(1, 31):
         recorder, _ = properties.record(seed)
         control = ("load", "path")[seed % 2]
         up, down = (all_ways(built(recorder, sign, control), sign) for sign in (1, -1))
         assert up == down, f"scene {seed}"
         events += len(up)
-    assert events > 300
+    assert events > 150
 
 
 def up_and_down(seed: int, solver: str) -> list[tuple[float, int, float]]:

@@ -1,4 +1,5 @@
-"""Standard specimens beside the formulas of their standards, and load cases that they are read by."""
+"""Standard specimens beside the formulas of their standards, and load cases that they are read by. claims.fatigue has them beside the
+energy of the body."""
 
 from __future__ import annotations
 
@@ -25,9 +26,7 @@ UNSTATED = {"CTS": 0.03, "cracked hole": 0.02, "lug": 0.022}
 def test_factors_are_those_of_the_formula(kind: str, sizes: dict[str, float], shape: str) -> None:
     specimen = bempd.specimens.KINDS[kind](**sizes)
     difference, formula = specimen.difference(), specimen.formula
-    energy = bodies.by_energy(kind, sizes)
-    print(f"{kind} {shape}: {100 * difference:+.2f} %, the source states {100 * formula.accuracy:g} %, from the energy {100 * energy:+.3f} %")
-    assert abs(energy) < 2.5e-4
+    print(f"{kind} {shape}: {100 * difference:+.2f} %, the source states {100 * formula.accuracy:g} %")
     stated = UNSTATED[kind] if math.isnan(formula.accuracy) else formula.accuracy
     assert not formula.holds or abs(difference) < MEASURED.get((kind, shape), stated)
     assert formula.holds or kind == "lug"
