@@ -137,8 +137,8 @@ TEST(TrialEnergy, is_the_difference_of_the_energies_of_two_equilibria) {
   }
 }
 
-// Flexibilities that are kept for reuse belong to the matrix: after a return to earlier stages they are those of before,
-// although nothing has been factorized since.
+// Flexibilities that are kept for reuse belong to the matrix: after a return to earlier stages they are those of
+// before, although nothing has been factorized since.
 TEST(TrialEnergy, forgets_flexibilities_of_a_state_that_was_taken_back) {
   Body body(false);
   const std::vector<int> step = step_of(body.system.terms());
