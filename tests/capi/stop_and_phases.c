@@ -190,7 +190,8 @@ static void growth_is_given_up(void) {
   outcome_free(&expected);
 }
 
-/** A plate with so many cells along each side of its lattice; with 150 its preparation takes longer than the pause between two calls. */
+/** A plate with so many cells along each side of its lattice; with 150 its preparation takes longer than the pause
+ * between two calls. */
 static bempd_model* plate_of_cells(double cells) {
   bempd_model* model = new_model();
   const int32_t material = add_sound_material(model);
