@@ -3,8 +3,8 @@
 #   tests/run.sh        everything, also with the other sparse backend, then clang's sanitizers in a host that fetches the library
 #   tests/run.sh quick  without the sanitizers
 #   tests/run.sh long   all of it, tests and cases that take long, the site of documents looked at in Chromium, the library
-#                       without the scheme paper, then unit and physics tests under the sanitizers, threads, clang, and
-#                       searches of an hour and more (BEMPD_FUZZ_SECONDS, 1800 for each fuzz target, BEMPD_SCENES, 20000,
+#                       without the scheme paper, then unit and physics tests under the sanitizers, threads, clang, the
+#                       branches that tests take, and searches of an hour and more (BEMPD_FUZZ_SECONDS, 1800 for each fuzz target, BEMPD_SCENES, 20000,
 #                       and BEMPD_ALLOCATIONS that fail in each call, 2000, 0 for all, shorten or lengthen them)
 set -euo pipefail
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
@@ -13,7 +13,7 @@ cd "$root"
 case "${1:-all}" in
   all) stages=(ci fetch-sanitize) ;;
   quick) stages=(ci) ;;
-  long) stages=(ci cases site scenes backends memory ci-symmetric eigen fetch-sanitize sanitize tsan clang fuzz) ;;
+  long) stages=(ci cases site scenes backends memory ci-symmetric eigen fetch-sanitize sanitize tsan clang coverage fuzz) ;;
   *) echo "usage: tests/run.sh [quick | long]" >&2; exit 2 ;;
 esac
 
@@ -26,7 +26,7 @@ export PATH="/usr/bin:/bin:$PATH"
   python3-mpi4py openmpi-bin libopenmpi-dev libmumps-dev python3-distributed python3-cffi python3-pytest python3-pil python3-vtk9 mypy python3-pip python3-setuptools python3-wheel python3-venv
 
 # A program of MPICH embeds the library too; without MPICH that test says that it is skipped.
-if [ "${1:-all}" = long ]; then .ci/require_packages.sh mpich libmpich-dev; fi
+if [ "${1:-all}" = long ]; then .ci/require_packages.sh mpich libmpich-dev llvm; fi
 
 jobs=$(nproc)
 fuzz_seconds=${BEMPD_FUZZ_SECONDS:-1800}
@@ -82,6 +82,7 @@ run_stage() {
         --count "$((scenes / 20))" ;;
     memory) OPENBLAS_NUM_THREADS=1 build/ci/tests/memory/failing_allocations --most "$allocations" &&
       OPENBLAS_NUM_THREADS=1 build/ci/tests/memory/address_limit all ;;
+    coverage) python3 tests/coverage/coverage.py run ;;
     fuzz) search_by_fuzzing ;;
     *) run_presets "$1" ;;
   esac

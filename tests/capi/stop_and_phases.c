@@ -190,12 +190,13 @@ static void growth_is_given_up(void) {
   outcome_free(&expected);
 }
 
-/** A plate large enough that its preparation takes longer than the pause between two calls. */
-static bempd_model* large_plate(void) {
+/** A plate with so many cells along each side of its lattice; with 150 its preparation takes longer than the pause
+ * between two calls. */
+static bempd_model* plate_of_cells(double cells) {
   bempd_model* model = new_model();
   const int32_t material = add_sound_material(model);
-  add_pd_rectangle(model, material, 0.0, 0.0, 150.0, 150.0, 1.0);
-  add_bem_rectangle(model, material, 150.0, 0.0, 300.0, 150.0, 1.5);
+  add_pd_rectangle(model, material, 0.0, 0.0, cells, cells, 1.0);
+  add_bem_rectangle(model, material, cells, 0.0, 2.0 * cells, cells, 0.01 * cells);
   CHECK_OK(model, bempd_fix_edge(model, 1, 4, BEMPD_BOTH, NULL));
   return model;
 }
@@ -220,7 +221,7 @@ static int32_t hear_phase(const char* phase, double share, double seconds, doubl
 }
 
 static void long_parts_say_how_far_they_are(void) {
-  bempd_model* model = large_plate();
+  bempd_model* model = plate_of_cells(150.0);
   phases heard = {NULL, 0, 0, 1, 0, ""};
   heard.model = model;
   CHECK_OK(model, bempd_set_phase_progress(model, hear_phase, &heard));
@@ -266,7 +267,7 @@ static bempd_step_report moved(bempd_model* model, int in_program) {
 /** A step that is asked to stop while its scene is prepared, or in its first equilibrium, has done nothing; the next
  * one does what it would have done. Returns the force of the pulled edge. */
 static double force_after_stop(int in_program, int is_prepared, int is_stopped) {
-  bempd_model* model = large_plate();
+  bempd_model* model = plate_of_cells(60.0);
   const double pull = 1e-4;
   double load_factor = -1.0, force[2] = {0.0, 0.0};
   int64_t lines = -1;

@@ -1,16 +1,19 @@
 """Branch coverage of src by all tests.
 
     coverage.py run     builds everything with clang's counters, runs the tests, prints the table and stores it (some 25 minutes)
-    coverage.py check   the stored table has the present files, and no folder or file is below its gate
+    coverage.py count   the same from the counters of the last run of tests
+    coverage.py names   stores rows without numbers for new files of src, and none for files that are gone
+    coverage.py check   the stored table has the present files, and each gate is kept and not lowered
     coverage.py print   the stored table by folders
 
-The table is coverage.csv: for each file of src the branches that tests took in one of both directions, as llvm-cov counts them.
+The table is coverage.csv: for each file of src the directions of its branches, as llvm-cov counts them, and those that tests took.
 """
 
 from __future__ import annotations
 
 import csv
 import json
+import math
 import os
 import pathlib
 import subprocess
@@ -21,7 +24,8 @@ BUILD = ROOT / "build/coverage"
 TABLE = pathlib.Path(__file__).with_name("coverage.csv")
 
 # Least share of branches that tests take, in per cent: of all files, and of folders whose answers hosts trust first, the default
-# crack rule, contact and tips. A gate may be raised, not lowered.
+# crack rule, contact and tips. A gate may be raised, not lowered: it follows the stored share by so much at most.
+SLACK = 3
 GATES = {"src": 0, "src/crack": 0, "src/fracture/line": 0, "src/fracture/contact": 0, "src/regions/tips": 0}
 
 
@@ -48,7 +52,7 @@ def show(counts: dict[str, tuple[int, int]]) -> None:
         print(f"{folder:28} {branches:9} {taken:6.1f} %")
 
 
-def measure() -> dict[str, tuple[int, int]]:
+def run_tests() -> None:
     profiles = BUILD / "profiles"
     subprocess.run(["cmake", "--preset", "coverage"], cwd=ROOT, check=True)
     subprocess.run(["cmake", "--build", "--preset", "coverage", "-j", str(os.cpu_count())], cwd=ROOT, check=True)
@@ -57,7 +61,10 @@ def measure() -> dict[str, tuple[int, int]]:
         old.unlink()
     subprocess.run(["ctest", "--preset", "coverage", "-j", str(os.cpu_count())], cwd=ROOT, check=False,
                    env={**os.environ, "LLVM_PROFILE_FILE": str(profiles / "%4m.profraw")})
-    merged = BUILD / "merged.profdata"
+
+
+def counted() -> dict[str, tuple[int, int]]:
+    profiles, merged = BUILD / "profiles", BUILD / "merged.profdata"
     subprocess.run(["llvm-profdata", "merge", "--sparse", "-o", merged, *map(str, profiles.glob("*.profraw"))], check=True)
     library = next((BUILD / "src/capi").glob("libbempd.so.*.*.*"))
     programs = [path for path in (BUILD / "tests").rglob("*") if path.is_file() and os.access(path, os.X_OK) and path.suffix == ""]
@@ -73,33 +80,39 @@ def measure() -> dict[str, tuple[int, int]]:
     return counts
 
 
+def store(counts: dict[str, tuple[int, int]]) -> None:
+    with open(TABLE, "w", encoding="utf-8", newline="") as table:
+        writer = csv.writer(table, lineterminator="\n")
+        writer.writerow(["file", "branches", "taken"])
+        writer.writerows([file, *counts.get(file, (0, 0))] for file in files())
+
+
 def check() -> int:
     counts, wrong = stored(), []
     missing, gone = set(files()) - set(counts), set(counts) - set(files())
     for what, names in (("has no row for", missing), ("has a row for a file that is gone:", gone)):
-        wrong += [f"tests/coverage/coverage.csv {what} {name}" for name in sorted(names)]
+        wrong += [f"tests/coverage/coverage.csv {what} {name}; `coverage.py names` mends it" for name in sorted(names)]
     for folder, gate in GATES.items():
         _, taken = share(counts, folder)
         if taken < gate:
             wrong.append(f"tests take {taken:.1f} % of the branches of {folder}, less than the gate of {gate} %")
+        if gate < math.floor(taken) - SLACK:
+            wrong.append(f"the gate of {folder} is {gate} %, and tests take {taken:.1f} %: raise it")
     print("\n".join(wrong) or "the stored table has the present files, and all gates are kept")
     return int(bool(wrong))
 
 
 def main() -> int:
     task = sys.argv[1] if len(sys.argv) > 1 else "print"
-    if task != "run" and not TABLE.exists():
-        print("no table is stored yet; coverage.py run makes one")
-        return 1
     if task == "run":
-        counts = measure()
-        rows = {file: counts.get(file, (0, 0)) for file in files()}
-        with open(TABLE, "w", encoding="utf-8", newline="") as table:
-            writer = csv.writer(table, lineterminator="\n")
-            writer.writerow(["file", "branches", "taken"])
-            writer.writerows([file, *count] for file, count in rows.items())
-        show(rows)
+        run_tests()
+    if task in ("run", "count"):
+        store(counted())
+        show(stored())
         return check()
+    if task == "names":
+        store(stored())
+        return 0
     if task == "check":
         return check()
     show(stored())

@@ -14,7 +14,7 @@ std::vector<double> stations_beside(double off) {
   const std::vector<Edge> boundary{Edge(Point(22, 0), Point(22, 15)), Edge(Point(22, 15), Point(17, 15)),
                                    Edge(Point(17, 15), Point(17, 0)), Edge(Point(17, 0), Point(22, 0))};
   const bem::CrackSizes sizes(cracks, boundary, 1e-9);
-  return sizes.refined(Arc(Point(22, 0), mouth), {0, 1});
+  return sizes.refined(Arc{Point(22, 0), mouth}, {0, 1});
 }
 
 TEST(CrackGrading, rounding_of_a_mouth_makes_no_elements) {

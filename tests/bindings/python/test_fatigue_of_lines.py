@@ -97,7 +97,7 @@ def test_a_line_that_comes_to_another_material_stops() -> None:
 
 
 def test_lines_grow_under_load_cases() -> None:
-    found, exact = (lives.life_under_cases(spacings).cycles_at(0.45) for spacings in (60, 0))
+    found, exact = (lives.life_under_cases(spacings).cycles_at(0.45) for spacings in (40, 0))
     print(f"cycles {found:.6g}, elements {exact:.6g}, {100 * (found / exact - 1):+.2f} %")
     assert found == pytest.approx(exact, rel=0.03)
 
