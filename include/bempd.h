@@ -68,6 +68,8 @@
  * Bodies
  *   bempd_add_body                  a polygon whose elements the library chooses
  *   bempd_add_body_with_arcs        the same with edges that are arcs
+ *   bempd_set_body_lattice          spacing and horizon of the lattice patches of a body
+ *   bempd_set_crack_treatment       how a crack is modelled, or that it stays as it is
  *   bempd_body_plan_init            prepares the struct of bempd_plan()
  *   bempd_plan                      elements, unknowns, memory, time and errors before preparing
  *   bempd_errors_init               prepares the struct of bempd_error_estimate()
@@ -430,6 +432,42 @@ BEMPD_API bempd_status bempd_add_body(bempd_model* model, int32_t material, int6
  * @param[out] body its id, that of a region; may be NULL @return status @since 0.4 */
 BEMPD_API bempd_status bempd_add_body_with_arcs(bempd_model* model, int32_t material, int64_t vertex_count,
                                                 const double* vertices, const double* bulges, int32_t* body);
+
+/** @brief Choose the lattice of the patches that bempd_set_crack_treatment() lays in a body.
+ *
+ * Without this call the horizon has four spacings, and the spacing is a sixteenth of the length of a crack for each of
+ * its tips, or less where a tip has little room.
+ * @param[in] model the model, not prepared yet @param[in] body id of a body
+ * @param[in] spacing distance between material points [m], or 0 for that choice
+ * @param[in] horizon_ratio horizon over spacing, 3 .. 8, or 0 for 4 @return status @since 0.4 */
+BEMPD_API bempd_status bempd_set_body_lattice(bempd_model* model, int32_t body, double spacing, int32_t horizon_ratio);
+
+/** @brief How a crack is modelled. @since 0.4 */
+typedef enum bempd_treatment {
+  BEMPD_TREATMENT_AUTOMATIC = 1, /**< the library chooses; the default */
+  BEMPD_TREATMENT_ELEMENTS = 2,  /**< boundary elements along its faces, where it lies in a BEM region or a body */
+  BEMPD_TREATMENT_LATTICE = 3,   /**< a lattice patch of its body around it, in which it grows as a line */
+  BEMPD_TREATMENT_FROZEN = 4     /**< as automatic, and its tips stay where they are */
+} bempd_treatment;
+
+/** @brief Choose how a crack is modelled, or keep it from growing.
+ *
+ * The library gives each crack elements where it lies in a BEM region or a body: a crack with a field of stress
+ * intensity factors needs no lattice (docs/bodies.md). With BEMPD_TREATMENT_LATTICE a patch of lattice is cut out of
+ * the body when the model is planned or prepared: blocks of two horizons that come within two horizons of the crack, or
+ * of two blocks straight ahead of a tip that may grow. A patch is a peridynamic region with the next free id, for bonds
+ * and points. The body keeps its id, the numbers of its edges, and its supports and loads; loads on the whole body act
+ * in the patch as well. Nodes of the patch's border follow those of the body's outline. Between an edge or another
+ * crack and the patch one block of elements stays, so a crack that begins at an edge has elements there. A tip that
+ * comes within two horizons of the patch's border goes on in elements; the patch stays where it was laid.
+ *
+ * BEMPD_TREATMENT_FROZEN does what bempd_set_tip_frozen() does at both ends, and any other treatment releases both. That
+ * may be done between steps too. Whether a crack has a patch cannot change any more once the model is prepared.
+ * Preparing fails as an argument error where a patch has no room, where a crack lies in several bodies, and with the
+ * option crack.rule = "bond".
+ * @param[in] model the model @param[in] crack id of a crack @param[in] treatment a bempd_treatment
+ * @return status @since 0.4 */
+BEMPD_API bempd_status bempd_set_crack_treatment(bempd_model* model, int32_t crack, int32_t treatment);
 
 /** @brief What preparing a scene with bodies takes, and the errors it will have. Errors are those of displacements,
  * reactions and stress intensity factors that come from the boundary elements, each relative to the largest of its

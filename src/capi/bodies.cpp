@@ -54,6 +54,20 @@ bempd_status bempd_add_body_with_arcs(bempd_model* model, int32_t material, int6
   return add_body(model, __func__, material, vertex_count, vertices, bulges, body);
 }
 
+bempd_status bempd_set_body_lattice(bempd_model* model, int32_t body, double spacing, int32_t horizon_ratio) {
+  return with_model(model, __func__,
+                    [&](model::Model& m) { m.treatments().set_lattice(body, spacing, horizon_ratio); });
+}
+
+bempd_status bempd_set_crack_treatment(bempd_model* model, int32_t crack, int32_t treatment) {
+  return with_model(model, __func__, [&](model::Model& m) {
+    require(treatment >= BEMPD_TREATMENT_AUTOMATIC && treatment <= BEMPD_TREATMENT_FROZEN, "treatment is ", treatment,
+            "; it must be BEMPD_TREATMENT_AUTOMATIC (1), BEMPD_TREATMENT_ELEMENTS (2), BEMPD_TREATMENT_LATTICE (3) or "
+            "BEMPD_TREATMENT_FROZEN (4)");
+    m.treatments().set(crack, static_cast<model::CrackTreatment>(treatment));
+  });
+}
+
 bempd_status bempd_body_plan_init(bempd_body_plan* plan, int64_t struct_size) {
   return init_struct(__func__, "plan", plan, struct_size, bempd_body_plan{});
 }

@@ -205,6 +205,7 @@ MeshPlan Accuracy::plan_of(const MeshCost& cost, bool is_solved) const {
 const MeshPlan& Accuracy::plan() {
   require(regions::has_bodies(model_.scene()), "the scene has no body; add one with bempd_add_body()");
   if (chosen_) return *chosen_;
+  model_.treatments_.lay();
   if (promised_ && mark_ == mark()) return *promised_;
   while (levels_.size() < 2 || mark_ != mark()) solve_next();
   for (;;) {

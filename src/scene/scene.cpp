@@ -77,6 +77,15 @@ int Scene::crack_nearest(const Point& place) const {
   return nearest;
 }
 
+void remove_parts(Scene& scene, int count) { scene.regions_.resize(static_cast<std::size_t>(count)); }
+
+std::vector<int> with_parts(const Scene& scene, int region) {
+  std::vector<int> ids;
+  for (const int id : scene.region_ids())
+    if (id == region || scene.region(id).part_of() == region) ids.push_back(id);
+  return ids;
+}
+
 Box Scene::bounding_box() const {
   Box box;
   for (int id : region_ids()) box.extend(bempd::bounding_box(region(id).outline()));
