@@ -72,6 +72,10 @@
  *   bempd_set_crack_treatment       how a crack is modelled, or that it stays as it is
  *   bempd_body_plan_init            prepares the struct of bempd_plan()
  *   bempd_plan                      elements, unknowns, memory, time and errors before preparing
+ *   bempd_part_count                number of parts: regions and lattice patches of bodies
+ *   bempd_part_init                 prepares the struct of bempd_part()
+ *   bempd_part                      one part, and why it is there
+ *   bempd_part_outline              its outline, for pictures
  *   bempd_errors_init               prepares the struct of bempd_error_estimate()
  *   bempd_error_estimate            errors of the present results by source
  *
@@ -461,8 +465,8 @@ typedef enum bempd_treatment {
  * crack and the patch one block of elements stays, so a crack that begins at an edge has elements there. A tip that
  * comes within two horizons of the patch's border goes on in elements; the patch stays where it was laid.
  *
- * BEMPD_TREATMENT_FROZEN does what bempd_set_tip_frozen() does at both ends, and any other treatment releases both. That
- * may be done between steps too. Whether a crack has a patch cannot change any more once the model is prepared.
+ * BEMPD_TREATMENT_FROZEN does what bempd_set_tip_frozen() does at both ends, and any other treatment releases both.
+ * That may be done between steps too. Whether a crack has a patch cannot change any more once the model is prepared.
  * Preparing fails as an argument error where a patch has no room, where a crack lies in several bodies, and with the
  * option crack.rule = "bond".
  * @param[in] model the model @param[in] crack id of a crack @param[in] treatment a bempd_treatment
@@ -503,6 +507,60 @@ BEMPD_API bempd_status bempd_body_plan_init(bempd_body_plan* plan, int64_t struc
  * prepared model it tells what has come.
  * @param[in] model a model with a body @param[in,out] plan struct_size in, the rest out @return status @since 0.4 */
 BEMPD_API bempd_status bempd_plan(bempd_model* model, bempd_body_plan* plan);
+
+/** @brief What a part of the model is made of. @since 0.4 */
+typedef enum bempd_part_kind { BEMPD_PART_ELEMENTS = 1, BEMPD_PART_LATTICE = 2 } bempd_part_kind;
+
+/** @brief Why a part is there. @since 0.4 */
+typedef enum bempd_part_reason {
+  BEMPD_PART_GIVEN = 1, /**< the host has added it with its elements or its lattice */
+  BEMPD_PART_BODY = 2,  /**< elements of a body, which the library has chosen */
+  BEMPD_PART_CRACK = 3  /**< bempd_set_crack_treatment() asks for a lattice around a crack of the body */
+} bempd_part_reason;
+
+/** @brief Part of the model: a region, or a lattice patch that was cut out of a body. Fill it with bempd_part_init().
+ * @since 0.4 */
+typedef struct bempd_model_part {
+  int64_t struct_size;       /**< sizeof(bempd_model_part), set by bempd_part_init() */
+  int32_t kind;              /**< a bempd_part_kind */
+  int32_t reason;            /**< a bempd_part_reason */
+  int32_t body;              /**< id of the region that the host has added */
+  int32_t region;            /**< id for bonds, points and fields: the same, or a patch's own one */
+  int32_t crack;             /**< crack for which a patch was laid, or 0 */
+  int32_t loops;             /**< number of loops of the outline */
+  int32_t horizon_ratio;     /**< horizon over spacing; 0 of elements */
+  int32_t reserved;          /**< 0 */
+  double spacing;            /**< distance between material points [m]; 0 of elements */
+  int64_t boundary_elements; /**< along its edges and cracks, before preparing those planned so far; 0 of a lattice */
+  int64_t material_points;   /**< of a lattice */
+  /** load factor at which a patch's cracks first grow, by its lattice; the largest double if they do not, NaN if that
+   * is not known or the part is no patch [-] */
+  double growth_load_factor;
+  double element_growth_load_factor; /**< the same by boundary elements in place of patches [-] */
+} bempd_model_part;
+
+/** @brief Number of parts of the model: its regions, and behind them the lattice patches of its bodies.
+ * @param[in] model the model, which is planned if needed @param[out] count number of parts
+ * @return status @since 0.4 */
+BEMPD_API bempd_status bempd_part_count(bempd_model* model, int64_t* count);
+
+/** @brief Set struct_size and zeros. @param[out] part the struct to fill
+ * @param[in] struct_size sizeof(bempd_model_part) as the caller was compiled: older programs keep working
+ * @return status @since 0.4 */
+BEMPD_API bempd_status bempd_part_init(bempd_model_part* part, int64_t struct_size);
+
+/** @brief Tell of one part: what it is made of, and why it is there. @param[in] model the model, which is planned if
+ * needed @param[in] index of the part, from 0 @param[in,out] part struct_size in, the rest out
+ * @return status @since 0.4 */
+BEMPD_API bempd_status bempd_part(bempd_model* model, int64_t index, bempd_model_part* part);
+
+/** @brief Outline of a part as closed polylines, for pictures: the outer loop counter-clockwise, then its holes.
+ * @param[in] model the model, which is planned if needed @param[in] index of the part, from 0
+ * @param[in] loop number of the loop, from 0 @param[in] capacity points that there is room for; 0 to get their number
+ * @param[out] points shape [count][2], vertices, with further ones on arcs [m]; may be NULL if capacity is 0
+ * @param[out] count number of points @return status @since 0.4 */
+BEMPD_API bempd_status bempd_part_outline(bempd_model* model, int64_t index, int32_t loop, int64_t capacity,
+                                          double* points, int64_t* count);
 
 /** @brief Sources of errors. @since 0.4 */
 typedef enum bempd_error_source {

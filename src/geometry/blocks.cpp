@@ -44,8 +44,7 @@ Blocks between(const Blocks& blocks) {
   Blocks found;
   for (const Block& block : blocks)
     for (const Block& step : {sides[0], sides[1]})
-      if (!blocks.count(beside(block, step)) && blocks.count(beside(block, step, 2)))
-        found.insert(beside(block, step));
+      if (!blocks.count(beside(block, step)) && blocks.count(beside(block, step, 2))) found.insert(beside(block, step));
   return found;
 }
 
@@ -130,8 +129,8 @@ std::vector<Point> loop_around(const Blocks& blocks, const BlockGrid& grid) {
   Block before = first, at = first;
   do {
     const Block behind = next.at(at);
-    const bool is_corner = at == first || (behind[0] - at[0]) != (at[0] - before[0]) ||
-                           (behind[1] - at[1]) != (at[1] - before[1]);
+    const bool is_corner =
+        at == first || (behind[0] - at[0]) != (at[0] - before[0]) || (behind[1] - at[1]) != (at[1] - before[1]);
     if (is_corner) loop.push_back(grid.corner(at[0], at[1]));
     before = at, at = behind;
   } while (at != first);

@@ -48,7 +48,8 @@ void CrackTreatments::set_lattice(int body, double spacing, int horizon_ratio) {
 std::vector<regions::LatticeCrack> CrackTreatments::in_lattices() const {
   std::vector<regions::LatticeCrack> cracks;
   for (const auto& [crack, treatment] : treatments_) {
-    if (treatment != CrackTreatment::lattice || model_.scene_.cracks()[static_cast<std::size_t>(crack) - 1].points.empty())
+    if (treatment != CrackTreatment::lattice ||
+        model_.scene_.cracks()[static_cast<std::size_t>(crack) - 1].points.empty())
       continue;
     cracks.push_back({crack, {!model_.is_frozen({crack, 0}), !model_.is_frozen({crack, 1})}});
   }
@@ -67,6 +68,11 @@ void CrackTreatments::lay() {
           "treatment BEMPD_TREATMENT_ELEMENTS");
   if (!patches_.empty()) return;
   std::vector<regions::Patch> patches = regions::lay_out_patches(model_.scene_, cracks, lattices_);
+  loads_of_elements_.clear();
+  try {
+    loads_of_elements_ = model_.accuracy_.loads_of_elements();
+  } catch (const Error&) {  // they are only for comparison
+  }
   const int own = model_.scene_.region_count();
   try {
     regions::add_patches(model_.scene_, patches);
@@ -85,8 +91,6 @@ void CrackTreatments::take_away() noexcept {
   model_.accuracy_.forget();
 }
 
-int CrackTreatments::own_regions() const {
-  return model_.scene_.region_count() - static_cast<int>(patches_.size());
-}
+int CrackTreatments::own_regions() const { return model_.scene_.region_count() - static_cast<int>(patches_.size()); }
 
 }  // namespace bempd::model

@@ -3,6 +3,7 @@
 #include <map>
 #include <vector>
 
+#include "model/mesh_answers.hpp"
 #include "regions/patches.hpp"
 
 namespace bempd::model {
@@ -28,6 +29,8 @@ class CrackTreatments {
   // Number of the host's own regions; the patches are behind them.
   int own_regions() const;
   const std::vector<regions::Patch>& patches() const { return patches_; }
+  // Load factors of growth with elements in place of the patches; none if the scene cannot be solved so.
+  const std::vector<TipLoad>& loads_of_elements() const { return loads_of_elements_; }
 
  private:
   std::vector<regions::LatticeCrack> in_lattices() const;
@@ -37,6 +40,7 @@ class CrackTreatments {
   std::map<int, regions::BodyLattice> lattices_;
   std::vector<regions::Patch> patches_;
   std::vector<regions::LatticeCrack> laid_;  // for which they are
+  std::vector<TipLoad> loads_of_elements_;
 };
 
 }  // namespace bempd::model

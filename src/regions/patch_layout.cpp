@@ -97,7 +97,7 @@ double PatchLayout::clearance(const Point& origin) const {
 
 // Corner of a block, such that the first crack passes material points as far off as possible.
 Point PatchLayout::origin() const {
-  constexpr int parts = 8;           // of a spacing
+  constexpr int parts = 8;            // of a spacing
   constexpr double is_better = 1.01;  // times the clearance
   const Inside& first = cracks_.front();
   const Point tip = first.tips.empty() ? first.pieces.front().at(0.5) : first.tips.front().place;
@@ -165,7 +165,8 @@ std::vector<Patch> PatchLayout::patches() {
     Patch patch{body_, loop_around(part, grid_), spacing_, ratio_, {}};
     for (const Inside& crack : cracks_) {
       const bool passes = std::any_of(crack.pieces.begin(), crack.pieces.end(), [&](const Segment& piece) {
-        return std::any_of(part.begin(), part.end(), [&](const Block& b) { return distance(grid_.box(b), piece) == 0; });
+        return std::any_of(part.begin(), part.end(),
+                           [&](const Block& b) { return distance(grid_.box(b), piece) == 0; });
       });
       if (passes) patch.cracks.push_back(crack.crack.id);
     }

@@ -62,5 +62,4 @@ class PatchLayout {
   Blocks blocks_;
 };
 
-
 }  // namespace bempd::regions

@@ -93,9 +93,9 @@ void add_patches(scene::Scene& scene, const std::vector<Patch>& patches) {
   for (const Patch& patch : patches) loops[patch.body].push_back(patch.outline);
   for (const Patch& patch : patches) {
     const scene::Region& body = scene.region(patch.body);
-    auto part = std::make_unique<PeridynamicDescription>(body.material(), scene.material_of(patch.body),
-                                                         Outline{{patch.outline}, {}}, patch.spacing,
-                                                         patch.horizon_ratio);
+    auto part =
+        std::make_unique<PeridynamicDescription>(body.material(), scene.material_of(patch.body),
+                                                 Outline{{patch.outline}, {}}, patch.spacing, patch.horizon_ratio);
     part->make_part_of(patch.body);
     part->set_fracture_energies(body.fracture_energies());
     scene.add_region(std::move(part));
@@ -107,7 +107,7 @@ void add_patches(scene::Scene& scene, const std::vector<Patch>& patches) {
 }
 
 void remove_patches(scene::Scene& scene, int count) {
-  scene.remove_parts(count);
+  remove_parts(scene, count);
   for (const int id : scene.region_ids())
     if (BoundaryDescription* boundary = boundary_in(scene, id)) boundary->make_whole();
 }
