@@ -465,7 +465,8 @@ typedef enum bempd_treatment {
  * crack and the patch one block of elements stays, so a crack that begins at an edge has elements there. A tip that
  * comes within two horizons of the patch's border goes on in elements; the patch stays where it was laid.
  *
- * BEMPD_TREATMENT_FROZEN does what bempd_set_tip_frozen() does at both ends, and any other treatment releases both.
+ * BEMPD_TREATMENT_FROZEN does what bempd_set_tip_frozen() does at both ends, and any other treatment releases a crack
+ * of which both are frozen.
  * That may be done between steps too. Whether a crack has a patch cannot change any more once the model is prepared.
  * Preparing fails as an argument error where a patch has no room, where a crack lies in several bodies, and with the
  * option crack.rule = "bond".

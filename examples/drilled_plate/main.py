@@ -71,9 +71,9 @@ def run(treatment: str, film: pathlib.Path | None) -> Run:
     model.set_crack_treatment(found.edge, "frozen")
     model.set_crack_treatment(found.inner, treatment)
     found.until(found.inner, 36e-3, "the edge crack is frozen, in the patch")
-    found.until(found.inner, 60e-3, "the inner crack leaves its patch")
+    found.until(found.inner, 50e-3, "the inner crack leaves its patch")
     model.set_crack_treatment(found.edge, "automatic")
-    found.until(found.edge, 60e-3, "both may grow")
+    found.until(found.inner, 80e-3, "both may grow")
     if found.movie:
         found.movie.close()
     return found

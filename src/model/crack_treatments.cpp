@@ -26,7 +26,9 @@ void CrackTreatments::set(int crack, CrackTreatment treatment) {
            "; choose this treatment before, or freeze and release the crack now");
   }
   if (!model_.prepared_ && (was_in_lattice || treatment == CrackTreatment::lattice)) model_.editable_scene();
-  for (const int end : {0, 1}) model_.set_tip_frozen(crack, end, is_frozen);
+  // A tip that is frozen alone stays so.
+  if (is_frozen || (model_.is_frozen({crack, 0}) && model_.is_frozen({crack, 1})))
+    for (const int end : {0, 1}) model_.set_tip_frozen(crack, end, is_frozen);
   if (model_.prepared_) return;
   if (treatment == CrackTreatment::automatic) {
     treatments_.erase(crack);

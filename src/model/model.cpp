@@ -96,11 +96,10 @@ std::vector<char> nodes_where_material_goes_on(const scene::Scene& scene, const 
 }  // namespace
 
 scene::Scene& Model::editable_scene() {
-  if (prepared_) {
+  if (prepared_)
     fail(Failure::order,
          "the model is prepared and its scene can no longer change; add everything before the first step or result, or "
          "create a new model");
-  }
   treatments_.take_away();
   return scene_;
 }
@@ -111,8 +110,7 @@ void Model::call_failed(bool was_prepared, bool unsolvable) noexcept {
   const bool has_begun = state.in_equilibrium || !state.history.empty() || state.load_factor != 0;
   if (was_prepared && (has_begun || !unsolvable)) return;
   prepared_.reset();
-  treatments_.take_away();
-  accuracy_.forget();
+  treatments_.take_away(), accuracy_.forget();
   loads_ = {};
   results_.forget();
   ++generation_;

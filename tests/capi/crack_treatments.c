@@ -3,7 +3,7 @@
 
 enum { LATTICE = BEMPD_TREATMENT_LATTICE, FROZEN = BEMPD_TREATMENT_FROZEN, AUTOMATIC = BEMPD_TREATMENT_AUTOMATIC };
 
-static const double size = 4, half_length = 0.5, spacing = 0.0625;
+static const double size = 4, half_length = 0.5, spacing = 0.1;
 
 static int32_t add_tough_material(bempd_model* model) {
   bempd_material material = sound_material();
@@ -15,8 +15,8 @@ static int32_t add_tough_material(bempd_model* model) {
   return id;
 }
 
-/** Square body with a crack in its middle, at an angle to its lower edge, pulled upwards. Ids: body 1, crack 1, supports
- * 1 and 2, load 1. */
+/** Square body with a crack in its middle, at an angle to its lower edge, pulled upwards. Ids: body 1, crack 1,
+ * supports 1 and 2, load 1. */
 static bempd_model* cracked_square(double angle) {
   const rectangle r = rectangle_of(0, 0, size, size);
   const double x = half_length * cos(angle), y = half_length * sin(angle), middle = 0.5 * size, up = 1;
@@ -98,7 +98,7 @@ static void a_patch_is_a_part_of_its_body(void) {
     CHECK(body.kind == BEMPD_PART_ELEMENTS && body.reason == BEMPD_PART_BODY && body.region == 1 && body.loops == 2);
     CHECK(body.boundary_elements > 8 && body.material_points == 0 && isnan(body.growth_load_factor));
     CHECK(patch.kind == BEMPD_PART_LATTICE && patch.reason == BEMPD_PART_CRACK && patch.crack == 1);
-    CHECK(patch.body == 1 && patch.region == 2 && patch.horizon_ratio == 3 && patch.material_points > 500);
+    CHECK(patch.body == 1 && patch.region == 2 && patch.horizon_ratio == 3 && patch.material_points > 300);
     CHECK_CLOSE(patch.spacing, spacing, 0);
     printf("angle %g: growth at %g by the patch, %g by elements\n", angles[a], patch.growth_load_factor,
            patch.element_growth_load_factor);
@@ -106,7 +106,7 @@ static void a_patch_is_a_part_of_its_body(void) {
     CHECK_OK(model, bempd_part_outline(model, 1, 0, 200, outline, &corners));
     CHECK(corners >= 4 && corners % 2 == 0 && corners == edges - 4);
     CHECK_OK(model, bempd_bond_count(model, 2, &bonds));
-    CHECK(bonds > 1000);
+    CHECK(bonds > 3000);
     CHECK_OK(model, bempd_reaction(model, 1, force));
     CHECK_CLOSE(force[1], -0.1 * size, 1e-9);
     CHECK_CLOSE(tip_of(model, 1).stress_intensity_1, tip_of(plain, 1).stress_intensity_1,

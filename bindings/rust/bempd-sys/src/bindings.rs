@@ -377,10 +377,10 @@ extern "C" {
     /// where it was laid.
     ///
     /// BEMPD_TREATMENT_FROZEN does what bempd_set_tip_frozen() does at both ends, and any other
-    /// treatment releases both. That may be done between steps too. Whether a crack has a patch
-    /// cannot change any more once the model is prepared. Preparing fails as an argument error
-    /// where a patch has no room, where a crack lies in several bodies, and with the option
-    /// crack.rule = "bond".
+    /// treatment releases a crack of which both are frozen. That may be done between steps too.
+    /// Whether a crack has a patch cannot change any more once the model is prepared. Preparing
+    /// fails as an argument error where a patch has no room, where a crack lies in several bodies,
+    /// and with the option crack.rule = "bond".
     ///
     /// * model \[in\]: the model
     /// * crack \[in\]: id of a crack
