@@ -207,7 +207,7 @@ def draw_import(folder: pathlib.Path) -> None:
     print(f"import: {bracket}")
     model = Model(options={"stepping.control": "path"})
     steel = model.add_material(young_modulus=2.1e11, poisson_ratio=0.3, thickness=0.01, fracture_energy=2e4)
-    region = model.add_bem_region(steel, bracket, element_length=0.015)
+    region = model.add_body(steel, bracket)
     corner = 0.042 - 0.012 * np.sqrt(0.5)
     crack = model.add_crack([(corner, corner), (corner - 0.004, corner - 0.004)])
     model.fix_edge(region, "clamp")

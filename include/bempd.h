@@ -68,8 +68,14 @@
  * Bodies
  *   bempd_add_body                  a polygon whose elements the library chooses
  *   bempd_add_body_with_arcs        the same with edges that are arcs
+ *   bempd_set_body_lattice          spacing and horizon of the lattice patches of a body
+ *   bempd_set_crack_treatment       how a crack is modelled, or that it stays as it is
  *   bempd_body_plan_init            prepares the struct of bempd_plan()
  *   bempd_plan                      elements, unknowns, memory, time and errors before preparing
+ *   bempd_part_count                number of parts: regions and lattice patches of bodies
+ *   bempd_part_init                 prepares the struct of bempd_part()
+ *   bempd_part                      one part, and why it is there
+ *   bempd_part_outline              its outline, for pictures
  *   bempd_errors_init               prepares the struct of bempd_error_estimate()
  *   bempd_error_estimate            errors of the present results by source
  *
@@ -431,6 +437,43 @@ BEMPD_API bempd_status bempd_add_body(bempd_model* model, int32_t material, int6
 BEMPD_API bempd_status bempd_add_body_with_arcs(bempd_model* model, int32_t material, int64_t vertex_count,
                                                 const double* vertices, const double* bulges, int32_t* body);
 
+/** @brief Choose the lattice of the patches that bempd_set_crack_treatment() lays in a body.
+ *
+ * Without this call the horizon has four spacings, and the spacing is a sixteenth of the length of a crack for each of
+ * its tips, or less where a tip has little room.
+ * @param[in] model the model, not prepared yet @param[in] body id of a body
+ * @param[in] spacing distance between material points [m], or 0 for that choice
+ * @param[in] horizon_ratio horizon over spacing, 3 .. 8, or 0 for 4 @return status @since 0.4 */
+BEMPD_API bempd_status bempd_set_body_lattice(bempd_model* model, int32_t body, double spacing, int32_t horizon_ratio);
+
+/** @brief How a crack is modelled. @since 0.4 */
+typedef enum bempd_treatment {
+  BEMPD_TREATMENT_AUTOMATIC = 1, /**< the library chooses; the default */
+  BEMPD_TREATMENT_ELEMENTS = 2,  /**< boundary elements along its faces, where it lies in a BEM region or a body */
+  BEMPD_TREATMENT_LATTICE = 3,   /**< a lattice patch of its body around it, in which it grows as a line */
+  BEMPD_TREATMENT_FROZEN = 4     /**< as automatic, and its tips stay where they are */
+} bempd_treatment;
+
+/** @brief Choose how a crack is modelled, or keep it from growing.
+ *
+ * The library gives each crack elements where it lies in a BEM region or a body: a crack with a field of stress
+ * intensity factors needs no lattice (docs/bodies.md). With BEMPD_TREATMENT_LATTICE a patch of lattice is cut out of
+ * the body when the model is planned or prepared: blocks of two horizons that come within two horizons of the crack, or
+ * of two blocks straight ahead of a tip that may grow. A patch is a peridynamic region with the next free id, for bonds
+ * and points. The body keeps its id, the numbers of its edges, and its supports and loads; loads on the whole body act
+ * in the patch as well. Nodes of the patch's border follow those of the body's outline. Between an edge or another
+ * crack and the patch one block of elements stays, so a crack that begins at an edge has elements there. A tip that
+ * comes within two horizons of the patch's border goes on in elements; the patch stays where it was laid.
+ *
+ * BEMPD_TREATMENT_FROZEN does what bempd_set_tip_frozen() does at both ends, and any other treatment releases a crack
+ * of which both are frozen.
+ * That may be done between steps too. Whether a crack has a patch cannot change any more once the model is prepared.
+ * Preparing fails as an argument error where a patch has no room, where a crack lies in several bodies, and with the
+ * option crack.rule = "bond".
+ * @param[in] model the model @param[in] crack id of a crack @param[in] treatment a bempd_treatment
+ * @return status @since 0.4 */
+BEMPD_API bempd_status bempd_set_crack_treatment(bempd_model* model, int32_t crack, int32_t treatment);
+
 /** @brief What preparing a scene with bodies takes, and the errors it will have. Errors are those of displacements,
  * reactions and stress intensity factors that come from the boundary elements, each relative to the largest of its
  * kind in the scene, at the load factor 1. Fill it with bempd_body_plan_init(). @since 0.4 */
@@ -465,6 +508,60 @@ BEMPD_API bempd_status bempd_body_plan_init(bempd_body_plan* plan, int64_t struc
  * prepared model it tells what has come.
  * @param[in] model a model with a body @param[in,out] plan struct_size in, the rest out @return status @since 0.4 */
 BEMPD_API bempd_status bempd_plan(bempd_model* model, bempd_body_plan* plan);
+
+/** @brief What a part of the model is made of. @since 0.4 */
+typedef enum bempd_part_kind { BEMPD_PART_ELEMENTS = 1, BEMPD_PART_LATTICE = 2 } bempd_part_kind;
+
+/** @brief Why a part is there. @since 0.4 */
+typedef enum bempd_part_reason {
+  BEMPD_PART_GIVEN = 1, /**< the host has added it with its elements or its lattice */
+  BEMPD_PART_BODY = 2,  /**< elements of a body, which the library has chosen */
+  BEMPD_PART_CRACK = 3  /**< bempd_set_crack_treatment() asks for a lattice around a crack of the body */
+} bempd_part_reason;
+
+/** @brief Part of the model: a region, or a lattice patch that was cut out of a body. Fill it with bempd_part_init().
+ * @since 0.4 */
+typedef struct bempd_model_part {
+  int64_t struct_size;       /**< sizeof(bempd_model_part), set by bempd_part_init() */
+  int32_t kind;              /**< a bempd_part_kind */
+  int32_t reason;            /**< a bempd_part_reason */
+  int32_t body;              /**< id of the region that the host has added */
+  int32_t region;            /**< id for bonds, points and fields: the same, or a patch's own one */
+  int32_t crack;             /**< crack for which a patch was laid, or 0 */
+  int32_t loops;             /**< number of loops of the outline */
+  int32_t horizon_ratio;     /**< horizon over spacing; 0 of elements */
+  int32_t reserved;          /**< 0 */
+  double spacing;            /**< distance between material points [m]; 0 of elements */
+  int64_t boundary_elements; /**< along its edges and cracks, before preparing those planned so far; 0 of a lattice */
+  int64_t material_points;   /**< of a lattice */
+  /** load factor at which a patch's cracks first grow, by its lattice; the largest double if they do not, NaN if that
+   * is not known or the part is no patch [-] */
+  double growth_load_factor;
+  double element_growth_load_factor; /**< the same by boundary elements in place of patches [-] */
+} bempd_model_part;
+
+/** @brief Number of parts of the model: its regions, and behind them the lattice patches of its bodies.
+ * @param[in] model the model, which is planned if needed @param[out] count number of parts
+ * @return status @since 0.4 */
+BEMPD_API bempd_status bempd_part_count(bempd_model* model, int64_t* count);
+
+/** @brief Set struct_size and zeros. @param[out] part the struct to fill
+ * @param[in] struct_size sizeof(bempd_model_part) as the caller was compiled: older programs keep working
+ * @return status @since 0.4 */
+BEMPD_API bempd_status bempd_part_init(bempd_model_part* part, int64_t struct_size);
+
+/** @brief Tell of one part: what it is made of, and why it is there. @param[in] model the model, which is planned if
+ * needed @param[in] index of the part, from 0 @param[in,out] part struct_size in, the rest out
+ * @return status @since 0.4 */
+BEMPD_API bempd_status bempd_part(bempd_model* model, int64_t index, bempd_model_part* part);
+
+/** @brief Outline of a part as closed polylines, for pictures: the outer loop counter-clockwise, then its holes.
+ * @param[in] model the model, which is planned if needed @param[in] index of the part, from 0
+ * @param[in] loop number of the loop, from 0 @param[in] capacity points that there is room for; 0 to get their number
+ * @param[out] points shape [count][2], vertices, with further ones on arcs [m]; may be NULL if capacity is 0
+ * @param[out] count number of points @return status @since 0.4 */
+BEMPD_API bempd_status bempd_part_outline(bempd_model* model, int64_t index, int32_t loop, int64_t capacity,
+                                          double* points, int64_t* count);
 
 /** @brief Sources of errors. @since 0.4 */
 typedef enum bempd_error_source {

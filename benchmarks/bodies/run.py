@@ -1,7 +1,9 @@
-"""Bodies: wanted errors against true ones, the plan's promises against what came, and cost over size: tables of docs/bodies.md.
+"""Bodies: wanted errors against true ones, the plan's promises against what came, cost over size, and lattice patches: tables of
+docs/bodies.md.
 
-usage: benchmarks/run.sh bodies [--write] [--quick]
-    --write: into docs/bodies.md;  --quick: four scenes and two errors
+usage: benchmarks/run.sh bodies [--write] [--quick] [--only TABLE]
+    --write: into docs/bodies.md;  --quick: four scenes and two errors;  --only: trade, random, promises, sheets, patches, sizes or
+    treatments
 """
 
 from __future__ import annotations
@@ -19,6 +21,7 @@ from typing import Any, Callable
 import numpy as np
 
 import bempd
+import patches
 from error_check import answers, table, true_errors
 
 PAGE = Path(__file__).resolve().parents[2] / "docs" / "bodies.md"
@@ -244,7 +247,11 @@ def main() -> None:
         print(sheet(int(sys.argv[-1]))[0])
         return
     quick = "--quick" in sys.argv
-    for name, make in (("trade", trade), ("random", random_bodies), ("promises", promises), ("sheets", sheets)):
+    only = sys.argv[sys.argv.index("--only") + 1] if "--only" in sys.argv else None
+    for name, make in (("trade", trade), ("random", random_bodies), ("promises", promises), ("sheets", sheets),
+                       ("patches", patches.against_lattices), ("sizes", patches.sizes), ("treatments", patches.treatments)):
+        if only not in (None, name):
+            continue
         lines = make(quick)
         print("\n".join(lines), flush=True)
         if "--write" in sys.argv:

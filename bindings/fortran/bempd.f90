@@ -54,7 +54,7 @@ module bempd
     generic :: set_option => set_option_number, set_option_text
     generic :: get_option => get_option_number, get_option_text
     generic :: assignment(=) => refuse_copy
-    procedure :: add_body, plan, error_estimate
+    procedure :: add_body, set_body_lattice, set_crack_treatment, plan, error_estimate
     procedure :: add_material, add_bem_region, add_pd_region, add_hole, add_circular_hole, add_crack
     procedure :: add_bem_disc, set_edge_arc, set_edge_arc_about, set_edges_smooth, set_edge_mesh, set_toughness_at
     procedure :: set_resistance_curve, set_resistance_directions
@@ -102,7 +102,7 @@ module bempd
   end type bempd_option
 
   private :: create, free, last_error, c_handle, set_option_number, set_option_text, get_option_number, &
-    get_option_text, refuse_copy, add_body, plan, error_estimate, add_material, add_bem_region, &
+    get_option_text, refuse_copy, add_body, set_body_lattice, set_crack_treatment, plan, error_estimate, add_material, add_bem_region, &
     add_pd_region, add_hole, add_circular_hole, add_crack, &
     add_bem_disc, set_edge_arc, set_edge_arc_about, set_edges_smooth, set_edge_mesh, &
     set_toughness_at, set_resistance_curve, set_resistance_directions, &
@@ -870,6 +870,22 @@ module bempd
       integer, intent(out), optional :: stat
       character(*), intent(inout), optional :: errmsg
     end subroutine are_connected
+    !> The lattice of the patches of a body; 0 or absent: the library chooses.
+    module subroutine set_body_lattice(self, body, spacing, horizon_ratio, stat, errmsg)
+      class(bempd_model), intent(inout) :: self
+      integer(c_int32_t), intent(in) :: body
+      real(c_double), intent(in) :: spacing
+      integer(c_int32_t), intent(in), optional :: horizon_ratio
+      integer, intent(out), optional :: stat
+      character(*), intent(inout), optional :: errmsg
+    end subroutine set_body_lattice
+    !> How a crack is modelled, a BEMPD_TREATMENT_ value, or that it stays as it is.
+    module subroutine set_crack_treatment(self, crack, treatment, stat, errmsg)
+      class(bempd_model), intent(inout) :: self
+      integer(c_int32_t), intent(in) :: crack, treatment
+      integer, intent(out), optional :: stat
+      character(*), intent(inout), optional :: errmsg
+    end subroutine set_crack_treatment
     !> Elements, unknowns, memory, time and errors of a scene with bodies, before anything expensive is solved.
     module subroutine plan(self, found, stat, errmsg)
       class(bempd_model), intent(inout) :: self

@@ -48,6 +48,37 @@ module bempd_c
   integer(c_int), parameter :: BEMPD_PLANE_STRESS = 1
   integer(c_int), parameter :: BEMPD_PLANE_STRAIN = 2
 
+  !> How a crack is modelled.
+  !>
+  !> since: 0.4
+  integer, parameter :: bempd_treatment = c_int
+  !> the library chooses; the default
+  integer(c_int), parameter :: BEMPD_TREATMENT_AUTOMATIC = 1
+  !> boundary elements along its faces, where it lies in a BEM region or a body
+  integer(c_int), parameter :: BEMPD_TREATMENT_ELEMENTS = 2
+  !> a lattice patch of its body around it, in which it grows as a line
+  integer(c_int), parameter :: BEMPD_TREATMENT_LATTICE = 3
+  !> as automatic, and its tips stay where they are
+  integer(c_int), parameter :: BEMPD_TREATMENT_FROZEN = 4
+
+  !> What a part of the model is made of.
+  !>
+  !> since: 0.4
+  integer, parameter :: bempd_part_kind = c_int
+  integer(c_int), parameter :: BEMPD_PART_ELEMENTS = 1
+  integer(c_int), parameter :: BEMPD_PART_LATTICE = 2
+
+  !> Why a part is there.
+  !>
+  !> since: 0.4
+  integer, parameter :: bempd_part_reason = c_int
+  !> the host has added it with its elements or its lattice
+  integer(c_int), parameter :: BEMPD_PART_GIVEN = 1
+  !> elements of a body, which the library has chosen
+  integer(c_int), parameter :: BEMPD_PART_BODY = 2
+  !> bempd_set_crack_treatment() asks for a lattice around a crack of the body
+  integer(c_int), parameter :: BEMPD_PART_CRACK = 3
+
   !> Sources of errors.
   !>
   !> since: 0.4
@@ -471,6 +502,41 @@ module bempd_c
     !> 1 if this mesh has been solved; 0 for numbers extrapolated from coarser ones
     integer(c_int32_t) :: is_solved
   end type bempd_body_plan
+
+  !> Part of the model: a region, or a lattice patch that was cut out of a body. Fill it with bempd_part_init().
+  !>
+  !> since: 0.4
+  type, bind(c) :: bempd_model_part
+    !> sizeof(bempd_model_part), set by bempd_part_init()
+    integer(c_int64_t) :: struct_size
+    !> a bempd_part_kind
+    integer(c_int32_t) :: kind
+    !> a bempd_part_reason
+    integer(c_int32_t) :: reason
+    !> id of the region that the host has added
+    integer(c_int32_t) :: body
+    !> id for bonds, points and fields: the same, or a patch's own one
+    integer(c_int32_t) :: region
+    !> crack for which a patch was laid, or 0
+    integer(c_int32_t) :: crack
+    !> number of loops of the outline
+    integer(c_int32_t) :: loops
+    !> horizon over spacing; 0 of elements
+    integer(c_int32_t) :: horizon_ratio
+    !> 0
+    integer(c_int32_t) :: reserved
+    !> distance between material points [m]; 0 of elements
+    real(c_double) :: spacing
+    !> along its edges and cracks, before preparing those planned so far; 0 of a lattice
+    integer(c_int64_t) :: boundary_elements
+    !> of a lattice
+    integer(c_int64_t) :: material_points
+    !> load factor at which a patch's cracks first grow, by its lattice; the largest double if they do not, NaN if that
+    !> is not known or the part is no patch [-]
+    real(c_double) :: growth_load_factor
+    !> the same by boundary elements in place of patches [-]
+    real(c_double) :: element_growth_load_factor
+  end type bempd_model_part
 
   !> Errors of the present results by source, relative as in bempd_body_plan. The sources are never added. Fill it with
   !> bempd_errors_init().
@@ -1541,6 +1607,56 @@ module bempd_c
       integer(c_int) :: bempd_add_body_with_arcs
     end function bempd_add_body_with_arcs
 
+    !> Choose the lattice of the patches that bempd_set_crack_treatment() lays in a body.
+    !>
+    !> Without this call the horizon has four spacings, and the spacing is a sixteenth of the length of a crack for each
+    !> of its tips, or less where a tip has little room.
+    !>
+    !> model [in]: the model, not prepared yet
+    !> body [in]: id of a body
+    !> spacing [in]: distance between material points [m], or 0 for that choice
+    !> horizon_ratio [in]: horizon over spacing, 3 .. 8, or 0 for 4
+    !> return: status
+    !> since: 0.4
+    function bempd_set_body_lattice(model, body, spacing, horizon_ratio) bind(c, name="bempd_set_body_lattice")
+      import :: c_double, c_int, c_int32_t, c_ptr
+      type(c_ptr), value :: model
+      integer(c_int32_t), value :: body
+      real(c_double), value :: spacing
+      integer(c_int32_t), value :: horizon_ratio
+      integer(c_int) :: bempd_set_body_lattice
+    end function bempd_set_body_lattice
+
+    !> Choose how a crack is modelled, or keep it from growing.
+    !>
+    !> The library gives each crack elements where it lies in a BEM region or a body: a crack with a field of stress
+    !> intensity factors needs no lattice (docs/bodies.md). With BEMPD_TREATMENT_LATTICE a patch of lattice is cut out
+    !> of the body when the model is planned or prepared: blocks of two horizons that come within two horizons of the
+    !> crack, or of two blocks straight ahead of a tip that may grow. A patch is a peridynamic region with the next free
+    !> id, for bonds and points. The body keeps its id, the numbers of its edges, and its supports and loads; loads on
+    !> the whole body act in the patch as well. Nodes of the patch's border follow those of the body's outline. Between
+    !> an edge or another crack and the patch one block of elements stays, so a crack that begins at an edge has
+    !> elements there. A tip that comes within two horizons of the patch's border goes on in elements; the patch stays
+    !> where it was laid.
+    !>
+    !> BEMPD_TREATMENT_FROZEN does what bempd_set_tip_frozen() does at both ends, and any other treatment releases a
+    !> crack of which both are frozen. That may be done between steps too. Whether a crack has a patch cannot change any
+    !> more once the model is prepared. Preparing fails as an argument error where a patch has no room, where a crack
+    !> lies in several bodies, and with the option crack.rule = "bond".
+    !>
+    !> model [in]: the model
+    !> crack [in]: id of a crack
+    !> treatment [in]: a bempd_treatment
+    !> return: status
+    !> since: 0.4
+    function bempd_set_crack_treatment(model, crack, treatment) bind(c, name="bempd_set_crack_treatment")
+      import :: c_int, c_int32_t, c_ptr
+      type(c_ptr), value :: model
+      integer(c_int32_t), value :: crack
+      integer(c_int32_t), value :: treatment
+      integer(c_int) :: bempd_set_crack_treatment
+    end function bempd_set_crack_treatment
+
     !> Set struct_size and zeros.
     !>
     !> plan [out]: the struct to fill
@@ -1568,6 +1684,68 @@ module bempd_c
       type(bempd_body_plan), intent(inout) :: plan
       integer(c_int) :: bempd_plan
     end function bempd_plan
+
+    !> Number of parts of the model: its regions, and behind them the lattice patches of its bodies.
+    !>
+    !> model [in]: the model, which is planned if needed
+    !> count [out]: number of parts
+    !> return: status
+    !> since: 0.4
+    function bempd_part_count(model, count) bind(c, name="bempd_part_count")
+      import :: c_int, c_int64_t, c_ptr
+      type(c_ptr), value :: model
+      integer(c_int64_t), intent(inout) :: count
+      integer(c_int) :: bempd_part_count
+    end function bempd_part_count
+
+    !> Set struct_size and zeros.
+    !>
+    !> part [out]: the struct to fill
+    !> struct_size [in]: sizeof(bempd_model_part) as the caller was compiled: older programs keep working
+    !> return: status
+    !> since: 0.4
+    function bempd_part_init(part, struct_size) bind(c, name="bempd_part_init")
+      import :: bempd_model_part, c_int, c_int64_t
+      type(bempd_model_part), intent(inout) :: part
+      integer(c_int64_t), value :: struct_size
+      integer(c_int) :: bempd_part_init
+    end function bempd_part_init
+
+    !> Tell of one part: what it is made of, and why it is there.
+    !>
+    !> model [in]: the model, which is planned if needed
+    !> index [in]: of the part, from 0
+    !> part [in,out]: struct_size in, the rest out
+    !> return: status
+    !> since: 0.4
+    function bempd_part(model, index, part) bind(c, name="bempd_part")
+      import :: bempd_model_part, c_int, c_int64_t, c_ptr
+      type(c_ptr), value :: model
+      integer(c_int64_t), value :: index
+      type(bempd_model_part), intent(inout) :: part
+      integer(c_int) :: bempd_part
+    end function bempd_part
+
+    !> Outline of a part as closed polylines, for pictures: the outer loop counter-clockwise, then its holes.
+    !>
+    !> model [in]: the model, which is planned if needed
+    !> index [in]: of the part, from 0
+    !> loop [in]: number of the loop, from 0
+    !> capacity [in]: points that there is room for; 0 to get their number
+    !> points [out]: shape [count][2], vertices, with further ones on arcs [m]; may be NULL if capacity is 0
+    !> count [out]: number of points
+    !> return: status
+    !> since: 0.4
+    function bempd_part_outline(model, index, loop, capacity, points, count) bind(c, name="bempd_part_outline")
+      import :: c_int, c_int32_t, c_int64_t, c_ptr
+      type(c_ptr), value :: model
+      integer(c_int64_t), value :: index
+      integer(c_int32_t), value :: loop
+      integer(c_int64_t), value :: capacity
+      type(c_ptr), value :: points
+      integer(c_int64_t), intent(inout) :: count
+      integer(c_int) :: bempd_part_outline
+    end function bempd_part_outline
 
     !> Set struct_size and zeros.
     !>

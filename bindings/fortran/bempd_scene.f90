@@ -84,6 +84,18 @@ contains
     call give(new, body)
   end procedure add_body
 
+  module procedure set_body_lattice
+    integer(c_int32_t) :: ratio
+
+    ratio = 0
+    if (present(horizon_ratio)) ratio = horizon_ratio
+    call finish(self, bempd_set_body_lattice(self%handle, body, spacing, ratio), stat, errmsg)
+  end procedure set_body_lattice
+
+  module procedure set_crack_treatment
+    call finish(self, bempd_set_crack_treatment(self%handle, crack, treatment), stat, errmsg)
+  end procedure set_crack_treatment
+
   module procedure add_pd_region
     integer(c_int32_t) :: ratio
     integer(c_int32_t), target :: new

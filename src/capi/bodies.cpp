@@ -1,6 +1,8 @@
 #include <limits>
 
 #include "capi/guard.hpp"
+#include "model/parts.hpp"
+#include "number_range.hpp"
 #include "regions/boundary/boundary_description.hpp"
 
 using namespace bempd;
@@ -42,6 +44,32 @@ bempd_body_plan described(const model::MeshPlan& plan, const model::Model& m) {
           .is_solved = plan.is_solved ? 1 : 0};
 }
 
+const model::Part& part_at(const std::vector<model::Part>& parts, std::int64_t index) {
+  require(index >= 0 && index < static_cast<std::int64_t>(parts.size()), "index is ", index, "; the model has ",
+          parts.size(), " parts");
+  return parts[static_cast<std::size_t>(index)];
+}
+
+// A load factor that is not known stays NaN.
+double known_load(double load_factor) { return std::isnan(load_factor) ? load_factor : in_range(load_factor); }
+
+bempd_model_part described(const model::Part& part) {
+  return {.struct_size = sizeof(bempd_model_part),
+          .kind = part.is_lattice ? BEMPD_PART_LATTICE : BEMPD_PART_ELEMENTS,
+          .reason = static_cast<int32_t>(part.reason),
+          .body = part.body,
+          .region = part.region,
+          .crack = part.crack,
+          .loops = static_cast<int32_t>(part.outline.loops.size()),
+          .horizon_ratio = part.horizon_ratio,
+          .reserved = 0,
+          .spacing = part.spacing,
+          .boundary_elements = part.elements,
+          .material_points = part.points,
+          .growth_load_factor = known_load(part.growth_load),
+          .element_growth_load_factor = known_load(part.growth_load_of_elements)};
+}
+
 }  // namespace
 
 bempd_status bempd_add_body(bempd_model* model, int32_t material, int64_t vertex_count, const double* vertices,
@@ -52,6 +80,20 @@ bempd_status bempd_add_body(bempd_model* model, int32_t material, int64_t vertex
 bempd_status bempd_add_body_with_arcs(bempd_model* model, int32_t material, int64_t vertex_count,
                                       const double* vertices, const double* bulges, int32_t* body) {
   return add_body(model, __func__, material, vertex_count, vertices, bulges, body);
+}
+
+bempd_status bempd_set_body_lattice(bempd_model* model, int32_t body, double spacing, int32_t horizon_ratio) {
+  return with_model(model, __func__,
+                    [&](model::Model& m) { m.treatments().set_lattice(body, spacing, horizon_ratio); });
+}
+
+bempd_status bempd_set_crack_treatment(bempd_model* model, int32_t crack, int32_t treatment) {
+  return with_model(model, __func__, [&](model::Model& m) {
+    require(treatment >= BEMPD_TREATMENT_AUTOMATIC && treatment <= BEMPD_TREATMENT_FROZEN, "treatment is ", treatment,
+            "; it must be BEMPD_TREATMENT_AUTOMATIC (1), BEMPD_TREATMENT_ELEMENTS (2), BEMPD_TREATMENT_LATTICE (3) or "
+            "BEMPD_TREATMENT_FROZEN (4)");
+    m.treatments().set(crack, static_cast<model::CrackTreatment>(treatment));
+  });
 }
 
 bempd_status bempd_body_plan_init(bempd_body_plan* plan, int64_t struct_size) {
@@ -89,5 +131,38 @@ bempd_status bempd_error_estimate(bempd_model* model, bempd_errors* errors) {
                               .halving_seconds = found.halving_seconds,
                               .halving_memory = found.halving_bytes},
                  "errors");
+  });
+}
+
+bempd_status bempd_part_count(bempd_model* model, int64_t* count) {
+  return with_model(model, __func__, [&](model::Model& m) {
+    out(count, "count") = static_cast<int64_t>(m.accuracy().scene_of_plan().discretization.regions.size());
+  });
+}
+
+bempd_status bempd_part_init(bempd_model_part* part, int64_t struct_size) {
+  return init_struct(__func__, "part", part, struct_size, bempd_model_part{});
+}
+
+bempd_status bempd_part(bempd_model* model, int64_t index, bempd_model_part* part) {
+  return with_model(model, __func__, [&](model::Model& m) {
+    struct_bytes(part, "part", sizeof(int64_t));
+    write_struct(part, described(part_at(model::parts_of(m), index)), "part");
+  });
+}
+
+bempd_status bempd_part_outline(bempd_model* model, int64_t index, int32_t loop, int64_t capacity, double* points,
+                                int64_t* count) {
+  return with_model(model, __func__, [&](model::Model& m) {
+    const std::vector<model::Part> parts = model::parts_of(m);
+    const Outline& outline = part_at(parts, index).outline;
+    require(loop >= 0 && loop < static_cast<int32_t>(outline.loops.size()), "loop is ", loop, "; the part has ",
+            outline.loops.size(), " loops");
+    const std::vector<Point> line = model::polyline_of(outline, static_cast<std::size_t>(loop));
+    out(count, "count") = static_cast<int64_t>(line.size());
+    if (capacity == 0) return;
+    require(points != nullptr && capacity >= static_cast<int64_t>(line.size()), "capacity is ", capacity,
+            "; give room for ", line.size(), " points");
+    for (std::size_t i = 0; i < line.size(); ++i) points[2 * i] = line[i].x(), points[2 * i + 1] = line[i].y();
   });
 }

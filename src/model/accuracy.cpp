@@ -115,8 +115,9 @@ MeshAnswers Accuracy::answers_with(const regions::Refinement& refinement, const 
     const Stopwatch watch(seconds);
     model_.prepared_ = model_.build(nullptr);
     model_.under(scene::moved(values, load_factor), [&](PreparedScene& scene) {
-      answers = read_answers(scene, model_.scene_.supports().size(), model_.tips_of(scene, regions::TipDetail::factors),
-                             load_factor);
+      std::vector<regions::TipValues> tips = model_.tips_of(scene, regions::TipDetail::factors);
+      std::vector<TipLoad> loads = growth_loads(scene, tips, model_.frozen_tips_, load_factor);
+      answers = read_answers(scene, model_.scene_.supports().size(), std::move(tips), std::move(loads));
     });
   } catch (...) {
     go_back();
@@ -136,6 +137,11 @@ MeshAnswers Accuracy::answers_with(const regions::Refinement& refinement, const 
   level->cost.seconds = seconds;
   finest_ = std::move(used);
   return answers;
+}
+
+std::vector<TipLoad> Accuracy::loads_of_elements() {
+  constexpr int halvings = 1;
+  return answers_with({halvings, 0}, model_.scene().values(), 1, nullptr).loads;
 }
 
 void Accuracy::solve_next() {
@@ -197,6 +203,7 @@ MeshPlan Accuracy::plan_of(const MeshCost& cost, bool is_solved) const {
   plan.errors = std::pow(expected_reduction(differences()), -more) * estimate();
   plan.growth_load = levels_.back().answers.growth_load;
   plan.first = levels_.back().answers.first;
+  plan.loads = levels_.back().answers.loads;
   plan.meets_wish = plan.errors.largest() <= wanted();
   plan.is_solved = is_solved;
   return plan;
@@ -205,6 +212,7 @@ MeshPlan Accuracy::plan_of(const MeshCost& cost, bool is_solved) const {
 const MeshPlan& Accuracy::plan() {
   require(regions::has_bodies(model_.scene()), "the scene has no body; add one with bempd_add_body()");
   if (chosen_) return *chosen_;
+  model_.treatments_.lay();
   if (promised_ && mark_ == mark()) return *promised_;
   while (levels_.size() < 2 || mark_ != mark()) solve_next();
   for (;;) {
@@ -213,6 +221,11 @@ const MeshPlan& Accuracy::plan() {
     if (over <= expected_reduction(differences())) return promised_.emplace(plan_of(predicted(1), false));
     solve_next();
   }
+}
+
+const PreparedScene& Accuracy::scene_of_plan() {
+  if (!model_.prepared_ && regions::has_bodies(model_.scene())) plan();
+  return model_.prepared_ || !finest_ ? model_.prepared() : *finest_;
 }
 
 void Accuracy::prepare() {
@@ -254,8 +267,8 @@ ErrorSources Accuracy::errors_now() {
   errors.model = between_criteria(tips);
   errors.has_lattices = scene.discretization.statistics().material_points > 0;
   errors.halving_bytes = bytes_of(scene, 2);
-  for (regions::TipValues& tip : tips) tip.critical_load_factor -= load_factor;
-  const MeshAnswers present = read_answers(scene, supports, std::move(tips), load_factor);
+  std::vector<TipLoad> loads = growth_loads(scene, tips, model_.frozen_tips_, 0);
+  const MeshAnswers present = read_answers(scene, supports, std::move(tips), std::move(loads));
   const int own = chosen_ ? chosen_->cost.halvings : 0;
   const auto with = [&](int halvings, double& seconds) {
     const Stopwatch watch(seconds);

@@ -37,6 +37,7 @@ struct MeshPlan {
   MeshErrors errors;
   double growth_load = 0;  // load factor of the first growth; infinite if no tip grows
   crack::TipId first;
+  std::vector<TipLoad> loads;
   bool meets_wish = false;  // the errors are below the option error.wanted
   bool is_solved = false;   // else errors and cost are extrapolated from coarser meshes
 };
@@ -58,6 +59,16 @@ class Accuracy {
   ErrorSources errors_now();
   // Error of the stress intensity factors at tips of bodies, relative to the largest; 0 without bodies.
   double intensity_error() const { return chosen_ ? chosen_->errors.intensity : 0; }
+
+  // Load factors of growth in the last plan; none without bodies.
+  std::vector<TipLoad> loads_by_plan() const {
+    const std::optional<MeshPlan>& last = chosen_ ? chosen_ : promised_;
+    return last ? last->loads : std::vector<TipLoad>();
+  }
+  // The prepared scene, or the finest one that was solved to plan it. A scene without bodies is prepared.
+  const PreparedScene& scene_of_plan();
+  // Load factors of growth in the scene as it is described, without the plan of its mesh.
+  std::vector<TipLoad> loads_of_elements();
 
   void forget();  // the scene or its loads have changed
 

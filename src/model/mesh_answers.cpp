@@ -86,8 +86,30 @@ double intensity_error(const MeshAnswers& fine, const MeshAnswers& coarse) {
 
 double MeshErrors::largest() const { return std::max({displacement, reaction, intensity}); }
 
+std::vector<TipLoad> growth_loads(const PreparedScene& scene, const std::vector<regions::TipValues>& tips,
+                                  const std::set<crack::TipId>& frozen, double shift) {
+  std::vector<TipLoad> loads;
+  const auto add = [&](const crack::TipId& tip, double load) {
+    const bool grows = load < std::numeric_limits<double>::max() && !frozen.contains(tip);
+    loads.push_back({tip, grows ? shift + load : infinite});
+  };
+  for (const regions::TipValues& tip : tips)
+    add({tip.crack, tip.end}, tip.toughness > 0 ? tip.critical_load_factor : infinite);
+  if (fracture::LineCarrier* lines = scene.evolution->lines())
+    for (const crack::Tip& tip : lines->tips()) add(tip.id, tip.range.highest);
+  return loads;
+}
+
+double first_load(const std::vector<TipLoad>& loads, const std::vector<int>& cracks) {
+  double least = std::numeric_limits<double>::quiet_NaN();
+  for (const TipLoad& one : loads)
+    if (std::find(cracks.begin(), cracks.end(), one.tip.crack) != cracks.end() && !(one.load_factor >= least))
+      least = one.load_factor;
+  return least;
+}
+
 MeshAnswers read_answers(const PreparedScene& scene, std::size_t supports, std::vector<regions::TipValues> tips,
-                         double shift) {
+                         std::vector<TipLoad> loads) {
   MeshAnswers answers;
   const std::vector<Point>& positions = scene.discretization.positions;
   const Eigen::VectorXd& u = scene.evolution->state().total_displacement;
@@ -103,11 +125,9 @@ MeshAnswers read_answers(const PreparedScene& scene, std::size_t supports, std::
   }
   for (std::size_t s = 0; s < supports; ++s) answers.reactions.push_back(scene.evolution->reaction(s));
   answers.growth_load = infinite;
-  for (const regions::TipValues& tip : tips) {
-    const double load = shift + tip.critical_load_factor;
-    const bool is_sound = tip.toughness > 0 && tip.critical_load_factor < std::numeric_limits<double>::max();
-    if (is_sound && load < answers.growth_load) answers.growth_load = load, answers.first = {tip.crack, tip.end};
-  }
+  for (const TipLoad& one : loads)
+    if (one.load_factor < answers.growth_load) answers.growth_load = one.load_factor, answers.first = one.tip;
+  answers.loads = std::move(loads);
   answers.tips = std::move(tips);
   return answers;
 }

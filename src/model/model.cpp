@@ -96,21 +96,21 @@ std::vector<char> nodes_where_material_goes_on(const scene::Scene& scene, const 
 }  // namespace
 
 scene::Scene& Model::editable_scene() {
-  if (prepared_) {
+  if (prepared_)
     fail(Failure::order,
          "the model is prepared and its scene can no longer change; add everything before the first step or result, or "
          "create a new model");
-  }
+  treatments_.take_away();
   return scene_;
 }
 
 void Model::call_failed(bool was_prepared, bool unsolvable) noexcept {
-  if (!prepared_) return;
+  if (!prepared_) return treatments_.take_away();
   const fracture::EvolutionState& state = prepared_->evolution->progress();
   const bool has_begun = state.in_equilibrium || !state.history.empty() || state.load_factor != 0;
   if (was_prepared && (has_begun || !unsolvable)) return;
   prepared_.reset();
-  accuracy_.forget();
+  treatments_.take_away(), accuracy_.forget();
   loads_ = {};
   results_.forget();
   ++generation_;
@@ -190,6 +190,7 @@ fracture::ContactPlan Model::contact_plan(const PreparedScene& p) const {
 void Model::prepare() {
   if (prepared_) return;
   if (scene_.region_ids().empty()) fail(Failure::order, "the scene has no region; add one first");
+  treatments_.lay();
   regions::require_memory(scene_, options_);
   linalg::require_blas_buffer();
   accuracy_.prepare();

@@ -18,6 +18,7 @@
 #include "linalg/external_solver.hpp"
 #include "model/accuracy.hpp"
 #include "model/answers.hpp"
+#include "model/crack_treatments.hpp"
 #include "model/edge_results.hpp"
 #include "model/fatigue.hpp"
 #include "model/host_listener.hpp"
@@ -128,6 +129,7 @@ class Model {
   Fatigue& fatigue() { return fatigue_; }
   const Fatigue& fatigue() const { return fatigue_; }
   Accuracy& accuracy() { return accuracy_; }
+  CrackTreatments& treatments() { return treatments_; }
   LoadCases& load_cases() { return load_cases_; }
   const LoadCases& load_cases() const { return load_cases_; }
   // Whether the body counts as separated although bonds still connect the held part and the loaded part, like a hinge.
@@ -157,6 +159,7 @@ class Model {
  private:
   friend class Accuracy;
   friend class CrackLengthening;
+  friend class CrackTreatments;
   friend class ElementCarrier;
   friend class LineLengthening;
   friend class LoadCases;
@@ -267,6 +270,7 @@ class Model {
   Fatigue fatigue_{*this};
   LoadCases load_cases_{*this};
   Accuracy accuracy_{*this};
+  CrackTreatments treatments_{*this};
   results::Snapshots snapshots_;
   Progress progress_;
   Log log_;

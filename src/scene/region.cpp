@@ -26,6 +26,7 @@ void Region::identify(Hash& hash) const {
     add_computed(edge.joint());
     for (int k = 0; k < edge.piece_count(); ++k) add_computed(edge.piece(k).sweep);
   }
+  if (part_of_ > 0) hash.add(std::string_view("part")), hash.add(part_of_);
   if (!fracture_energies_) return;
   hash.add(std::string_view("fracture energies"));
   for (const Point& place : fracture_energies_->places()) hash.add(place.x()), hash.add(place.y());

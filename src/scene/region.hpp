@@ -38,6 +38,9 @@ class Region {
   virtual ~Region() = default;
 
   int material() const { return material_; }  // id
+  // Id of the region of which this one is a part, so that loads on all of that act here too; 0: it is none.
+  int part_of() const { return part_of_; }
+  void make_part_of(int region) { part_of_ = region; }
   const Outline& outline() const { return outline_; }
   int edge_count() const;
   Edge edge(int number) const { return outline_.edge(number - 1); }
@@ -87,6 +90,7 @@ class Region {
   double outline_size() const { return bounding_box(outline_).diagonal().norm(); }
 
   int material_;
+  int part_of_ = 0;
   Outline outline_;
   std::shared_ptr<const ScatteredField> fracture_energies_;
 };

@@ -58,8 +58,7 @@ std::vector<int> Scene::region_ids() const {
 }
 
 Region& Scene::mutable_region(int id) {
-  region(id);
-  return *regions_[id - 1];
+  return const_cast<Region&>(region(id));
 }
 
 int Scene::crack_nearest(const Point& place) const {
@@ -69,12 +68,19 @@ int Scene::crack_nearest(const Point& place) const {
     const std::vector<Point>& points = cracks_[c].points;
     for (std::size_t i = 0; i + 1 < points.size(); ++i) {
       const double away = distance(Segment{points[i], points[i + 1]}, place);
-      if (away >= least) continue;
-      least = away;
-      nearest = static_cast<int>(c) + 1;
+      if (away < least) least = away, nearest = static_cast<int>(c) + 1;
     }
   }
   return nearest;
+}
+
+void remove_parts(Scene& scene, int count) { scene.regions_.resize(static_cast<std::size_t>(count)); }
+
+std::vector<int> with_parts(const Scene& scene, int region) {
+  std::vector<int> ids;
+  for (const int id : scene.region_ids())
+    if (id == region || scene.region(id).part_of() == region) ids.push_back(id);
+  return ids;
 }
 
 Box Scene::bounding_box() const {

@@ -96,6 +96,9 @@ class Scene {
   // Bounding box of the whole scene.
   Box bounding_box() const;
 
+  // Removes the regions behind the first `count` ones, which are parts of these.
+  friend void remove_parts(Scene& scene, int count);
+
  private:
   Region& mutable_region(int id);
   Region& mutable_region_with_edge(int id, int edge);
@@ -110,6 +113,9 @@ class Scene {
   std::vector<Crack> cracks_;
   std::vector<Condition> supports_, loads_;
 };
+
+// Ids of a region and of its parts.
+std::vector<int> with_parts(const Scene& scene, int region);
 
 // Sets fracture energies of a material by the growth of a tip [m], or by its direction [rad]; all in [J/m^2].
 void set_resistance_function(Scene& scene, int material, crack::HostResistance::Function function);

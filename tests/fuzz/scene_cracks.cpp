@@ -47,6 +47,9 @@ void Scene::add_curved() {
   }
   if (!added) return;
   ++regions_;
+  if (bytes_.pick(3) > 0) return;
+  FUZZ_CALL(bempd_set_body_lattice, model_, regions_, bytes_.mostly(0.25 * scale_), 3);
+  FUZZ_CALL(bempd_set_crack_treatment, model_, 1, 1 + bytes_.pick(5));
   front_ = front_ > 20 ? 0 : (left + size) / scale_;
 }
 

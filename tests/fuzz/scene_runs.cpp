@@ -174,6 +174,11 @@ void Scene::read_books() {
   good("bempd_body_plan_init", nullptr, bempd_body_plan_init(&plan, sizeof plan));
   good("bempd_errors_init", nullptr, bempd_errors_init(&errors, sizeof errors));
   if (FUZZ_CALL(bempd_plan, model_, &plan)) require_finite("bempd_plan", &plan.displacement_error, 1);
+  bempd_model_part part;
+  good("bempd_part_init", nullptr, bempd_part_init(&part, sizeof part));
+  std::int64_t parts = 0, points = 0;
+  if (FUZZ_CALL(bempd_part_count, model_, &parts) && FUZZ_CALL(bempd_part, model_, bytes_.pick(3), &part))
+    FUZZ_CALL(bempd_part_outline, model_, 0, bytes_.pick(3), 0, nullptr, &points);
   if (FUZZ_CALL(bempd_error_estimate, model_, &errors)) require_finite("bempd_error_estimate", &errors.displacement, 1);
   for (std::int32_t support = 0; support <= supports_; ++support) {
     std::array<double, 2> force;

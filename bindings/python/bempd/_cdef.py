@@ -69,6 +69,15 @@ bempd_status bempd_add_body(bempd_model *model, int32_t material, int64_t vertex
     const double *vertices, int32_t *body);
 bempd_status bempd_add_body_with_arcs(bempd_model *model, int32_t material, int64_t vertex_count,
     const double *vertices, const double *bulges, int32_t *body);
+bempd_status bempd_set_body_lattice(bempd_model *model, int32_t body, double spacing,
+    int32_t horizon_ratio);
+typedef enum bempd_treatment {
+  BEMPD_TREATMENT_AUTOMATIC = 1,
+  BEMPD_TREATMENT_ELEMENTS = 2,
+  BEMPD_TREATMENT_LATTICE = 3,
+  BEMPD_TREATMENT_FROZEN = 4
+} bempd_treatment;
+bempd_status bempd_set_crack_treatment(bempd_model *model, int32_t crack, int32_t treatment);
 typedef struct bempd_body_plan {
   int64_t struct_size;
   int64_t boundary_elements;
@@ -91,6 +100,36 @@ typedef struct bempd_body_plan {
 } bempd_body_plan;
 bempd_status bempd_body_plan_init(bempd_body_plan *plan, int64_t struct_size);
 bempd_status bempd_plan(bempd_model *model, bempd_body_plan *plan);
+typedef enum bempd_part_kind {
+  BEMPD_PART_ELEMENTS = 1,
+  BEMPD_PART_LATTICE = 2
+} bempd_part_kind;
+typedef enum bempd_part_reason {
+  BEMPD_PART_GIVEN = 1,
+  BEMPD_PART_BODY = 2,
+  BEMPD_PART_CRACK = 3
+} bempd_part_reason;
+typedef struct bempd_model_part {
+  int64_t struct_size;
+  int32_t kind;
+  int32_t reason;
+  int32_t body;
+  int32_t region;
+  int32_t crack;
+  int32_t loops;
+  int32_t horizon_ratio;
+  int32_t reserved;
+  double spacing;
+  int64_t boundary_elements;
+  int64_t material_points;
+  double growth_load_factor;
+  double element_growth_load_factor;
+} bempd_model_part;
+bempd_status bempd_part_count(bempd_model *model, int64_t *count);
+bempd_status bempd_part_init(bempd_model_part *part, int64_t struct_size);
+bempd_status bempd_part(bempd_model *model, int64_t index, bempd_model_part *part);
+bempd_status bempd_part_outline(bempd_model *model, int64_t index, int32_t loop, int64_t capacity,
+    double *points, int64_t *count);
 typedef enum bempd_error_source {
   BEMPD_ERROR_SOURCE_BOUNDARY = 1,
   BEMPD_ERROR_SOURCE_LATTICE = 2,
@@ -989,6 +1028,49 @@ bulges [in]: shape [vertex_count], as in bempd_add_bem_region_with_arcs(); NULL 
 body [out]: its id, that of a region; may be NULL
 return: status
 since: 0.4""",
+    "bempd_set_body_lattice": """\
+Choose the lattice of the patches that bempd_set_crack_treatment() lays in a body.
+
+Without this call the horizon has four spacings, and the spacing is a sixteenth of the length of a
+crack for each of its tips, or less where a tip has little room.
+
+model [in]: the model, not prepared yet
+body [in]: id of a body
+spacing [in]: distance between material points [m], or 0 for that choice
+horizon_ratio [in]: horizon over spacing, 3 .. 8, or 0 for 4
+return: status
+since: 0.4""",
+    "bempd_treatment": """How a crack is modelled.
+
+since: 0.4""",
+    "BEMPD_TREATMENT_AUTOMATIC": """the library chooses; the default""",
+    "BEMPD_TREATMENT_ELEMENTS": """boundary elements along its faces, where it lies in a BEM region or a body""",
+    "BEMPD_TREATMENT_LATTICE": """a lattice patch of its body around it, in which it grows as a line""",
+    "BEMPD_TREATMENT_FROZEN": """as automatic, and its tips stay where they are""",
+    "bempd_set_crack_treatment": """\
+Choose how a crack is modelled, or keep it from growing.
+
+The library gives each crack elements where it lies in a BEM region or a body: a crack with a field
+of stress intensity factors needs no lattice (docs/bodies.md). With BEMPD_TREATMENT_LATTICE a patch
+of lattice is cut out of the body when the model is planned or prepared: blocks of two horizons that
+come within two horizons of the crack, or of two blocks straight ahead of a tip that may grow. A
+patch is a peridynamic region with the next free id, for bonds and points. The body keeps its id,
+the numbers of its edges, and its supports and loads; loads on the whole body act in the patch as
+well. Nodes of the patch's border follow those of the body's outline. Between an edge or another
+crack and the patch one block of elements stays, so a crack that begins at an edge has elements
+there. A tip that comes within two horizons of the patch's border goes on in elements; the patch
+stays where it was laid.
+
+BEMPD_TREATMENT_FROZEN does what bempd_set_tip_frozen() does at both ends, and any other treatment
+releases a crack of which both are frozen. That may be done between steps too. Whether a crack has a
+patch cannot change any more once the model is prepared. Preparing fails as an argument error where
+a patch has no room, where a crack lies in several bodies, and with the option crack.rule = "bond".
+
+model [in]: the model
+crack [in]: id of a crack
+treatment [in]: a bempd_treatment
+return: status
+since: 0.4""",
     "bempd_body_plan": """\
 What preparing a scene with bodies takes, and the errors it will have. Errors are those of
 displacements, reactions and stress intensity factors that come from the boundary elements, each
@@ -1030,6 +1112,72 @@ scene may still change. Of a prepared model it tells what has come.
 
 model [in]: a model with a body
 plan [in,out]: struct_size in, the rest out
+return: status
+since: 0.4""",
+    "bempd_part_kind": """What a part of the model is made of.
+
+since: 0.4""",
+    "bempd_part_reason": """Why a part is there.
+
+since: 0.4""",
+    "BEMPD_PART_GIVEN": """the host has added it with its elements or its lattice""",
+    "BEMPD_PART_BODY": """elements of a body, which the library has chosen""",
+    "BEMPD_PART_CRACK": """bempd_set_crack_treatment() asks for a lattice around a crack of the body""",
+    "bempd_model_part": """\
+Part of the model: a region, or a lattice patch that was cut out of a body. Fill it with
+bempd_part_init().
+
+since: 0.4""",
+    "bempd_model_part.struct_size": """sizeof(bempd_model_part), set by bempd_part_init()""",
+    "bempd_model_part.kind": """a bempd_part_kind""",
+    "bempd_model_part.reason": """a bempd_part_reason""",
+    "bempd_model_part.body": """id of the region that the host has added""",
+    "bempd_model_part.region": """id for bonds, points and fields: the same, or a patch's own one""",
+    "bempd_model_part.crack": """crack for which a patch was laid, or 0""",
+    "bempd_model_part.loops": """number of loops of the outline""",
+    "bempd_model_part.horizon_ratio": """horizon over spacing; 0 of elements""",
+    "bempd_model_part.reserved": """0""",
+    "bempd_model_part.spacing": """distance between material points [m]; 0 of elements""",
+    "bempd_model_part.boundary_elements": """\
+along its edges and cracks, before preparing those planned so far; 0 of a lattice""",
+    "bempd_model_part.material_points": """of a lattice""",
+    "bempd_model_part.growth_load_factor": """\
+load factor at which a patch's cracks first grow, by its lattice; the largest double if they do not,
+NaN if that is not known or the part is no patch [-]""",
+    "bempd_model_part.element_growth_load_factor": """the same by boundary elements in place of patches [-]""",
+    "bempd_part_count": """\
+Number of parts of the model: its regions, and behind them the lattice patches of its bodies.
+
+model [in]: the model, which is planned if needed
+count [out]: number of parts
+return: status
+since: 0.4""",
+    "bempd_part_init": """\
+Set struct_size and zeros.
+
+part [out]: the struct to fill
+struct_size [in]: sizeof(bempd_model_part) as the caller was compiled: older programs keep working
+return: status
+since: 0.4""",
+    "bempd_part": """\
+Tell of one part: what it is made of, and why it is there.
+
+model [in]: the model, which is planned if needed
+index [in]: of the part, from 0
+part [in,out]: struct_size in, the rest out
+return: status
+since: 0.4""",
+    "bempd_part_outline": """\
+Outline of a part as closed polylines, for pictures: the outer loop counter-clockwise, then its
+holes.
+
+model [in]: the model, which is planned if needed
+index [in]: of the part, from 0
+loop [in]: number of the loop, from 0
+capacity [in]: points that there is room for; 0 to get their number
+points [out]: shape [count][2], vertices, with further ones on arcs [m]; may be NULL if capacity is
+  0
+count [out]: number of points
 return: status
 since: 0.4""",
     "bempd_error_source": """Sources of errors.

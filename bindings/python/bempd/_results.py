@@ -28,6 +28,7 @@ from .reports import (
     Errors,
     Explanation,
     Growth,
+    Part,
     PathVertex,
     Piece,
     PointValues,
@@ -41,6 +42,7 @@ from .reports import (
     crack_tip,
     error_sources,
     explained,
+    model_part,
     path_vertex,
     rows,
     singularity,
@@ -417,7 +419,23 @@ class Results:
         """
         struct = new_struct("bempd_body_plan", "bempd_body_plan_init")
         self._open().call("bempd_plan", struct)
-        return body_plan(struct)
+        return body_plan(struct, tuple(self.parts()))
+
+    def parts(self) -> list[Part]:
+        """Parts of the model: its regions, then the lattice patches of its bodies, each with its outline."""
+        found: Rows[Part] = Rows()
+        for index in range(int(self._number("bempd_part_count", "int64_t"))):
+            struct = new_struct("bempd_model_part", "bempd_part_init")
+            self._open().call("bempd_part", index, struct)
+            found.append(model_part(struct, tuple(self._part_outline(index, loop) for loop in range(struct.loops))))
+        return found
+
+    def _part_outline(self, index: int, loop: int) -> FloatArray:
+        count = ffi.new("int64_t *")
+        self._open().call("bempd_part_outline", index, loop, 0, ffi.NULL, count)
+        points = np.empty((int(count[0]), 2))
+        self._open().call("bempd_part_outline", index, loop, len(points), arguments.doubles(points), count)
+        return points
 
     def error_estimate(self) -> Errors:
         """Errors of the present results by source; it solves the scene with longer elements."""

@@ -19,6 +19,8 @@ from .errors import ArgumentError, OrderError
 COMPONENTS = {"x": lib.BEMPD_X, "y": lib.BEMPD_Y, "both": lib.BEMPD_BOTH}
 ONE_COMPONENT = {"x": lib.BEMPD_X, "y": lib.BEMPD_Y}
 TURNS = {"counter-clockwise": lib.BEMPD_COUNTER_CLOCKWISE, "clockwise": lib.BEMPD_CLOCKWISE}
+TREATMENTS = {"automatic": lib.BEMPD_TREATMENT_AUTOMATIC, "elements": lib.BEMPD_TREATMENT_ELEMENTS,
+              "lattice": lib.BEMPD_TREATMENT_LATTICE, "frozen": lib.BEMPD_TREATMENT_FROZEN}
 FACE_COMPONENTS = {"pressure": lib.BEMPD_PRESSURE, "shear": lib.BEMPD_SHEAR}
 PLANES = {"stress": lib.BEMPD_PLANE_STRESS, "strain": lib.BEMPD_PLANE_STRAIN}
 WHOLE_EDGE = (0.0, 1.0)
@@ -127,6 +129,18 @@ class Scene:
         self._sketch.regions[body] = Region("BEM", arguments.pairs(points), material)
         self._sketch.regions[body].bend(1, bends)
         return body
+
+    def set_body_lattice(self, body: int, spacing: float = 0, horizon_ratio: int = 0) -> None:
+        """Choose the lattice of the patches that set_crack_treatment() lays in a body; 0 leaves a value to the library."""
+        self._open().call("bempd_set_body_lattice", body, spacing, horizon_ratio, changes=True)
+
+    def set_crack_treatment(self, crack: int, treatment: str) -> None:
+        """Choose how a crack is modelled: "automatic", "elements", "lattice" (a patch of its body around it), or "frozen".
+
+        Before the model is prepared, or later to freeze a crack and let it grow again.
+        """
+        chosen = arguments.choice("set_crack_treatment: treatment", treatment, TREATMENTS)
+        self._open().call("bempd_set_crack_treatment", crack, chosen)
 
     def add_bem_disc(self, material: int, centre: Sequence[float], radius: float, element_length: float) -> int:
         """Add a round region treated by boundary elements, of four quarter circles; returns its id."""

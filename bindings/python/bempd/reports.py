@@ -176,6 +176,45 @@ class ErrorSource(enum.IntEnum):
     MODEL = 4
 
 
+class PartKind(Named):
+    """What a part of the model is made of."""
+
+    ELEMENTS = 1
+    LATTICE = 2
+
+
+class PartReason(Named):
+    """Why a part of the model is there."""
+
+    GIVEN = 1  #: the host has added it with its elements or its lattice
+    BODY = 2  #: elements of a body, which the library has chosen
+    CRACK = 3  #: set_crack_treatment() asks for a lattice around a crack of the body
+
+
+@dataclasses.dataclass(frozen=True)
+class Part:
+    """Part of the model: a region, or a lattice patch that was cut out of a body."""
+
+    kind: PartKind
+    reason: PartReason
+    body: int  #: id of the region that was added
+    region: int  #: id for bonds, points and fields
+    crack: int  #: for which a patch was laid, or 0
+    horizon_ratio: int
+    spacing: float  #: [m]
+    boundary_elements: int
+    material_points: int
+    growth_load_factor: float  #: at which a patch's cracks first grow; NaN of other parts
+    element_growth_load_factor: float  #: the same by boundary elements
+    outline: tuple[npt.NDArray[np.float64], ...] = ()  #: loops, shape (n, 2) each
+
+    def __str__(self) -> str:
+        if self.kind == PartKind.ELEMENTS:
+            return f"region {self.region}: {self.boundary_elements} boundary elements"
+        words = f"region {self.region}: lattice of {self.material_points} points, spacing {self.spacing:.3g}"
+        return words + (f", for crack {self.crack} of body {self.body}" if self.crack else "")
+
+
 @dataclasses.dataclass(frozen=True)
 class BodyPlan:
     """What preparing a scene with bodies takes, and the errors that it will have, relative to the largest of their kind."""
@@ -197,14 +236,34 @@ class BodyPlan:
     growth_end: Optional[TipEnd]
     meets_wish: bool
     is_solved: bool  #: else extrapolated from coarser meshes
+    parts: tuple[Part, ...] = ()  #: regions, and lattice patches of bodies
 
     def __str__(self) -> str:
         worst = max(self.displacement_error, self.reaction_error, self.intensity_error)
         return (f"{self.boundary_elements} boundary elements, {self.unknowns} unknowns, {self.memory / 1e6:.3g} MB, "
                 f"{self.seconds:.2g} s; largest error {100 * worst:.2g} % for {100 * self.error_wanted:.2g} % wanted")
 
-
     def plot(self, axes: Any = None) -> Any:
+        """Draw the parts: elements, and lattices with their spacing and why they are there; returns the axes of matplotlib."""
+        if axes is None:
+            import matplotlib.pyplot as plt
+
+            axes = plt.subplots(figsize=(5.6, 4.2), layout="constrained")[1]
+        from matplotlib.patches import PathPatch
+        from matplotlib.path import Path
+
+        for part in self.parts:
+            path = Path.make_compound_path(*(Path(np.vstack([loop, loop[:1]]), closed=True) for loop in part.outline))
+            is_lattice = part.kind == PartKind.LATTICE
+            axes.add_patch(PathPatch(path, facecolor="#ccbb44" if is_lattice else "#bbccee", edgecolor="#222222",
+                                     linewidth=0.8, label=str(part)))
+        axes.autoscale_view()
+        axes.set_aspect("equal")
+        axes.set_title(str(self), fontsize=8)
+        axes.legend(loc="upper center", bbox_to_anchor=(0.5, -0.08), fontsize=7)
+        return axes
+
+    def plot_errors(self, axes: Any = None) -> Any:
         """Draw the errors beside the one wanted, with the size of the mesh as title; returns the axes of matplotlib."""
         if axes is None:
             import matplotlib.pyplot as plt
@@ -461,12 +520,19 @@ def crack_tip(struct: Any) -> CrackTip:
     return CrackTip(**values)
 
 
-def body_plan(struct: Any) -> BodyPlan:
+def body_plan(struct: Any, parts: tuple[Part, ...]) -> BodyPlan:
     """A plan as a value."""
     values = values_of(struct, "bempd_body_plan", BodyPlan)
     values["growth_end"] = TipEnd(values["growth_end"]) if values["growth_end"] else None
     values["meets_wish"], values["is_solved"] = bool(values["meets_wish"]), bool(values["is_solved"])
-    return BodyPlan(**values)
+    return BodyPlan(**values, parts=parts)
+
+
+def model_part(struct: Any, outline: tuple[npt.NDArray[np.float64], ...]) -> Part:
+    """A part as a value."""
+    values = values_of(struct, "bempd_model_part", Part)
+    values["kind"], values["reason"] = PartKind(values["kind"]), PartReason(values["reason"])
+    return Part(**values, outline=outline)
 
 
 def error_sources(struct: Any) -> Errors:

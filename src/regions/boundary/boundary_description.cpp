@@ -85,6 +85,23 @@ void BoundaryDescription::set_outline(Outline changed) {
   element_length_ = length;
 }
 
+void BoundaryDescription::cut_out(const std::vector<std::vector<Point>>& loops, double element_length) {
+  Outline whole = outline(), changed = outline();
+  const int edges = edge_count();
+  for (const std::vector<Point>& loop : loops) changed.loops.emplace_back(loop.rbegin(), loop.rend());
+  scene::require_sound(changed);
+  set_outline(std::move(changed));
+  whole_ = std::move(whole), whole_edges_ = edges;
+  for (int edge = edges + 1; edge <= edge_count(); ++edge) own_mesh_[edge] = {element_length, 1};
+}
+
+void BoundaryDescription::make_whole() {
+  if (!whole_) return;
+  own_mesh_.erase(own_mesh_.upper_bound(whole_edges_), own_mesh_.end());
+  take_outline(std::move(*whole_));
+  whole_.reset();
+}
+
 void BoundaryDescription::set_edge_mesh(int edge, const scene::EdgeMesh& mesh) {
   require_element_length(mesh.element_length, this->edge(edge).length());
   require(std::isfinite(mesh.grading) && mesh.grading >= 1 && mesh.grading <= 4, "grading is ", mesh.grading,
@@ -125,6 +142,10 @@ std::unique_ptr<regions::Region> BoundaryDescription::build(int id, const Prepar
   return preparation.scheme.boundary_region(id, *this, preparation.scene.material(material()));
 }
 
+BoundaryDescription* boundary_in(scene::Scene& scene, int region) {
+  return dynamic_cast<BoundaryDescription*>(const_cast<scene::Region*>(&scene.region(region)));
+}
+
 bool is_body(const scene::Region& region) {
   const auto* boundary = dynamic_cast<const BoundaryDescription*>(&region);
   return boundary && boundary->is_body();
@@ -143,8 +164,7 @@ int halvings_of(const scene::Region& region) {
 Refinement refine(scene::Scene& scene, const Refinement& refinement) {
   Refinement before;
   for (const int id : scene.region_ids()) {
-    // The scene is the caller's to change, and its regions belong to it.
-    auto* boundary = dynamic_cast<BoundaryDescription*>(const_cast<scene::Region*>(&scene.region(id)));
+    BoundaryDescription* boundary = boundary_in(scene, id);
     if (!boundary) continue;
     before = boundary->refinement();
     boundary->refine(refinement);

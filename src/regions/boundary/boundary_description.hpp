@@ -1,6 +1,7 @@
 #pragma once
 
 #include <map>
+#include <optional>
 #include <vector>
 
 #include "scene/scene.hpp"
@@ -30,6 +31,11 @@ class BoundaryDescription final : public scene::Region {
   void refine(const Refinement& refinement) { refinement_ = refinement; }
   // Times that its elements are halved; negative: merged in pairs as often.
   int halvings() const { return refinement_.of_all + (is_body_ ? refinement_.of_bodies : 0); }
+  // Cuts lattice patches out of a body: their loops, counter-clockwise, become its last holes, with elements of a
+  // length that is never halved. make_whole() fills them again.
+  void cut_out(const std::vector<std::vector<Point>>& loops, double element_length);
+  void make_whole();
+  bool borders_patch(int edge) const { return whole_ && edge > whole_edges_; }
   void set_edge_mesh(int edge, const scene::EdgeMesh& mesh) override;
   bool has_own_mesh(int edge) const override { return own_mesh_.count(edge) > 0; }
   scene::EdgeMesh edge_mesh(int edge) const override;
@@ -44,8 +50,12 @@ class BoundaryDescription final : public scene::Region {
   bool is_body_ = false;
   Refinement refinement_;
   std::map<int, scene::EdgeMesh> own_mesh_;  // by edge number
+  std::optional<Outline> whole_;             // before patches were cut out
+  int whole_edges_ = 0;
 };
 
+// Region that has elements, for changes; null for another one. The scene is the caller's to change.
+BoundaryDescription* boundary_in(scene::Scene& scene, int region);
 bool is_body(const scene::Region& region);
 bool has_bodies(const scene::Scene& scene);
 int halvings_of(const scene::Region& region);

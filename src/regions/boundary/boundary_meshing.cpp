@@ -277,12 +277,14 @@ BoundaryPanels mesh_edges(const Preparation& preparation, const MeshingRules& ru
 
 void halve_elements(const Preparation& preparation, int region, BoundaryPanels& panels) {
   const scene::Scene& scene = preparation.scene;
-  const int own = halvings_of(scene.region(region));
+  const scene::Region& described = scene.region(region);
+  const int own = halvings_of(described);
+  const auto* body = dynamic_cast<const BoundaryDescription*>(&described);
   std::size_t number = 0;
   for (auto& loop : panels.loops)
     for (Panel& panel : loop) {
       const PanelSource& source = panels.sources[number++];
-      if (source.border == Border::grid && !source.tied) continue;
+      if (source.border == Border::grid && (!source.tied || (body && body->borders_patch(source.edge)))) continue;
       const bool is_shared = source.border == Border::elements;
       const int other = is_shared ? halvings_of(scene.region(source.other_region)) : own;
       panel.stations = halved(std::move(panel.stations), std::max(own, other));

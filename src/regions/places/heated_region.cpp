@@ -18,12 +18,13 @@ void HeatedRegion::add_load(const scene::Scene& scene, const Discretization&, in
                             DofConditions& conditions) const {
   const double expansion = scene.material_of(region_).expansion_in_plane();
   const scene::Condition condition = scene.loads()[load];
-  conditions.swelling[region_].emplace_back([expansion, condition, load](const Point& place) {
+  const auto strain = [expansion, condition, load](const Point& place) {
     const scene::BoundaryValue value = condition.acting_value(place, 0.0);
     require(std::isfinite(value.constant.x()) && std::isfinite(value.proportional.x()), "load ", load + 1,
             " has a temperature that is not a finite number at (", place.x(), ", ", place.y(), ")");
     return Eigen::Vector2d(expansion * value.constant.x(), expansion * value.proportional.x());
-  });
+  };
+  for (const int id : with_parts(scene, region_)) conditions.swelling[id].emplace_back(strain);
 }
 
 }  // namespace bempd::regions

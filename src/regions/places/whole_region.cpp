@@ -18,14 +18,15 @@ void WholeRegion::add_load(const scene::Scene& scene, const Discretization& d, i
                            DofConditions& conditions) const {
   const scene::BoundaryValue value =
       scene.loads()[load].acting_value(bounding_box(scene.region(region_).outline()).center(), 0.0);
-  const Region& region = d.region(region_);
   for (int column = 0; column < 2; ++column) {
     const BodyForce body_force = force(column == 0 ? value.constant : value.proportional);
     require(body_force.uniform.allFinite() && std::isfinite(body_force.growth), "load ", load + 1, " on region ",
             region_, " is not a finite number");
-    region.add_body_force(body_force, conditions.force.col(column));
-    conditions.body_force.col(column).segment<3>(3 * (region_ - 1)) +=
-        Eigen::Vector3d(body_force.uniform.x(), body_force.uniform.y(), body_force.growth);
+    for (const int id : with_parts(scene, region_)) {
+      d.region(id).add_body_force(body_force, conditions.force.col(column));
+      conditions.body_force.col(column).segment<3>(3 * (id - 1)) +=
+          Eigen::Vector3d(body_force.uniform.x(), body_force.uniform.y(), body_force.growth);
+    }
   }
 }
 

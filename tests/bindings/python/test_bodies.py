@@ -83,8 +83,35 @@ def test_a_plan_can_be_drawn():
     body = model.add_body(model.add_material(young_modulus=1, poisson_ratio=0.3), bempd.rectangle(0, 0, 2, 1))
     model.fix_edge(body, 4)
     model.add_traction(body, 2, "y", proportional=1)
-    axes = model.plan().plot()
-    assert len(axes.patches) == 4 and "elements" in axes.get_title()
+    plan = model.plan()
+    assert len(plan.plot_errors().patches) == 4
+    axes = plan.plot()
+    assert len(axes.patches) == 1 and "elements" in axes.get_title()
+
+
+def test_a_patch_is_part_of_the_plan():
+    pytest.importorskip("matplotlib").use("Agg")
+    model = bempd.Model()
+    body = model.add_body(model.add_material(young_modulus=1000, poisson_ratio=0.3, fracture_energy=1e-3),
+                          bempd.rectangle(0, 0, 4, 4))
+    crack = model.add_crack([(1.5, 2), (2.5, 2)])
+    model.set_crack_treatment(crack, "lattice")
+    model.set_body_lattice(body, 0.0625, 3)
+    model.fix_edge(body, 1)
+    model.add_traction(body, 3, "y", proportional=1)
+    plan = model.plan()
+    elements, patch = plan.parts
+    assert elements.kind == bempd.PartKind.ELEMENTS and elements.reason == bempd.PartReason.BODY and elements.body == body
+    assert patch.kind == bempd.PartKind.LATTICE and patch.reason == bempd.PartReason.CRACK and patch.crack == crack
+    assert patch.growth_load_factor == plan.growth_load_factor and plan.growth_crack == crack
+    assert abs(patch.element_growth_load_factor / patch.growth_load_factor - 1) < 0.05
+    assert len(elements.outline) == 2 and sorted(map(tuple, patch.outline[0])) == sorted(map(tuple, elements.outline[1]))
+    assert len(plan.plot().patches) == 2
+    model.step(0.1)
+    assert [part.region for part in model.parts()] == [body, patch.region]
+    assert len(model.bonds(patch.region).states) > 1000
+    with pytest.raises(bempd.ArgumentError, match="'latice'"):
+        model.set_crack_treatment(crack, "latice")
 
 
 @pytest.mark.parametrize("name", ["error.wanted", "budget.seconds"])

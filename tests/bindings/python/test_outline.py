@@ -67,6 +67,25 @@ def test_a_drawing_becomes_a_region_with_holes_names_and_arcs(tmp_path):
         model.fix_edge(plate, "hole")
 
 
+def test_imported_outlines_become_bodies(tmp_path):
+    """Holes, arcs and names of edges come with the outline, and the library chooses the elements."""
+    outlines = {}
+    document, space = drawing()
+    space.add_lwpolyline([(0, 0), (100, 0), (100, 60), (0, 60)], close=True, dxfattribs={"layer": "sides"})
+    space.add_circle((50, 30), 10, dxfattribs={"layer": "hole"})
+    outlines["sides", "hole"] = outline.from_dxf(saved(document, tmp_path))
+    outlines["plate", "hole"] = outline.from_svg(svg(tmp_path, '<rect id="plate" width="40" height="20"/>'
+                                                               '<circle id="hole" cx="10" cy="5" r="2"/>'))
+    outlines["bottom", "left"] = outline.from_mesh(gmsh_file(tmp_path), part="ring")
+    for names, found in outlines.items():
+        model, glass = glass_model()
+        body = model.add_body(glass, found)
+        model.fix_edge(body, 1)
+        assert model.plan().meets_wish
+        assert model.plan().parts[0].reason == bempd.PartReason.BODY
+        assert set(names) <= set(model.edge_names(body).values()) and model.edge_count(body) == len(found.names)
+
+
 def test_ellipses_and_splines_become_arcs_within_the_tolerance(tmp_path):
     document, space = drawing(unit=6)
     space.add_ellipse((0, 0), major_axis=(2, 0), ratio=0.25)

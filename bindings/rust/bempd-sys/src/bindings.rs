@@ -330,6 +330,69 @@ extern "C" {
         body: *mut i32,
     ) -> bempd_status;
 }
+extern "C" {
+    /// Choose the lattice of the patches that bempd_set_crack_treatment() lays in a body.
+    ///
+    /// Without this call the horizon has four spacings, and the spacing is a sixteenth of the
+    /// length of a crack for each of its tips, or less where a tip has little room.
+    ///
+    /// * model \[in\]: the model, not prepared yet
+    /// * body \[in\]: id of a body
+    /// * spacing \[in\]: distance between material points \[m\], or 0 for that choice
+    /// * horizon_ratio \[in\]: horizon over spacing, 3 .. 8, or 0 for 4
+    /// * return: status
+    /// * since: 0.4
+    pub fn bempd_set_body_lattice(
+        model: *mut bempd_model,
+        body: i32,
+        spacing: f64,
+        horizon_ratio: i32,
+    ) -> bempd_status;
+}
+/// the library chooses; the default
+pub const BEMPD_TREATMENT_AUTOMATIC: bempd_treatment = 1;
+/// boundary elements along its faces, where it lies in a BEM region or a body
+pub const BEMPD_TREATMENT_ELEMENTS: bempd_treatment = 2;
+/// a lattice patch of its body around it, in which it grows as a line
+pub const BEMPD_TREATMENT_LATTICE: bempd_treatment = 3;
+/// as automatic, and its tips stay where they are
+pub const BEMPD_TREATMENT_FROZEN: bempd_treatment = 4;
+/// How a crack is modelled.
+///
+/// * since: 0.4
+pub type bempd_treatment = ::std::os::raw::c_uint;
+extern "C" {
+    /// Choose how a crack is modelled, or keep it from growing.
+    ///
+    /// The library gives each crack elements where it lies in a BEM region or a body: a crack with
+    /// a field of stress intensity factors needs no lattice (docs/bodies.md). With
+    /// BEMPD_TREATMENT_LATTICE a patch of lattice is cut out of the body when the model is planned
+    /// or prepared: blocks of two horizons that come within two horizons of the crack, or of two
+    /// blocks straight ahead of a tip that may grow. A patch is a peridynamic region with the next
+    /// free id, for bonds and points. The body keeps its id, the numbers of its edges, and its
+    /// supports and loads; loads on the whole body act in the patch as well. Nodes of the patch's
+    /// border follow those of the body's outline. Between an edge or another crack and the patch
+    /// one block of elements stays, so a crack that begins at an edge has elements there. A tip
+    /// that comes within two horizons of the patch's border goes on in elements; the patch stays
+    /// where it was laid.
+    ///
+    /// BEMPD_TREATMENT_FROZEN does what bempd_set_tip_frozen() does at both ends, and any other
+    /// treatment releases a crack of which both are frozen. That may be done between steps too.
+    /// Whether a crack has a patch cannot change any more once the model is prepared. Preparing
+    /// fails as an argument error where a patch has no room, where a crack lies in several bodies,
+    /// and with the option crack.rule = "bond".
+    ///
+    /// * model \[in\]: the model
+    /// * crack \[in\]: id of a crack
+    /// * treatment \[in\]: a bempd_treatment
+    /// * return: status
+    /// * since: 0.4
+    pub fn bempd_set_crack_treatment(
+        model: *mut bempd_model,
+        crack: i32,
+        treatment: i32,
+    ) -> bempd_status;
+}
 /// What preparing a scene with bodies takes, and the errors it will have. Errors are those of
 /// displacements, reactions and stress intensity factors that come from the boundary elements, each
 /// relative to the largest of its kind in the scene, at the load factor 1. Fill it with
@@ -396,6 +459,115 @@ extern "C" {
     /// * return: status
     /// * since: 0.4
     pub fn bempd_plan(model: *mut bempd_model, plan: *mut bempd_body_plan) -> bempd_status;
+}
+pub const BEMPD_PART_ELEMENTS: bempd_part_kind = 1;
+pub const BEMPD_PART_LATTICE: bempd_part_kind = 2;
+/// What a part of the model is made of.
+///
+/// * since: 0.4
+pub type bempd_part_kind = ::std::os::raw::c_uint;
+/// the host has added it with its elements or its lattice
+pub const BEMPD_PART_GIVEN: bempd_part_reason = 1;
+/// elements of a body, which the library has chosen
+pub const BEMPD_PART_BODY: bempd_part_reason = 2;
+/// bempd_set_crack_treatment() asks for a lattice around a crack of the body
+pub const BEMPD_PART_CRACK: bempd_part_reason = 3;
+/// Why a part is there.
+///
+/// * since: 0.4
+pub type bempd_part_reason = ::std::os::raw::c_uint;
+/// Part of the model: a region, or a lattice patch that was cut out of a body. Fill it with
+/// bempd_part_init().
+///
+/// * since: 0.4
+#[repr(C)]
+#[derive(Debug, Copy, Clone)]
+pub struct bempd_model_part {
+    /// sizeof(bempd_model_part), set by bempd_part_init()
+    pub struct_size: i64,
+    /// a bempd_part_kind
+    pub kind: i32,
+    /// a bempd_part_reason
+    pub reason: i32,
+    /// id of the region that the host has added
+    pub body: i32,
+    /// id for bonds, points and fields: the same, or a patch's own one
+    pub region: i32,
+    /// crack for which a patch was laid, or 0
+    pub crack: i32,
+    /// number of loops of the outline
+    pub loops: i32,
+    /// horizon over spacing; 0 of elements
+    pub horizon_ratio: i32,
+    /// 0
+    pub reserved: i32,
+    /// distance between material points \[m\]; 0 of elements
+    pub spacing: f64,
+    /// along its edges and cracks, before preparing those planned so far; 0 of a lattice
+    pub boundary_elements: i64,
+    /// of a lattice
+    pub material_points: i64,
+    /// load factor at which a patch's cracks first grow, by its lattice; the largest double if they
+    /// do not, NaN if that is not known or the part is no patch \[-\]
+    pub growth_load_factor: f64,
+    /// the same by boundary elements in place of patches \[-\]
+    pub element_growth_load_factor: f64,
+}
+extern "C" {
+    /// Number of parts of the model: its regions, and behind them the lattice patches of its
+    /// bodies.
+    ///
+    /// * model \[in\]: the model, which is planned if needed
+    /// * count \[out\]: number of parts
+    /// * return: status
+    /// * since: 0.4
+    pub fn bempd_part_count(model: *mut bempd_model, count: *mut i64) -> bempd_status;
+}
+extern "C" {
+    /// Set struct_size and zeros.
+    ///
+    /// * part \[out\]: the struct to fill
+    /// * struct_size \[in\]: sizeof(bempd_model_part) as the caller was compiled: older programs keep
+    ///   working
+    /// * return: status
+    /// * since: 0.4
+    pub fn bempd_part_init(part: *mut bempd_model_part, struct_size: i64) -> bempd_status;
+}
+extern "C" {
+    /// Tell of one part: what it is made of, and why it is there.
+    ///
+    /// * model \[in\]: the model, which is planned if needed
+    /// * index \[in\]: of the part, from 0
+    /// * part \[in,out\]: struct_size in, the rest out
+    /// * return: status
+    /// * since: 0.4
+    pub fn bempd_part(
+        model: *mut bempd_model,
+        index: i64,
+        part: *mut bempd_model_part,
+    ) -> bempd_status;
+}
+extern "C" {
+    /// Outline of a part as closed polylines, for pictures: the outer loop counter-clockwise, then
+    /// its holes.
+    ///
+    /// * model \[in\]: the model, which is planned if needed
+    /// * index \[in\]: of the part, from 0
+    /// * loop \[in\]: number of the loop, from 0
+    /// * capacity \[in\]: points that there is room for; 0 to get their number
+    /// * points \[out\]: shape \[count\]\[2\], vertices, with further ones on arcs \[m\]; may be NULL if
+    ///   capacity is 0
+    /// * count \[out\]: number of points
+    /// * return: status
+    /// * since: 0.4
+    pub fn bempd_part_outline(
+        model: *mut bempd_model,
+        index: i64,
+        loop_: i32,
+        capacity: i64,
+        points: *mut f64,
+        count: *mut i64,
+    ) -> bempd_status;
 }
 /// lengths of boundary elements
 pub const BEMPD_ERROR_SOURCE_BOUNDARY: bempd_error_source = 1;

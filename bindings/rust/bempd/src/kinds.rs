@@ -71,6 +71,20 @@ pub enum Until {
     Separated = sys::BEMPD_UNTIL_SEPARATED as i32,
 }
 
+/// How a crack is modelled.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[repr(i32)]
+pub enum Treatment {
+    /// The library chooses.
+    Automatic = sys::BEMPD_TREATMENT_AUTOMATIC as i32,
+    /// Boundary elements along its faces.
+    Elements = sys::BEMPD_TREATMENT_ELEMENTS as i32,
+    /// A lattice patch of its body around it.
+    Lattice = sys::BEMPD_TREATMENT_LATTICE as i32,
+    /// Its tips stay where they are.
+    Frozen = sys::BEMPD_TREATMENT_FROZEN as i32,
+}
+
 /// Sense of turning.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[repr(i32)]

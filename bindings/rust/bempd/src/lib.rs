@@ -61,7 +61,7 @@ pub use fatigue::{Block, CaseBlock, FatigueOptions, GrowingTip, GrowthRate, Rate
 pub use ids::{CrackId, LoadCaseId, LoadId, MaterialId, RegionId, SupportId};
 pub use kinds::{
     BondState, Component, ErrorSource, Face, FaceComponent, Field, LoadRule, LogLevel, NextEvent, Plane, ProgramColumn,
-    SingularityKind, StopReason, TipEnd, TipMethod, Turn, Until,
+    SingularityKind, StopReason, TipEnd, TipMethod, Treatment, Turn, Until,
 };
 pub use material::Material;
 pub use model::Model;

@@ -5,7 +5,7 @@ use std::path::Path;
 use crate::raw::Handle;
 use crate::{
     CancelToken, CrackId, Error, LoadId, LogLevel, Material, MaterialId, PhaseProgress, ProgramColumn, Progress,
-    RegionId, Result, State, StepReport, SupportId, Turn, Until,
+    RegionId, Result, State, StepReport, SupportId, Treatment, Turn, Until,
 };
 
 /// A scene and its state. Dropping it frees everything.
@@ -48,6 +48,16 @@ impl Model {
     /// is a region: cracks, supports, loads and results take it like one.
     pub fn add_body(&mut self, material: MaterialId, vertices: &[[f64; 2]]) -> Result<RegionId> {
         self.handle.add_body(material.0, vertices).map(RegionId)
+    }
+
+    /// Chooses the lattice of the patches of a body; 0 leaves spacing or horizon to the library.
+    pub fn set_body_lattice(&mut self, body: RegionId, spacing: f64, horizon_ratio: i32) -> Result<()> {
+        self.handle.set_body_lattice(body.0, spacing, horizon_ratio)
+    }
+
+    /// Chooses how a crack is modelled, or freezes its tips.
+    pub fn set_crack_treatment(&mut self, crack: CrackId, treatment: Treatment) -> Result<()> {
+        self.handle.set_crack_treatment(crack.0, treatment as i32)
     }
 
     /// Adds a body with edges that may be circular arcs; `bulges` are as in [`Model::add_bem_region_with_arcs`].

@@ -34,6 +34,14 @@ impl Handle {
         })
     }
 
+    pub(crate) fn set_body_lattice(&mut self, body: i32, spacing: f64, horizon_ratio: i32) -> Result<()> {
+        self.call(|model| unsafe { sys::bempd_set_body_lattice(model, body, spacing, horizon_ratio) })
+    }
+
+    pub(crate) fn set_crack_treatment(&mut self, crack: i32, treatment: i32) -> Result<()> {
+        self.call(|model| unsafe { sys::bempd_set_crack_treatment(model, crack, treatment) })
+    }
+
     pub(crate) fn add_bem_region(&mut self, material: i32, vertices: &[[f64; 2]], element_length: f64) -> Result<i32> {
         let (count, vertices) = points(vertices);
         self.output(|model, region| unsafe {

@@ -1,0 +1,98 @@
+#include "model/crack_treatments.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "error.hpp"
+#include "model/model.hpp"
+#include "regions/boundary/boundary_description.hpp"
+
+namespace bempd::model {
+
+void CrackTreatments::set(int crack, CrackTreatment treatment) {
+  if (crack < 1 || crack > model_.crack_count()) model_.scene_.crack(crack);  // throws
+  const auto known = treatments_.find(crack);
+  const CrackTreatment before = known == treatments_.end() ? CrackTreatment::automatic : known->second;
+  const bool was_in_lattice = before == CrackTreatment::lattice;
+  const bool is_frozen = treatment == CrackTreatment::frozen;
+  if (model_.prepared_ && !is_frozen && treatment != CrackTreatment::automatic) {
+    const bool is_carried = std::any_of(patches_.begin(), patches_.end(), [&](const regions::Patch& patch) {
+      return std::find(patch.cracks.begin(), patch.cracks.end(), crack) != patch.cracks.end();
+    });
+    if (is_carried != (treatment == CrackTreatment::lattice))
+      fail(Failure::order, "crack ", crack,
+           is_carried ? " runs in a lattice patch, and goes on in elements where it leaves that"
+                      : " has no lattice patch, which is laid when the model is prepared",
+           "; choose this treatment before, or freeze and release the crack now");
+  }
+  if (!model_.prepared_ && (was_in_lattice || treatment == CrackTreatment::lattice)) model_.editable_scene();
+  // A tip that is frozen alone stays so.
+  if (is_frozen || (model_.is_frozen({crack, 0}) && model_.is_frozen({crack, 1})))
+    for (const int end : {0, 1}) model_.set_tip_frozen(crack, end, is_frozen);
+  if (model_.prepared_) return;
+  if (treatment == CrackTreatment::automatic) {
+    treatments_.erase(crack);
+  } else {
+    treatments_[crack] = treatment;
+  }
+}
+
+void CrackTreatments::set_lattice(int body, double spacing, int horizon_ratio) {
+  const scene::Scene& scene = model_.editable_scene();
+  require(regions::is_body(scene.region(body)), "region ", body,
+          " is no body; its lattice is given when it is added, or add it with bempd_add_body()");
+  require(std::isfinite(spacing) && spacing >= 0, "spacing is ", spacing, "; it must be > 0, or 0 for a choice");
+  require(horizon_ratio == 0 || (horizon_ratio >= 3 && horizon_ratio <= 8), "horizon_ratio is ", horizon_ratio,
+          "; it must be 3 .. 8, or 0 for the usual one");
+  lattices_[body] = {spacing, horizon_ratio};
+}
+
+std::vector<regions::LatticeCrack> CrackTreatments::in_lattices() const {
+  std::vector<regions::LatticeCrack> cracks;
+  for (const auto& [crack, treatment] : treatments_) {
+    if (treatment != CrackTreatment::lattice ||
+        model_.scene_.cracks()[static_cast<std::size_t>(crack) - 1].points.empty())
+      continue;
+    cracks.push_back({crack, {!model_.is_frozen({crack, 0}), !model_.is_frozen({crack, 1})}});
+  }
+  return cracks;
+}
+
+void CrackTreatments::lay() {
+  const std::vector<regions::LatticeCrack> cracks = in_lattices();
+  if (cracks != laid_) take_away();
+  if (cracks.empty()) return;
+  const scene::Options& options = model_.options_;
+  require(options.text_value("scheme") == "symmetric", "lattice patches need the option scheme = symmetric; it is ",
+          options.text_value("scheme"));
+  require(options.text_in_effect("crack.rule") != "bond",
+          "cracks run through lattice patches as lines, and the option crack.rule is bond; choose line or tips, or the "
+          "treatment BEMPD_TREATMENT_ELEMENTS");
+  if (!patches_.empty()) return;
+  std::vector<regions::Patch> patches = regions::lay_out_patches(model_.scene_, cracks, lattices_);
+  loads_of_elements_.clear();
+  try {
+    loads_of_elements_ = model_.accuracy_.loads_of_elements();
+  } catch (const Error&) {  // they are only for comparison
+  }
+  const int own = model_.scene_.region_count();
+  try {
+    regions::add_patches(model_.scene_, patches);
+  } catch (...) {
+    regions::remove_patches(model_.scene_, own);
+    throw;
+  }
+  patches_ = std::move(patches);
+  laid_ = cracks;
+}
+
+void CrackTreatments::take_away() noexcept {
+  if (patches_.empty()) return;
+  regions::remove_patches(model_.scene_, own_regions());
+  patches_.clear(), laid_.clear();
+  model_.accuracy_.forget();
+}
+
+int CrackTreatments::own_regions() const { return model_.scene_.region_count() - static_cast<int>(patches_.size()); }
+
+}  // namespace bempd::model

@@ -1,0 +1,46 @@
+#pragma once
+
+#include <map>
+#include <vector>
+
+#include "model/mesh_answers.hpp"
+#include "regions/patches.hpp"
+
+namespace bempd::model {
+
+class Model;
+
+enum class CrackTreatment { automatic = 1, elements = 2, lattice = 3, frozen = 4 };
+
+// How cracks of bodies are to be modelled, and the lattice patches that follow from it. Patches are in the scene from
+// when it is planned or prepared until the host changes it.
+class CrackTreatments {
+ public:
+  explicit CrackTreatments(Model& model) : model_(model) {}
+
+  // Throws Error (order) once the model is prepared, unless the treatment only freezes or releases the crack's tips.
+  void set(int crack, CrackTreatment treatment);
+  void set_lattice(int body, double spacing, int horizon_ratio);
+
+  // Adds the patches to the scene, if they are not there.
+  void lay();
+  // Takes them out again, so that the scene is the host's.
+  void take_away() noexcept;
+  // Number of the host's own regions; the patches are behind them.
+  int own_regions() const;
+  const std::vector<regions::Patch>& patches() const { return patches_; }
+  // Load factors of growth with elements in place of the patches; none if the scene cannot be solved so.
+  const std::vector<TipLoad>& loads_of_elements() const { return loads_of_elements_; }
+
+ private:
+  std::vector<regions::LatticeCrack> in_lattices() const;
+
+  Model& model_;
+  std::map<int, CrackTreatment> treatments_;  // by crack; without automatic ones
+  std::map<int, regions::BodyLattice> lattices_;
+  std::vector<regions::Patch> patches_;
+  std::vector<regions::LatticeCrack> laid_;  // for which they are
+  std::vector<TipLoad> loads_of_elements_;
+};
+
+}  // namespace bempd::model

@@ -1,0 +1,182 @@
+#include "regions/patch_layout.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "error.hpp"
+
+namespace bempd::regions {
+
+namespace {
+
+constexpr int usual_horizon_ratio = 4;
+
+// Spacings of a lattice along a crack with one tip, and with two.
+constexpr double least_per_tip = 16;
+
+// Blocks of lattice that a crack has ahead of a tip that may grow, besides those on every side of it.
+constexpr double blocks_ahead = 2;
+
+// Blocks between a tip and what is nearest to it: one of elements, one of lattice, and one that the grid of blocks may
+// need.
+constexpr double blocks_of_room = 3;
+
+// Distance from a mouth, in blocks, within which elements and not the lattice carry a crack.
+constexpr double blocks_at_mouth = 5;
+
+constexpr double nearly = 1 - 1e-9;
+
+std::string name_of(const Inside& crack) { return text("crack ", crack.crack.id); }
+
+void add_walls(const Outline& outline, std::vector<Wall>& walls) {
+  constexpr double largest_turn = 0.05;  // [rad]
+  int number = 0;
+  for (std::size_t loop = 0; loop < outline.loops.size(); ++loop)
+    for (std::size_t k = 0; k < outline.loops[loop].size(); ++k, ++number) {
+      const Edge edge = outline.edge(number);
+      double turn = 0;
+      for (int p = 0; p < edge.piece_count(); ++p) turn += std::abs(edge.piece(p).sweep);
+      const int count = std::max(1, static_cast<int>(std::ceil(turn / largest_turn)));
+      for (int i = 0; i < count; ++i)
+        walls.push_back({{edge.at(i / static_cast<double>(count)), edge.at((i + 1) / static_cast<double>(count))},
+                         static_cast<int>(loop),
+                         text("edge ", number + 1)});
+    }
+}
+
+}  // namespace
+
+PatchLayout::PatchLayout(const scene::Scene& scene, int body, std::vector<Inside> cracks, const BodyLattice& lattice)
+    : body_(body), cracks_(std::move(cracks)) {
+  add_walls(scene.region(body).outline(), walls_);
+  edges_ = edges_of(scene.region(body).outline());
+  for (int id = 1; id <= static_cast<int>(scene.cracks().size()); ++id) {
+    const std::vector<Point>& points = scene.cracks()[static_cast<std::size_t>(id) - 1].points;
+    const bool is_ours = std::any_of(cracks_.begin(), cracks_.end(), [&](const Inside& c) { return c.crack.id == id; });
+    for (std::size_t i = 0; i + 1 < points.size(); ++i)
+      (is_ours ? crack_walls_ : walls_).push_back({{points[i], points[i + 1]}, -1, text("crack ", id)});
+  }
+  ratio_ = lattice.horizon_ratio > 0 ? lattice.horizon_ratio : usual_horizon_ratio;
+  spacing_ = lattice.spacing > 0 ? lattice.spacing : chosen_spacing();
+  grid_ = {origin(), 2 * ratio_ * spacing_};
+}
+
+// The largest spacing that leaves enough points along each crack and room for blocks around its tips.
+double PatchLayout::chosen_spacing() const {
+  constexpr double spacings_between_cracks = 4;
+  const double room = blocks_of_room * 2 * ratio_;  // in spacings
+  double spacing = std::numeric_limits<double>::infinity();
+  for (const Inside& crack : cracks_) {
+    const double points = least_per_tip * std::max<double>(1, static_cast<double>(crack.tips.size()));
+    spacing = std::min(spacing, crack.length() / std::max(points, crack.mouths.empty() ? 0 : room));
+    for (const Inside::Tip& tip : crack.tips) {
+      for (const Wall& wall : walls_) spacing = std::min(spacing, distance(wall.piece, tip.place) / room);
+      for (const Wall& wall : crack_walls_)
+        if (wall.name != name_of(crack))
+          spacing = std::min(spacing, distance(wall.piece, tip.place) / spacings_between_cracks);
+    }
+  }
+  return spacing;
+}
+
+// Distance of the first crack from the material points, in spacings, at most 1.
+double PatchLayout::clearance(const Point& origin) const {
+  double least = 1;
+  for (const Segment& piece : cracks_.front().pieces) {
+    const Segment scaled{(piece.start - origin) / spacing_, (piece.end - origin) / spacing_};
+    const int count = static_cast<int>(std::ceil(4 * scaled.length()));
+    for (int i = 0; i <= count; ++i) {
+      const Point cell = scaled.at(static_cast<double>(i) / count).array().floor();
+      for (const Point& corner : {Point(0, 0), Point(1, 0), Point(0, 1), Point(1, 1)})
+        least = std::min(least, distance(scaled, cell + corner));
+    }
+  }
+  return least;
+}
+
+// Corner of a block, such that the first crack passes material points as far off as possible.
+Point PatchLayout::origin() const {
+  constexpr int parts = 8;            // of a spacing
+  constexpr double is_better = 1.01;  // times the clearance
+  const Inside& first = cracks_.front();
+  const Point tip = first.tips.empty() ? first.pieces.front().at(0.5) : first.tips.front().place;
+  const Point corner = tip - Point::Constant(ratio_ * spacing_);
+  Point best = corner - Point::Constant(0.5 * spacing_);
+  double most = clearance(best);
+  for (int i = 0; i < parts; ++i)
+    for (int j = 0; j < parts; ++j) {
+      const Point other = corner - spacing_ / parts * Point(i, j);
+      const double apart = clearance(other);
+      if (apart > is_better * most) most = apart, best = other;
+    }
+  return best;
+}
+
+// What is closer to a block than a block; null if nothing is, and the block lies in the body.
+const Wall* PatchLayout::wall_beside(const Block& block) const {
+  const Box box = grid_.box(block);
+  const Wall* nearest = nullptr;
+  double least = grid_.size * nearly;
+  for (const Wall& wall : walls_) {
+    const Point middle = wall.piece.at(0.5);
+    if (box.exteriorDistance(middle) - 0.5 * wall.piece.length() >= least) continue;
+    const double apart = distance(box, wall.piece);
+    if (apart < least) least = apart, nearest = &wall;
+  }
+  if (nearest || locate(edges_, box.center(), 0) == Location::inside) return nearest;
+  return &walls_.front();
+}
+
+// Throws Error (argument) if the lattice cannot reach two horizons around `along`, but for parts near a mouth.
+void PatchLayout::require_room(const Inside& crack, const Segment& along, bool is_tip) {
+  for (const Block& block : grid_.near(along, grid_.size * nearly)) {
+    const Wall* wall = wall_beside(block);
+    if (!wall) continue;
+    const Point centre = grid_.box(block).center();
+    const bool at_mouth = std::any_of(crack.mouths.begin(), crack.mouths.end(), [&](const auto& mouth) {
+      return wall->loop == mouth.second && (mouth.first - centre).norm() < blocks_at_mouth * grid_.size;
+    });
+    require(at_mouth && !is_tip, name_of(crack), " has ", wall->name, " within ", 2 * grid_.size, " of it at (",
+            centre.x(), ", ", centre.y(), "), where its lattice patch needs two blocks of ", grid_.size, "; ",
+            advice());
+  }
+}
+
+void PatchLayout::add_band(const Inside& crack) {
+  const double reach = grid_.size * nearly;
+  const auto add = [&](const Segment& line) {
+    for (const Block& block : grid_.near(line, reach))
+      if (is_allowed(block)) blocks_.insert(block);
+  };
+  for (const Segment& piece : crack.pieces) require_room(crack, piece, false), add(piece);
+  for (const Inside::Tip& tip : crack.tips) {
+    require_room(crack, {tip.place, tip.place}, true);
+    if (tip.grows) add({tip.place, tip.place + blocks_ahead * grid_.size * tip.direction});
+  }
+}
+
+std::vector<Patch> PatchLayout::patches() {
+  for (const Inside& crack : cracks_) add_band(crack);
+  require(close_gaps(blocks_, [&](const Block& block) { return is_allowed(block); }), "lattice patches of body ", body_,
+          " would enclose a hole or another crack; ", advice());
+  std::vector<Patch> all;
+  for (const Blocks& part : connected_parts(blocks_)) {
+    Patch patch{body_, loop_around(part, grid_), spacing_, ratio_, {}};
+    for (const Inside& crack : cracks_) {
+      const bool passes = std::any_of(crack.pieces.begin(), crack.pieces.end(), [&](const Segment& piece) {
+        return std::any_of(part.begin(), part.end(),
+                           [&](const Block& b) { return distance(grid_.box(b), piece) == 0; });
+      });
+      if (passes) patch.cracks.push_back(crack.crack.id);
+    }
+    if (!patch.cracks.empty()) all.push_back(std::move(patch));
+  }
+  return all;
+}
+
+std::string PatchLayout::advice() const {
+  return text("choose a smaller spacing than ", spacing_, " with bempd_set_body_lattice(), or another treatment");
+}
+
+}  // namespace bempd::regions

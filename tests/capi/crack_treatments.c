@@ -1,0 +1,251 @@
+/* Treatments of cracks: lattice patches that are cut out of bodies, cracks that are frozen on the way, and parts. */
+#include "scenes.h"
+
+enum { LATTICE = BEMPD_TREATMENT_LATTICE, FROZEN = BEMPD_TREATMENT_FROZEN, AUTOMATIC = BEMPD_TREATMENT_AUTOMATIC };
+
+static const double size = 4, half_length = 0.5, spacing = 0.1;
+
+static int32_t add_tough_material(bempd_model* model) {
+  bempd_material material = sound_material();
+  int32_t id = 0;
+  material.critical_stretch = 0;
+  material.fracture_energy = 1e-3;
+  material.thermal_expansion = 1e-3;
+  CHECK_OK(model, bempd_add_material(model, &material, &id));
+  return id;
+}
+
+/** Square body with a crack in its middle, at an angle to its lower edge, pulled upwards. Ids: body 1, crack 1,
+ * supports 1 and 2, load 1. */
+static bempd_model* cracked_square(double angle) {
+  const rectangle r = rectangle_of(0, 0, size, size);
+  const double x = half_length * cos(angle), y = half_length * sin(angle), middle = 0.5 * size, up = 1;
+  const double crack[4] = {middle - x, middle - y, middle + x, middle + y};
+  bempd_model* model = new_model();
+  CHECK_OK(model, bempd_add_body(model, add_tough_material(model), 4, r.vertices, NULL));
+  CHECK_OK(model, bempd_add_crack(model, 2, crack, NULL));
+  CHECK_OK(model, bempd_fix_edge(model, 1, 1, BEMPD_Y, NULL));
+  CHECK_OK(model, bempd_fix_point(model, 0, 0, BEMPD_X, NULL));
+  CHECK_OK(model, bempd_add_traction(model, 1, 3, 0, 1, BEMPD_Y, 1, NULL, &up, NULL));
+  return model;
+}
+
+static bempd_model* with_patch(double angle) {
+  bempd_model* model = cracked_square(angle);
+  CHECK_OK(model, bempd_set_body_lattice(model, 1, spacing, 3));
+  CHECK_OK(model, bempd_set_crack_treatment(model, 1, LATTICE));
+  return model;
+}
+
+static bempd_model_part part_of(bempd_model* model, int64_t index) {
+  bempd_model_part part;
+  CHECK_OK(NULL, bempd_part_init(&part, sizeof part));
+  CHECK_OK(model, bempd_part(model, index, &part));
+  return part;
+}
+
+static bempd_crack_tip tip_of(bempd_model* model, int64_t index) {
+  bempd_crack_tip tip;
+  CHECK_OK(NULL, bempd_crack_tip_init(&tip, sizeof tip));
+  CHECK_OK(model, bempd_tip(model, index, &tip));
+  return tip;
+}
+
+static void step_to(bempd_model* model, double load_factor) {
+  bempd_step_report report;
+  CHECK_OK(NULL, bempd_step_report_init(&report, sizeof report));
+  CHECK_OK(model, bempd_step(model, load_factor, &report));
+}
+
+static double next_event(bempd_model* model) {
+  bempd_step_report report;
+  CHECK_OK(NULL, bempd_step_report_init(&report, sizeof report));
+  CHECK_OK(model, bempd_step_to_next_event(model, 1e6, &report));
+  return report.load_factor;
+}
+
+/** Positions of the nodes of a region. */
+static double* positions_of(bempd_model* model, int32_t region, int64_t* nodes) {
+  int32_t components = 0;
+  double* places;
+  CHECK_OK(model, bempd_field_size(model, region, BEMPD_POSITION, nodes, &components));
+  places = malloc((size_t)(*nodes * components) * sizeof *places);
+  CHECK_OK(model, bempd_copy_field(model, region, BEMPD_POSITION, *nodes * components, places));
+  return places;
+}
+
+/** The body keeps its ids, edges and first nodes; the patch is a region of its own with bonds, points and a crack. */
+static void a_patch_is_a_part_of_its_body(void) {
+  const double angles[2] = {0, 0.5};
+  double force[2], outline[400];
+  int32_t regions = 0, edges = 0;
+  int64_t parts = 0, bonds = 0, nodes = 0, corners = 0, k;
+  int a;
+  for (a = 0; a < 2; ++a) {
+    bempd_model *plain = cracked_square(angles[a]), *model = with_patch(angles[a]);
+    bempd_model_part body, patch;
+    double *places, *before;
+    int64_t nodes_before = 0;
+    CHECK_OK(model, bempd_region_count(model, &regions));
+    CHECK(regions == 1);
+    step_to(model, 0.1);
+    step_to(plain, 0.1);
+    CHECK_OK(model, bempd_region_count(model, &regions));
+    CHECK_OK(model, bempd_edge_count(model, 1, &edges));
+    CHECK_OK(model, bempd_part_count(model, &parts));
+    CHECK(regions == 2 && edges > 4 && parts == 2);
+    body = part_of(model, 0), patch = part_of(model, 1);
+    CHECK(body.kind == BEMPD_PART_ELEMENTS && body.reason == BEMPD_PART_BODY && body.region == 1 && body.loops == 2);
+    CHECK(body.boundary_elements > 8 && body.material_points == 0 && isnan(body.growth_load_factor));
+    CHECK(patch.kind == BEMPD_PART_LATTICE && patch.reason == BEMPD_PART_CRACK && patch.crack == 1);
+    CHECK(patch.body == 1 && patch.region == 2 && patch.horizon_ratio == 3 && patch.material_points > 300);
+    CHECK_CLOSE(patch.spacing, spacing, 0);
+    printf("angle %g: growth at %g by the patch, %g by elements\n", angles[a], patch.growth_load_factor,
+           patch.element_growth_load_factor);
+    CHECK_CLOSE(patch.growth_load_factor, patch.element_growth_load_factor, 0.05 * patch.growth_load_factor);
+    CHECK_OK(model, bempd_part_outline(model, 1, 0, 200, outline, &corners));
+    CHECK(corners >= 4 && corners % 2 == 0 && corners == edges - 4);
+    CHECK_OK(model, bempd_bond_count(model, 2, &bonds));
+    CHECK(bonds > 3000);
+    CHECK_OK(model, bempd_reaction(model, 1, force));
+    CHECK_CLOSE(force[1], -0.1 * size, 1e-9);
+    CHECK_CLOSE(tip_of(model, 1).stress_intensity_1, tip_of(plain, 1).stress_intensity_1,
+                0.03 * tip_of(plain, 1).stress_intensity_1);
+    places = positions_of(model, 1, &nodes), before = positions_of(plain, 1, &nodes_before);
+    for (k = 0; k < nodes; ++k) {
+      const double x = places[2 * k], y = places[2 * k + 1];
+      const int on_outline = x == 0 || y == 0 || x == size || y == size;
+      CHECK(on_outline || k >= 8);
+    }
+    free(places), free(before);
+    bempd_model_free(model), bempd_model_free(plain);
+  }
+}
+
+/** Loads on the whole body act in its patch too: weight reaches the supports, and heat causes no stress. */
+static void loads_on_the_whole_body_reach_patches(void) {
+  static const double inside[2] = {2, 2.2};
+  double force[2], u[2], stress[3];
+  int32_t region = 0;
+  bempd_model* model = with_patch(0);
+  CHECK_OK(model, bempd_set_option(model, "error.wanted", 0.05));
+  CHECK_OK(model, bempd_add_body_force(model, 1, BEMPD_Y, 0.3, 0, NULL));
+  CHECK_OK(model, bempd_add_temperature(model, 1, 10, 0, NULL));
+  step_to(model, 0);
+  CHECK_OK(model, bempd_reaction(model, 1, force));
+  CHECK_CLOSE(force[1], -0.3 * size * size, 1e-8);
+  bempd_model_free(model);
+  model = with_patch(0);
+  CHECK_OK(model, bempd_add_temperature(model, 1, 10, 0, NULL));
+  step_to(model, 0);
+  CHECK_OK(model, bempd_evaluate(model, 1, inside, u, stress, &region));
+  CHECK(region == 2);
+  CHECK_CLOSE(stress[0], 0, 1e-6);
+  CHECK_CLOSE(stress[1], 0, 1e-6);
+  CHECK_CLOSE(u[1], 10 * 1e-3 * inside[1], 1e-9);
+  bempd_model_free(model);
+}
+
+/** A frozen crack is there, tells of its tips and does not grow; it grows once it is released, between two steps. */
+static void frozen_cracks_stay(void) {
+  int in_patch;
+  for (in_patch = 0; in_patch < 2; ++in_patch) {
+    bempd_model* model = in_patch ? with_patch(0) : cracked_square(0);
+    double first, length = 0;
+    CHECK_OK(model, bempd_prepare(model));
+    first = tip_of(model, 0).critical_load_factor;
+    CHECK_OK(model, bempd_set_crack_treatment(model, 1, FROZEN));
+    step_to(model, 1.3 * first);
+    CHECK_OK(model, bempd_crack_length(model, 1, &length));
+    CHECK_CLOSE(length, 2 * half_length, 1e-9);
+    CHECK(tip_of(model, 0).stress_intensity_1 > 1.2);
+    CHECK_OK(model, bempd_set_crack_treatment(model, 1, in_patch ? LATTICE : AUTOMATIC));
+    CHECK_CLOSE(next_event(model), 1.3 * first, 1e-9);
+    CHECK_OK(model, bempd_crack_length(model, 1, &length));
+    CHECK(length > 2 * half_length + 1e-3);
+    bempd_model_free(model);
+  }
+}
+
+/** A crack leaves its patch and goes on in elements, at loads close to those of elements alone. A state of the way goes
+ * on with the same numbers. */
+static void cracks_leave_patches(void) {
+  bempd_model *model = with_patch(0), *other = with_patch(0);
+  bempd_state* state = NULL;
+  int64_t count = 0;
+  int k, grown_in_elements = 0;
+  CHECK_OK(model, bempd_set_option_text(model, "stepping.control", "path"));
+  CHECK_OK(other, bempd_set_option_text(other, "stepping.control", "path"));
+  for (k = 0; k < 60 && grown_in_elements < 2; ++k) {
+    bempd_crack_extension last;
+    next_event(model);
+    CHECK_OK(model, bempd_extension_count(model, &count));
+    CHECK_OK(NULL, bempd_crack_extension_init(&last, sizeof last));
+    CHECK_OK(model, bempd_extension(model, count - 1, &last));
+    if (last.length > 1.6 * spacing) ++grown_in_elements;
+    if (k == 4) CHECK_OK(model, bempd_state_save(model, &state));
+  }
+  printf("%d events, %lld extensions\n", k, (long long)count);
+  CHECK(grown_in_elements == 2);
+  CHECK(tip_of(model, 0).method == BEMPD_TIP_ELEMENTS);
+  CHECK_OK(other, bempd_state_restore(other, state));
+  for (k = 5; k < 60; ++k) {
+    bempd_crack_extension mine, theirs;
+    int64_t reached = 0;
+    next_event(other);
+    CHECK_OK(other, bempd_extension_count(other, &reached));
+    if (reached > count) break;
+    CHECK_OK(NULL, bempd_crack_extension_init(&mine, sizeof mine));
+    CHECK_OK(NULL, bempd_crack_extension_init(&theirs, sizeof theirs));
+    CHECK_OK(other, bempd_extension(other, reached - 1, &theirs));
+    CHECK_OK(model, bempd_extension(model, reached - 1, &mine));
+    CHECK_CLOSE(theirs.load_factor, mine.load_factor, 1e-8 * mine.load_factor);
+    CHECK_CLOSE(theirs.x, mine.x, 1e-7);
+    if (reached == count) break;
+  }
+  bempd_state_free(state);
+  bempd_model_free(model), bempd_model_free(other);
+}
+
+/** Patches without room and treatments that cannot be are refused, and the scene is as it was. */
+static void what_cannot_be_is_refused(void) {
+  static const double edge_crack[4] = {0, 1, 0.2, 1};
+  int32_t regions = 0;
+  bempd_model* model = with_patch(0);
+  CHECK_FAILS(model, BEMPD_ERROR_ARGUMENT, "crack 2", bempd_set_crack_treatment(model, 2, FROZEN));
+  CHECK_FAILS(model, BEMPD_ERROR_ARGUMENT, "crack 0", bempd_set_crack_treatment(model, 0, LATTICE));
+  CHECK_FAILS(model, BEMPD_ERROR_ARGUMENT, "treatment is 5", bempd_set_crack_treatment(model, 1, 5));
+  CHECK_FAILS(model, BEMPD_ERROR_ARGUMENT, "region 2", bempd_set_body_lattice(model, 2, 0.1, 4));
+  CHECK_FAILS(model, BEMPD_ERROR_ARGUMENT, "spacing is -0.1", bempd_set_body_lattice(model, 1, -0.1, 4));
+  CHECK_FAILS(model, BEMPD_ERROR_ARGUMENT, "horizon_ratio is 2", bempd_set_body_lattice(model, 1, 0.1, 2));
+  CHECK_OK(model, bempd_add_circular_hole(model, 1, 2, 2.8, 0.3, NULL));
+  CHECK_FAILS(model, BEMPD_ERROR_ARGUMENT, "edge", bempd_prepare(model));
+  CHECK_OK(model, bempd_region_count(model, &regions));
+  CHECK(regions == 1);
+  CHECK_OK(model, bempd_set_crack_treatment(model, 1, AUTOMATIC));
+  CHECK_OK(model, bempd_prepare(model));
+  CHECK_FAILS(model, BEMPD_ERROR_ORDER, "no lattice patch", bempd_set_crack_treatment(model, 1, LATTICE));
+  bempd_model_free(model);
+  model = with_patch(0);
+  CHECK_OK(model, bempd_set_option_text(model, "crack.rule", "bond"));
+  CHECK_FAILS(model, BEMPD_ERROR_ARGUMENT, "crack.rule", bempd_prepare(model));
+  CHECK_OK(model, bempd_set_option_text(model, "crack.rule", "line"));
+  CHECK_OK(model, bempd_add_crack(model, 2, edge_crack, NULL));
+  CHECK_OK(model, bempd_prepare(model));
+  CHECK_FAILS(model, BEMPD_ERROR_ORDER, "lattice patch", bempd_set_crack_treatment(model, 1, BEMPD_TREATMENT_ELEMENTS));
+  bempd_model_free(model);
+  model = bem_block();
+  CHECK_OK(model, bempd_add_crack(model, 2, (const double[4]){3, 4, 7, 4}, NULL));
+  CHECK_OK(model, bempd_set_crack_treatment(model, 1, LATTICE));
+  CHECK_FAILS(model, BEMPD_ERROR_ARGUMENT, "bempd_add_body", bempd_prepare(model));
+  bempd_model_free(model);
+}
+
+int main(void) {
+  a_patch_is_a_part_of_its_body();
+  loads_on_the_whole_body_reach_patches();
+  frozen_cracks_stay();
+  cracks_leave_patches();
+  what_cannot_be_is_refused();
+  return check_finish();
+}
