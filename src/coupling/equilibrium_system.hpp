@@ -60,6 +60,10 @@ class EquilibriumSystem {
   // Sets the positions of the nodes. A symmetric system derives from them an order of elimination with less fill.
   void place_nodes(const std::vector<Point>& positions);
 
+  // Takes over what this system has in common with `before`, the one of a scene with shorter cracks: condensed
+  // operators.
+  void take_over(const EquilibriumSystem& before) { operators_.take_over(before.operators_); }
+
   // Makes the next factorization eliminate the unknowns of these nodes last, and drops the present factor.
   void keep_last(std::vector<int> nodes);
   bool keeps_last(const std::vector<int>& nodes) const { return factor_.kept_nodes() == nodes; }
