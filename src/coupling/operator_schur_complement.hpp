@@ -27,6 +27,8 @@ class OperatorSchurComplement {
                           const std::vector<OperatorSchurComplement>& built, const KnownSchurComplements& known = {});
 
   const std::shared_ptr<const SchurComplement>& schur() const { return schur_; }
+  const std::shared_ptr<const ExactConstraints>& constraints() const { return constraints_; }
+  const std::vector<Eigen::Index>& active() const { return active_; }  // closed constraints
   const std::vector<int>& shared_dofs() const { return shared_; }
   const Eigen::MatrixXd& schur_complement() const { return active_.empty() ? schur_->matrix() : schur_with_active_; }
   const Eigen::MatrixXd& schur_complement_when_open() const { return schur_->matrix(); }
