@@ -20,12 +20,18 @@ void CondensedOperators::condense(const std::vector<DofKind>& kind, SolverCounte
   list_.reserve(pending_.size());
   for (const DenseOperator& op : pending_) {
     check_cancelled();
-    list_.emplace_back(op, kind, list_);
+    list_.emplace_back(op, kind, list_, known_);
     counters.dense_factorizations += list_.back().has_factorized() ? 1 : 0;
     counters.reciprocal_condition = std::min(counters.reciprocal_condition, list_.back().reciprocal_condition());
   }
   pending_.clear();
+  known_.clear();
   condensed_ = Condensed::operators;
+}
+
+void CondensedOperators::take_over(const CondensedOperators& before) {
+  known_ = before.known_;
+  for (const OperatorSchurComplement& op : before.list_) known_.emplace(&op.schur()->stiffness(), op.schur());
 }
 
 int CondensedOperators::number_on(const std::vector<int>& nodes) const {

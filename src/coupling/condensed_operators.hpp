@@ -18,6 +18,8 @@ class CondensedOperators {
   explicit CondensedOperators(std::vector<DenseOperator> operators);
 
   bool are_condensed() const { return condensed_ != Condensed::nothing; }
+  // Makes condense() take over Schur complements that both have.
+  void take_over(const CondensedOperators& before);
   // Condenses the operators; `kind` classifies all degrees of freedom. Throws Error (unsolvable) if the block of an
   // operator's private unknowns is singular.
   void condense(const std::vector<DofKind>& kind, SolverCounters& counters);
@@ -69,6 +71,7 @@ class CondensedOperators {
   std::vector<DenseOperator> pending_;  // until condensed
   std::vector<OperatorSchurComplement> list_;
   Condensed condensed_ = Condensed::nothing;
+  KnownSchurComplements known_;  // until condensed
   Affine load_, gap_offsets_{0, 2};
   bool have_rest_[2] = {false, false};
   double rest_motion_[2] = {0, 0};

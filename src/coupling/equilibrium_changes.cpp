@@ -24,6 +24,27 @@ constexpr double resisted_by_others = 1e-6;
 // fresh factor takes the time of some 100 to 200 columns.
 constexpr double most_columns_over_root = 2;
 
+// Nodal forces that pull along all these terms, unevenly.
+Eigen::VectorXd uneven_pull(const Terms& terms, const NodeTies& ties, int node_count, std::span<const int> along) {
+  Eigen::VectorXd pull = Eigen::VectorXd::Zero(2 * node_count);
+  for (std::size_t i = 0; i < along.size(); ++i) {
+    const double size = std::sin(1.0 + static_cast<double>(i));
+    terms.for_each_entry(static_cast<std::size_t>(along[i]), [&](int node, double x, double y) {
+      pull.segment<2>(2 * node) += size * Eigen::Vector2d(x, y);
+    });
+  }
+  ties.collect(pull);
+  return pull;
+}
+
+// Nodal forces of a spring, by the root of its stiffness.
+Eigen::VectorXd pull_of(const HoldingSpring& spring, const NodeTies& ties, int node_count) {
+  Eigen::VectorXd pull = Eigen::VectorXd::Zero(2 * node_count);
+  pull.segment<2>(2 * spring.node) = std::sqrt(spring.stiffness) * Eigen::Vector2d(spring.cosine, spring.sine);
+  ties.collect(pull);
+  return pull;
+}
+
 }  // namespace
 
 std::vector<StageChange> EquilibriumSystem::all_broken(std::span<const int> terms) const {
@@ -145,14 +166,7 @@ bool EquilibriumSystem::resists_all_motions(std::span<const int> broken) {
   // A stale factor does not show the loss of resistance. A motion that only one of the broken terms resisted grows
   // without bound under the present load; one that several of them resisted shows under uneven pulls along them.
   if (broken.size() < 2) return true;
-  Eigen::VectorXd pull = Eigen::VectorXd::Zero(2 * node_count_);
-  for (std::size_t i = 0; i < broken.size(); ++i) {
-    const double size = std::sin(1.0 + static_cast<double>(i));
-    terms_.for_each_entry(static_cast<std::size_t>(broken[i]), [&](int node, double x, double y) {
-      pull.segment<2>(2 * node) += size * Eigen::Vector2d(x, y);
-    });
-  }
-  ties_.collect(pull);
+  const Eigen::VectorXd pull = uneven_pull(terms_, ties_, node_count_, broken);
   Eigen::VectorXd response;
   try {
     response = displacement_of(solve_column(pull(unknowns_.dof_of)));
@@ -177,13 +191,8 @@ std::vector<Eigen::VectorXd> EquilibriumSystem::motions_held_by(std::span<const 
   // The matrix is summed without constraints, so that parts that only the contact of crack faces holds are free in it.
   const std::unique_ptr<SystemSolver> solver = shifted_solver(method_, matrix, stiff_diagonal(matrix));
   Eigen::MatrixXd pulls = Eigen::MatrixXd::Zero(unknowns_.count(), static_cast<Eigen::Index>(springs.size()));
-  for (Eigen::Index k = 0; k < pulls.cols(); ++k) {
-    const HoldingSpring& spring = springs[static_cast<std::size_t>(k)];
-    Eigen::VectorXd pull = Eigen::VectorXd::Zero(2 * node_count_);
-    pull.segment<2>(2 * spring.node) = std::sqrt(spring.stiffness) * Eigen::Vector2d(spring.cosine, spring.sine);
-    ties_.collect(pull);
-    pulls.col(k) = pull(unknowns_.dof_of);
-  }
+  for (Eigen::Index k = 0; k < pulls.cols(); ++k)
+    pulls.col(k) = pull_of(springs[static_cast<std::size_t>(k)], ties_, node_count_)(unknowns_.dof_of);
   Eigen::MatrixXd answers = pulls;
   check_cancelled();
   solver->factorization().solve_in_place(answers);

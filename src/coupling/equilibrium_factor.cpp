@@ -27,6 +27,15 @@ Constraints constraints_on(const PlacesMet& places) {
   return constraints;
 }
 
+Constraints all_closed(const std::vector<Constraint>& list) {
+  Constraints closed;
+  for (const Constraint& constraint : list) {
+    closed.add(constraint);
+    closed.set_closed(closed.size() - 1, true);
+  }
+  return closed;
+}
+
 }  // namespace
 
 std::unique_ptr<StiffnessAssembly> EquilibriumSystem::assembly_with(const PlacesMet* places) const {
@@ -46,8 +55,7 @@ const Eigen::SparseMatrix<double>& EquilibriumSystem::assemble() const {
 
 const Eigen::SparseMatrix<double>& EquilibriumSystem::assemble_to_factorize() {
   const Eigen::SparseMatrix<double>& matrix = assemble();
-  source_ = {stages_, springs_, {}, constraints_.closed_exact(), places_met_, false, {}};
-  constraints_.for_each_closed_penalty([&](const Constraint& closed) { source_.closed.push_back(closed); });
+  source_ = FactorSource::of(stages_, springs_, constraints_, places_met_);
   return matrix;
 }
 
@@ -79,6 +87,9 @@ void EquilibriumSystem::forget_places_met() {
 void EquilibriumSystem::factorize() {
   rebuild_factor();
   if (factor_.exists()) return;
+  source_ = FactorSource::of(stages_, springs_, constraints_, places_met_);
+  if (factor_.factorize(substructures_, {operators_, terms_, ties_, constraints_, springs_, largest_stiffness_}))
+    return;
   const Eigen::SparseMatrix<double>* matrix = nullptr;
   {
     const Stopwatch watch(counters_.seconds_assembly);
@@ -128,17 +139,15 @@ void EquilibriumSystem::rebuild_factor() {
   std::vector<double> stiffness(terms_.size());
   for (std::size_t t = 0; t < stiffness.size(); ++t)
     stiffness[t] = stiffness_after({static_cast<int>(t), source_.stages[t]});
-  Constraints closed;
-  for (const Constraint& constraint : source_.closed) {
-    closed.add(constraint);
-    closed.set_closed(closed.size() - 1, true);
-  }
+  const Constraints closed = all_closed(source_.closed);
   const bool has_pattern = source_.places == places_met_;
   if (has_pattern && !assembly_) assembly_ = assembly_with(places_met_.get());
   const std::unique_ptr<StiffnessAssembly> earlier = has_pattern ? nullptr : assembly_with(source_.places.get());
   StiffnessAssembly& assembly = earlier ? *earlier : *assembly_;
   try {
-    if (assembly.has_room_for(closed)) factor_.factorize(assembly.sum(stiffness, source_.springs, &closed));
+    if (!factor_.factorize(substructures_, {operators_, terms_, ties_, closed, source_.springs, largest_stiffness_}) &&
+        assembly.has_room_for(closed))
+      factor_.factorize(assembly.sum(stiffness, source_.springs, &closed));
     for (std::size_t k = 0; factor_.exists() && k < source_.to_repeat.size(); ++k) factor_.repeat(source_.to_repeat[k]);
   } catch (const Error& error) {
     factor_.forget();

@@ -116,6 +116,7 @@ void EquilibriumSystem::collect_bodies(const std::vector<DenseOperator>& operato
 }
 
 void EquilibriumSystem::place_nodes(const std::vector<Point>& positions) {
+  substructures_.place(positions);
   if (is_symmetric()) factor_.set_graph(coupling_graph(positions, terms_, ties_, bodies_));
 }
 
@@ -170,10 +171,7 @@ Affine EquilibriumSystem::solve() {
       // Loads are scaled to order 1, because scalar products of the iteration square them: squares can overflow or
       // vanish.
       const double unit = std::exp2(std::ilogb(rhs.col(column).lpNorm<Eigen::Infinity>()));
-      const Eigen::VectorXd unknowns = unit * solve_column(rhs.col(column) / unit);
-      for (std::size_t i = 0; i < unknowns_.dof_of.size(); ++i) {
-        displacement(unknowns_.dof_of[i], column) = unknowns[static_cast<Eigen::Index>(i)];
-      }
+      displacement.col(column)(unknowns_.dof_of) = unit * solve_column(rhs.col(column) / unit);
     }
   }
   for (int column = 0; column < 2; ++column) counters_.solves += has_load(column) ? 1 : 0;
@@ -185,6 +183,7 @@ Affine EquilibriumSystem::solve() {
 FactorizedSystem EquilibriumSystem::factorized() {
   assert(is_symmetric());
   condense();
+  if (substructures_.avoid()) forget_factor();  // which has no Cholesky factor of the whole matrix
   factorize();
   const Stopwatch watch(counters_.seconds_solve);
   condense_load();

@@ -19,6 +19,7 @@
 #include "coupling/operators.hpp"
 #include "coupling/solver_counters.hpp"
 #include "coupling/stiffness_assembly.hpp"
+#include "coupling/substructures.hpp"
 #include "coupling/system_factor.hpp"
 #include "coupling/unknowns.hpp"
 #include "geometry/point.hpp"
@@ -59,6 +60,12 @@ class EquilibriumSystem {
 
   // Sets the positions of the nodes. A symmetric system derives from them an order of elimination with less fill.
   void place_nodes(const std::vector<Point>& positions);
+
+  // Takes over what this system has in common with `before`, that of a scene with shorter cracks.
+  void take_over(const EquilibriumSystem& before) {
+    operators_.take_over(before.operators_);
+    substructures_.take_over(before.substructures_);
+  }
 
   // Makes the next factorization eliminate the unknowns of these nodes last, and drops the present factor.
   void keep_last(std::vector<int> nodes);
@@ -266,6 +273,7 @@ class EquilibriumSystem {
   SolverCounters counters_;
   SystemFactor factor_;
   FactorSource source_;
+  Substructures substructures_;
 };
 
 }  // namespace bempd::coupling

@@ -43,6 +43,13 @@ struct FactorSource {
   bool is_awaited = false;                  // whether the factor is still to be made of this state, and then changed
   std::vector<FactorChange> to_repeat;
 
+  static FactorSource of(const std::vector<std::uint8_t>& stages, const std::vector<HoldingSpring>& springs,
+                         const Constraints& constraints, const std::shared_ptr<const PlacesMet>& places) {
+    FactorSource source{stages, springs, {}, constraints.closed_exact(), places, false, {}};
+    constraints.for_each_closed_penalty([&](const Constraint& closed) { source.closed.push_back(closed); });
+    return source;
+  }
+
   bool has_matrix_of(const FactorSource& other) const {
     const bool has_places = places && other.places ? *places == *other.places : places == other.places;
     return stages == other.stages && springs == other.springs && closed == other.closed &&

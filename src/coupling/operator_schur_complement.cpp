@@ -6,7 +6,8 @@
 namespace bempd::coupling {
 
 OperatorSchurComplement::OperatorSchurComplement(const DenseOperator& source, const std::vector<DofKind>& kind,
-                                                 const std::vector<OperatorSchurComplement>& built)
+                                                 const std::vector<OperatorSchurComplement>& built,
+                                                 const KnownSchurComplements& known)
     : rest_(source.rest), constraints_(source.constraints) {
   if (constraints_) gap_offsets_ = Affine::Zero(static_cast<Eigen::Index>(constraint_count()), 2);
   for (int node : source.nodes) all_.insert(all_.end(), {2 * node, 2 * node + 1});
@@ -15,8 +16,13 @@ OperatorSchurComplement::OperatorSchurComplement(const DenseOperator& source, co
   const auto same = std::find_if(built.begin(), built.end(), [&](const OperatorSchurComplement& other) {
     return other.schur_->is_of(source.stiffness, own);
   });
+  const auto [first, last] = known.equal_range(source.stiffness.get());
+  const auto before =
+      std::find_if(first, last, [&](const auto& one) { return one.second->is_of(source.stiffness, own); });
   if (same != built.end()) {
     schur_ = same->schur_;
+  } else if (before != last) {
+    schur_ = before->second;
   } else {
     schur_ = source.method->schur_complement(source.stiffness, std::move(own));
     has_factorized_ = !schur_->private_dofs().empty();

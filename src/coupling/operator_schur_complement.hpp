@@ -2,6 +2,7 @@
 
 #include <Eigen/Cholesky>
 #include <Eigen/Core>
+#include <map>
 #include <memory>
 #include <utility>
 #include <vector>
@@ -12,15 +13,22 @@
 
 namespace bempd::coupling {
 
+// Schur complements of another system, by their stiffness.
+using KnownSchurComplements = std::multimap<const Eigen::MatrixXd*, std::shared_ptr<const SchurComplement>>;
+
 // Dense operator whose private unknowns are eliminated once, so that only the unknowns that it shares with other parts
 // enter the sparse system.
 class OperatorSchurComplement {
  public:
   // Condenses `source`; `kind` classifies every global degree of freedom. The Schur complement is taken over from an
-  // operator of `built` if that one has the same. Throws Error (unsolvable) if the private block is singular.
+  // operator of `built`, or from `known`, if that has the same. Throws Error (unsolvable) if the private block is
+  // singular.
   OperatorSchurComplement(const DenseOperator& source, const std::vector<DofKind>& kind,
-                          const std::vector<OperatorSchurComplement>& built);
+                          const std::vector<OperatorSchurComplement>& built, const KnownSchurComplements& known = {});
 
+  const std::shared_ptr<const SchurComplement>& schur() const { return schur_; }
+  const std::shared_ptr<const ExactConstraints>& constraints() const { return constraints_; }
+  const std::vector<Eigen::Index>& active() const { return active_; }  // closed constraints
   const std::vector<int>& shared_dofs() const { return shared_; }
   const Eigen::MatrixXd& schur_complement() const { return active_.empty() ? schur_->matrix() : schur_with_active_; }
   const Eigen::MatrixXd& schur_complement_when_open() const { return schur_->matrix(); }

@@ -88,7 +88,8 @@ void SystemFactor::factorize(const Matrix& matrix) {
   changes_.clear();
   const Stopwatch watch(counters_.seconds_factorization);
   largest_diagonal_ = matrix.diagonal().maxCoeff();
-  if (!solver_) solver_ = method_.make_solver();
+  if (!solver_ || is_taken_) solver_ = method_.make_solver();
+  is_taken_ = false;
   {
     const Phase phase("ordering of the sparse system");
     choose_order();
@@ -100,10 +101,29 @@ void SystemFactor::factorize(const Matrix& matrix) {
          "the stiffness matrix is singular: a part of the body can move freely; check supports, and cracks "
          "that leave a part hanging on a single point");
   }
+  count_new_factor();
+}
+
+bool SystemFactor::factorize(Substructures& substructures, const MatrixSources& sources) {
+  if (!method_.needs_symmetry() || !kept_nodes_.empty()) return false;
+  const Stopwatch watch(counters_.seconds_factorization);
+  std::unique_ptr<SystemSolver> solver = substructures.solver_of(sources, unknowns_);
+  if (!solver) return false;
+  lose();
+  changes_.clear();
+  solver_ = std::move(solver);
+  is_taken_ = true;
+  largest_diagonal_ = sources.largest_stiffness;
+  count_new_factor();
+  return true;
+}
+
+void SystemFactor::count_new_factor() {
   state_ = FactorState::factorized;
   kept_when_made_ = kept_nodes_;
   ++counters_.sparse_factorizations;
   // The pivot ratio is that of the matrix scaled to a unit diagonal, so that units and stiff neighbours do not matter.
+  const linalg::SparseFactorization& factor = solver_->factorization();
   counters_.reciprocal_condition = std::min(counters_.reciprocal_condition, factor.smallest_pivot_ratio());
   counters_.factor_nonzeros = factor.factor_nonzeros();
 }

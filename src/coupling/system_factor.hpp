@@ -9,6 +9,7 @@
 #include "coupling/factor_origin.hpp"
 #include "coupling/solution_method.hpp"
 #include "coupling/solver_counters.hpp"
+#include "coupling/substructures.hpp"
 #include "coupling/unknowns.hpp"
 #include "linalg/nested_dissection.hpp"
 
@@ -58,10 +59,14 @@ class SystemFactor {
     forget();
     lose();
     solver_.reset();
+    is_taken_ = false;
   }
 
   // Factorizes the matrix. Throws Error (unsolvable) if it is singular.
   void factorize(const Matrix& matrix);
+
+  // Factorizes a matrix by its substructures; false if it has none. There is no Cholesky factor then.
+  bool factorize(Substructures& substructures, const MatrixSources& sources);
 
   // Changes an existing factor for the matrix plus or minus columns * columns^T.
   void change(const Matrix& columns, linalg::Change change);
@@ -82,6 +87,7 @@ class SystemFactor {
 
  private:
   void choose_order();
+  void count_new_factor();
 
   const SolutionMethod& method_;
   const Unknowns& unknowns_;
@@ -90,6 +96,7 @@ class SystemFactor {
   std::vector<int> kept_nodes_;
   int kept_ = 0;
   std::unique_ptr<SystemSolver> solver_;
+  bool is_taken_ = false;  // from outside: it cannot factorize another matrix
   FactorState state_ = FactorState::none, forgotten_ = FactorState::none;
   std::vector<int> kept_when_made_;
   std::vector<FactorChange> changes_;

@@ -19,7 +19,7 @@ class Dissection {
       : graph_(graph),
         reach_(graph.positions.size(), 0),
         side_(graph.positions.size(), none),
-        grouped_(graph.positions.size(), 0) {
+        group_state_(graph.groups.size(), not_known) {
     const int count = static_cast<int>(graph.positions.size());
     for (int n = 0; n < count; ++n) {
       if (!member[n]) continue;
@@ -29,9 +29,10 @@ class Dissection {
         reach_[n] = std::max(reach_[n], span);
       }
     }
-    for (const std::vector<int>& group : graph.groups) {
-      for (int n : group) grouped_[n] = 1;
-    }
+    groups_of_ = make_adjacency(graph.positions.size(), [&](const auto& add) {
+      for (std::size_t g = 0; g < graph.groups.size(); ++g)
+        for (const int n : graph.groups[g]) add(n, static_cast<int>(g));
+    });
   }
 
   std::vector<int> order() {
@@ -42,6 +43,7 @@ class Dissection {
  private:
   using Iterator = std::vector<int>::iterator;
   enum Side : char { none, lower, upper };
+  enum GroupState : char { not_known, divided, undivided };
 
   void divide(Iterator begin, Iterator end) {
     if (end - begin <= leaf_size) return;
@@ -80,16 +82,14 @@ class Dissection {
   // Nodes of one side of a cut that are coupled to the other side.
   std::vector<int> boundary(Iterator begin, Iterator end, int axis, double cut, Side side) {
     const Side other = side == lower ? upper : lower;
-    std::vector<char> group_is_cut;
-    for (const std::vector<int>& group : graph_.groups) {
-      group_is_cut.push_back(std::any_of(group.begin(), group.end(), [&](int n) { return side_[n] == other; }) ? 1 : 0);
-    }
     std::vector<int> found;
     for (Iterator it = begin; it != end; ++it) {
       if (side_[*it] != side) continue;
       const bool near = std::abs(graph_.positions[*it][axis] - cut) <= reach_[*it] * (1 + 1e-9);
-      if ((near && has_partner(*it, other)) || (grouped_[*it] && in_cut_group(*it, group_is_cut))) found.push_back(*it);
+      if ((near && has_partner(*it, other)) || in_group_with(*it, other)) found.push_back(*it);
     }
+    for (Iterator it = begin; it != end; ++it)
+      for (const int g : groups_of_.of(*it)) group_state_[static_cast<std::size_t>(g)] = not_known;
     return found;
   }
 
@@ -98,19 +98,25 @@ class Dissection {
     return std::any_of(partners.begin(), partners.end(), [&](int n) { return side_[n] == side; });
   }
 
-  bool in_cut_group(int node, const std::vector<char>& group_is_cut) const {
-    for (std::size_t g = 0; g < group_is_cut.size(); ++g) {
-      const std::vector<int>& group = graph_.groups[g];
-      if (group_is_cut[g] && std::find(group.begin(), group.end(), node) != group.end()) return true;
-    }
-    return false;
+  // Whether a group of the node has nodes on a side. What is found out about a group is kept until boundary() ends.
+  bool in_group_with(int node, Side side) {
+    const std::span<const int> groups = groups_of_.of(node);
+    return std::any_of(groups.begin(), groups.end(), [&](int g) {
+      GroupState& state = group_state_[static_cast<std::size_t>(g)];
+      if (state == not_known) {
+        const std::vector<int>& nodes = graph_.groups[static_cast<std::size_t>(g)];
+        state = std::any_of(nodes.begin(), nodes.end(), [&](int n) { return side_[n] == side; }) ? divided : undivided;
+      }
+      return state == divided;
+    });
   }
 
   const NodeGraph& graph_;
   std::vector<int> nodes_;
   std::vector<double> reach_, coordinates_;
   std::vector<Side> side_;
-  std::vector<char> grouped_;
+  Adjacency groups_of_;
+  std::vector<GroupState> group_state_;
 };
 
 }  // namespace

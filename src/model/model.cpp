@@ -214,6 +214,7 @@ std::unique_ptr<PreparedScene> Model::build(const PreparedScene* before) const {
   p->cut_bonds = regions::bonds_cut_by_cracks(p->in_lattices.cracks, d, d.warnings);
   p->system = std::make_unique<coupling::EquilibriumSystem>(static_cast<int>(d.positions.size()), d.dense_operators(),
                                                             std::move(d.bonds), p->conditions.prescribed, d.ties);
+  if (before) p->system->take_over(*before->system);
   p->system->note_condition(regions::condition_of_held_pressure(scene_, d, p->conditions.prescribed, d.warnings));
   if (!before) check_mechanism(*p);  // what growth has cut off is held
   if (before) check_loads_inside_free_pieces(*p);

@@ -34,7 +34,7 @@ LARGE_CLASSES: dict[str, tuple[int, int]] = {
     "fracture/WindowSolver": (40, 350),
     "model/Model": (115, 1250),
     "regions/BondedRegion": (50, 350),
-    "regions/BoundaryRegion": (84, 772),
+    "regions/BoundaryRegion": (79, 700),
     "regions/OutlinedRegion": (40, 450),
     "regions/Region": (60, 300),
     "scene/Scene": (45, 350),

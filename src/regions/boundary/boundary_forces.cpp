@@ -99,8 +99,7 @@ Eigen::VectorXd BoundaryRegion::force_besides(const LinearBodyForce& particular)
     bem::add_stress_forces(mesh_, stress, elasticity().thickness, of_tractions);
     forces = mesh_stiffness() * displacement - of_tractions;
   }
-  for (const CrackedPart& part : cracked_)
-    part.add(-part.body->forces_on_boundary(face_forces_of(particular, part)), forces);
+  for (const CrackedPart& part : cracked_) part.add(-part.body->forces_on_boundary(part.forces_of(particular)), forces);
   return forces;
 }
 
@@ -131,7 +130,8 @@ Eigen::Matrix2d BoundaryRegion::work_within(const std::array<BodyForce, 2>& body
   Eigen::Matrix2d work = Eigen::Matrix2d::Zero();
   for (int i = 0; i < 2; ++i)
     for (int j = 0; j < 2; ++j) work(i, j) = work_within(body_force[i], body_force[j]);
-  for (const CrackedPart& part : cracked_) work += work_within_cracks(body_force, crack_loads, part);
+  for (const CrackedPart& part : cracked_)
+    work += part.work_of(part.forces_of(crack_loads), particulars(body_force, part));
   return work;
 }
 

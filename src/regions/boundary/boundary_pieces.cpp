@@ -9,9 +9,6 @@ namespace bempd::regions {
 
 namespace {
 
-// Factor between two distances that differ by more than rounding. Among nearly equal distances the first counts.
-constexpr double clearly_farther = 1 + 1e-6;
-
 // Nodes of the scene for all nodes of a mesh, some of which are none (-1). An end of an element at a crack's mouth then
 // gets the number of the element's other end, which lies on the same side of the crack; a mid node that of the start.
 std::vector<int> with_neighbours(std::vector<int> nodes, const BoundaryMesh& mesh) {
@@ -25,6 +22,12 @@ std::vector<int> with_neighbours(std::vector<int> nodes, const BoundaryMesh& mes
 
 }  // namespace
 
+// Nodes on cuts between subdomains come last in the region.
+int BoundaryRegion::node_at(int place) const {
+  const auto at = static_cast<std::size_t>(place);
+  return at < mesh_.nodes.size() ? node_of_mesh_node_[at] : nodes_[nodes_.size() - (places().size() - at)];
+}
+
 std::vector<int> BoundaryRegion::nodes_of_entries() const { return with_neighbours(node_of_mesh_node_, mesh_); }
 
 bool BoundaryRegion::is_cut() const {
@@ -35,47 +38,6 @@ bool BoundaryRegion::is_cut() const {
 bool BoundaryRegion::has_inner_crack(int crack) const {
   return std::any_of(cracked_.begin(), cracked_.end(),
                      [&](const CrackedPart& part) { return part.cracks->has_inside(crack); });
-}
-
-std::vector<coupling::BodyPiece> BoundaryRegion::pieces_of(const CrackedPart& part) const {
-  const bem::CrackMesh& cracks = part.elements();
-  if (cracks.pieces.count == 1) return {};
-  const BoundaryMesh& mesh = part.body->mesh();
-  // Nodes of the scene, -1 for nodes that follow others. Nodes on cuts between subdomains come last in the region.
-  const auto node_of = [&](std::size_t i) {
-    const std::size_t place = part.nodes.empty() ? i : static_cast<std::size_t>(part.nodes[i]);
-    return place < mesh_.nodes.size() ? node_of_mesh_node_[place] : nodes_[nodes_.size() - (places().size() - place)];
-  };
-  std::vector<int> piece_of(mesh.nodes.size(), 0);
-  std::vector<char> on_face(mesh.nodes.size(), 0);
-  for (std::size_t e = 0; e < mesh.elements.size(); ++e)
-    for (const int node : mesh.elements[e].nodes) {
-      piece_of[node] = cracks.pieces.of_element[e];
-      if (mesh.elements[e].panel >= cracks.first_face_panel) on_face[node] = 1;
-    }
-  std::vector<coupling::BodyPiece> pieces(static_cast<std::size_t>(cracks.pieces.count));
-  for (std::size_t p = 0; p < pieces.size(); ++p) {
-    // Nodes away from crack faces are preferred for springs that hold a piece, because contact depends on the
-    // displacements of the faces.
-    std::vector<std::size_t> own, beside_faces;
-    for (std::size_t i = 0; i < mesh.nodes.size(); ++i) {
-      if (node_of(i) < 0 || piece_of[i] != static_cast<int>(p)) continue;
-      pieces[p].nodes.push_back(node_of(i));
-      own.push_back(i);
-      if (!on_face[i]) beside_faces.push_back(i);
-    }
-    if (beside_faces.size() > 1) own.swap(beside_faces);
-    const auto farthest_from = [&](std::size_t from) {
-      std::size_t best = own.front();
-      const auto way = [&](std::size_t i) { return (mesh.nodes[i] - mesh.nodes[from]).norm(); };
-      for (const std::size_t i : own)
-        if (way(i) > clearly_farther * way(best)) best = i;
-      return best;
-    };
-    const std::size_t one = farthest_from(own.front()), other = farthest_from(one);
-    pieces[p].holdable = {node_of(one), node_of(other)};
-  }
-  return pieces;
 }
 
 InteriorOfPieces BoundaryRegion::inside_without(const LinearBodyForce& particular, const Solution& solution) const {

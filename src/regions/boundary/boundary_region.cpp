@@ -229,8 +229,8 @@ std::vector<coupling::DenseOperator> BoundaryRegion::dense_operators(std::span<c
     auto all = subdomains_->dense_operators(nodes_, trace_, rest_);
     for (const CrackedPart& part : cracked_) {
       coupling::DenseOperator& own = all[part.subdomain];
-      own.constraints = exact_constraints(part, subdomains_->trace_of_subdomain(part.subdomain, trace_));
-      own.pieces = pieces_of(part);
+      own.constraints = part.constraints_for(subdomains_->trace_of_subdomain(part.subdomain, trace_));
+      own.pieces = part.pieces([this](int place) { return node_at(place); });
     }
     return all;
   }
@@ -240,8 +240,8 @@ std::vector<coupling::DenseOperator> BoundaryRegion::dense_operators(std::span<c
   }
   if (!cracks_) return {{nodes_, stiffness_of_nodes(), &solution_method(), rest_}};
   const CrackedPart& whole = cracked_.front();
-  return {
-      {nodes_, stiffness_of_nodes(), &solution_method(), rest_, exact_constraints(whole, trace_), pieces_of(whole)}};
+  return {{nodes_, stiffness_of_nodes(), &solution_method(), rest_, whole.constraints_for(trace_),
+           whole.pieces([this](int place) { return node_at(place); })}};
 }
 
 std::shared_ptr<const Eigen::MatrixXd> BoundaryRegion::stiffness_of_nodes() const {

@@ -117,25 +117,15 @@ class BoundaryRegion : public Region {
   std::shared_ptr<const Eigen::MatrixXd> stiffness_of_nodes() const;
   const Eigen::MatrixXd& mesh_stiffness() const { return stiffness_.size() > 0 ? stiffness_ : operator_->stiffness(); }
   bool has_operator_of(const BoundaryRegion& other) const;
-  std::vector<coupling::BodyPiece> pieces_of(const CrackedPart& part) const;
+  int node_at(int place) const;  // of the scene, -1 where nodes follow others
   LinearBodyForce particular(const BodyForce& body_force) const;
   // Particular solution of a body force at places(): displacement_of() gives its displacements u_p,
   // force_besides() the forces K u_p - f(t_p) by which it changes the nodal forces.
   Eigen::VectorXd displacement_of(const LinearBodyForce& particular) const;
   Eigen::VectorXd force_besides(const LinearBodyForce& particular) const;
   double work_within(const BodyForce& body_force, const BodyForce& other) const;
-  // Forces on crack faces: face_forces_of() those of a particular solution's tractions, forces_on_cracks() those of
-  // loads (constant and proportional part).
-  Eigen::VectorXd face_forces_of(const LinearBodyForce& particular, const CrackedPart& part) const;
-  Eigen::MatrixX2d forces_on_cracks(const std::vector<CrackLoad>& loads, const CrackedPart& part) const;
-  struct Particulars {
-    Eigen::MatrixX2d displacements, face_forces;
-  };
-  Particulars particulars(const std::array<BodyForce, 2>& body_force, const CrackedPart& part) const;
-  Eigen::Matrix2d work_within_cracks(const std::array<BodyForce, 2>& body_force, const std::vector<CrackLoad>& loads,
-                                     const CrackedPart& part) const;
-  static std::shared_ptr<const coupling::ExactConstraints> exact_constraints(const CrackedPart& part,
-                                                                             const Eigen::SparseMatrix<double>& trace);
+  // Particular solutions at the nodes and on the crack faces of a part.
+  CrackedPart::Particulars particulars(const std::array<BodyForce, 2>& body_force, const CrackedPart& part) const;
   // Displacements of places() without those of free swelling. `displacement` is that of the scene's nodes;
   // `constant` and `proportional` are the factors of the swelling's two parts.
   Eigen::VectorXd elastic(const Eigen::VectorXd& displacement, double constant, double proportional) const;
@@ -151,8 +141,6 @@ class BoundaryRegion : public Region {
   std::vector<bem::CrackedState> cracked_states(const Eigen::VectorXd& displacement, const Solution& solution,
                                                 double constant, double proportional) const;
   std::vector<bem::CrackedState> cracked_states(const Solution& solution) const;
-  void append_tips(const CrackedPart& part, const std::vector<bem::CrackedState>& states, const Solution& solution,
-                   TipDetail detail, std::vector<TipValues>& values) const;
   // Tractions on the boundary for displacements of places().
   Eigen::VectorXd tractions_under(const Eigen::VectorXd& displacement, const Solution& solution) const;
   FieldValues element_tractions(const Solution& solution) const;

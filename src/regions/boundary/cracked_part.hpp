@@ -1,15 +1,21 @@
 #pragma once
 
-#include <Eigen/Core>
+#include <Eigen/SparseCore>
+#include <functional>
 #include <memory>
 #include <vector>
 
 #include "bem/crack_tips.hpp"
 #include "bem/cracked_operator.hpp"
 #include "bem/normal_openings.hpp"
+#include "coupling/operators.hpp"
+#include "elasticity/linear_body_force.hpp"
 #include "regions/boundary/meshed_cracks.hpp"
 
 namespace bempd::regions {
+
+// Traction of a particular solution on a plane with this normal.
+Point traction_of(const LinearBodyForce& particular, const Point& x, const Point& normal);
 
 // Part of a boundary element region with cracks that has an operator of its own: the whole region, or a subdomain.
 struct CrackedPart {
@@ -33,6 +39,36 @@ struct CrackedPart {
   Eigen::MatrixXd own(const Eigen::MatrixXd& all) const;
   // Adds values at its nodes to those at all places.
   void add(const Eigen::VectorXd& own, Eigen::VectorXd& all) const;
+
+  // Pieces into which cracks cut the part; none if they do not. `node_at` gives the scene's node at a place of the
+  // region, -1 where nodes follow others.
+  std::vector<coupling::BodyPiece> pieces(const std::function<int(int)>& node_at) const;
+  // Nodal forces on the openings of cracks: those of a traction on their faces (empty: 0), of a particular solution's
+  // tractions, and of loads, constant part (column 0) and proportional part (column 1).
+  Eigen::VectorXd forces_of(const bem::FaceTraction& traction) const;
+  Eigen::VectorXd forces_of(const LinearBodyForce& particular) const;
+  Eigen::MatrixX2d forces_of(const std::vector<CrackLoad>& loads) const;
+  // Nodal forces on the boundary that a traction on crack faces causes.
+  Eigen::VectorXd on_boundary(const bem::FaceTraction& traction) const;
+  // Gaps between faces that close, for displacements of the part's nodes and forces on openings.
+  coupling::Affine gaps(const Eigen::MatrixX2d& displacements, const Eigen::MatrixX2d& forces) const;
+  // Constraints of crack faces that close, by displacements of the nodes that `trace` refers to; null without them.
+  std::shared_ptr<const coupling::ExactConstraints> constraints_for(const Eigen::SparseMatrix<double>& trace) const;
+  // Openings and tractions for displacements at all places, a traction on the faces, and faces that are closed.
+  bem::CrackedState state(const Eigen::VectorXd& displacements, bem::FaceTraction traction,
+                          const std::vector<char>& closed) const;
+
+  // Particular solutions of body forces, of the constant and of the proportional part: displacements of the part's
+  // nodes, and the forces of their tractions on crack faces.
+  struct Particulars {
+    Eigen::MatrixX2d displacements, face_forces;
+  };
+  // Work of loads inside the body that nodal forces do not include. The stiffness K couples the boundary's
+  // displacements u and the openings  w = K_ww^-1 (f - K_wu u)  due to forces f on crack faces. These do the work f.w,
+  // of which the nodal forces contain the part that depends on u. A body force has a particular solution u_p with
+  // forces f_p on the faces; u and f are then without these. By Betti's theorem a force f does the additional work
+  // -v.f, with v = K_ww^-1 (f_p - K_wu u_p).
+  Eigen::Matrix2d work_of(const Eigen::MatrixX2d& forces, const Particulars& particular) const;
 };
 
 }  // namespace bempd::regions

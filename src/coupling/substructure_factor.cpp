@@ -1,0 +1,267 @@
+#include "coupling/substructure_factor.hpp"
+
+#include <algorithm>
+#include <numeric>
+#include <utility>
+
+#include "cancellation.hpp"
+#include "linalg/conjugate_gradient.hpp"
+#include "linalg/dense_parts.hpp"
+
+namespace bempd::coupling {
+
+// What a substructure consists of, and its elimination: with the blocks A of eliminated and B of other unknowns,
+// `pivots` is the Cholesky factor L of A_aa, `below` is A_ba L^-T, and `rest` the Schur complement on b.
+struct Substructure {
+  // Components with the places of their unknowns in this substructure: halves first, then parts.
+  std::vector<std::shared_ptr<const Substructure>> halves;
+  std::vector<MatrixPart> parts;
+  std::vector<std::vector<int>> places;
+  Eigen::Index eliminated = 0, count = 0;
+
+  Eigen::MatrixXd pivots, below, rest;  // lower triangles of `pivots` and `rest`
+  Eigen::VectorXd diagonal;             // of the sum of all parts, for the unknowns that remain
+  double smallest_pivot_ratio = 1;
+
+  const void* first_component() const {
+    return halves.empty() ? parts.front().source.get() : static_cast<const void*>(halves.front().get());
+  }
+
+  bool consists_of_the_same_as(const Substructure& other) const {
+    return halves == other.halves && places == other.places && eliminated == other.eliminated &&
+           std::equal(parts.begin(), parts.end(), other.parts.begin(), other.parts.end(),
+                      [](const MatrixPart& a, const MatrixPart& b) { return a.is_made_as(b); });
+  }
+
+  bool eliminate();
+};
+
+namespace {
+
+constexpr int most_iterations = 40;
+// A substructure of at most this many parts is not halved. Where parts have one centre, halving ends by its depth.
+constexpr std::size_t smallest_substructure = 3;
+constexpr int most_halvings = 60;
+
+// Adds the lower triangle of a symmetric matrix to that of a sum.
+void add_lower(const Eigen::MatrixXd& matrix, const std::vector<int>& places, Eigen::MatrixXd& sum) {
+  for (Eigen::Index j = 0; j < matrix.cols(); ++j) {
+    const int column = places[static_cast<std::size_t>(j)];
+    for (Eigen::Index i = j; i < matrix.rows(); ++i) {
+      const int row = places[static_cast<std::size_t>(i)];
+      sum(std::max(row, column), std::min(row, column)) += matrix(i, j);
+    }
+  }
+}
+
+}  // namespace
+
+// Computes the elimination; false if the matrix is not positive definite.
+bool Substructure::eliminate() {
+  check_cancelled();
+  Eigen::MatrixXd sum = Eigen::MatrixXd::Zero(count, count);
+  Eigen::VectorXd whole = Eigen::VectorXd::Zero(count);
+  for (std::size_t k = 0; k < places.size(); ++k) {
+    const bool is_half = k < halves.size();
+    const Eigen::MatrixXd& matrix = is_half ? halves[k]->rest : parts[k - halves.size()].entries();
+    add_lower(matrix, places[k], sum);
+    whole(places[k]) += is_half ? halves[k]->diagonal : matrix.diagonal();
+    if (is_half) smallest_pivot_ratio = std::min(smallest_pivot_ratio, halves[k]->smallest_pivot_ratio);
+  }
+  const Eigen::Index others = count - eliminated;
+  diagonal = whole.tail(others);
+  pivots = sum.topLeftCorner(eliminated, eliminated);
+  below = sum.bottomLeftCorner(others, eliminated);
+  rest = sum.bottomRightCorner(others, others);
+  if (eliminated == 0) return true;
+  sum.resize(0, 0);
+  if (!linalg::factorize_in_parts(pivots)) return false;
+  linalg::solve_upper_from_right(pivots, below);
+  linalg::add_square(rest, below, -1);
+  const Eigen::VectorXd ratios = pivots.diagonal().cwiseAbs2().cwiseQuotient(whole.head(eliminated));
+  smallest_pivot_ratio = std::min(smallest_pivot_ratio, ratios.minCoeff());
+  return smallest_pivot_ratio > linalg::singular_pivot_ratio;
+}
+
+// Gathers parts into substructures and eliminates their unknowns.
+class SubstructureFactor::Builder {
+ public:
+  Builder(std::vector<MatrixPart> parts, Eigen::Index unknowns, const SubstructureFactor* before)
+      : parts_(std::move(parts)),
+        uses_(static_cast<std::size_t>(unknowns), 0),
+        uses_here_(uses_.size(), 0),
+        place_(uses_.size(), -1),
+        before_(before),
+        made_(std::make_unique<SubstructureFactor>()) {
+    for (const MatrixPart& part : parts_)
+      for (const int unknown : part.unknowns) ++uses_[static_cast<std::size_t>(unknown)];
+  }
+
+  std::unique_ptr<SubstructureFactor> make(const std::array<Point, 2>& box) {
+    if (parts_.empty() || std::count(uses_.begin(), uses_.end(), 0) > 0) return nullptr;
+    std::vector<std::size_t> all(parts_.size());
+    std::iota(all.begin(), all.end(), 0);
+    if (!gather(std::move(all), box, 0)) return nullptr;
+    made_->smallest_pivot_ratio_ = made_->steps_.back().result->smallest_pivot_ratio;
+    return std::move(made_);
+  }
+
+ private:
+  // Appends the steps of a substructure of these parts; false if the matrix is not positive definite.
+  bool gather(std::vector<std::size_t> members, std::array<Point, 2> box, int depth) {
+    if (members.size() <= smallest_substructure || depth == most_halvings) return finish({}, members);
+    const int axis = (box[1] - box[0]).x() >= (box[1] - box[0]).y() ? 0 : 1;
+    const double middle = 0.5 * (box[0][axis] + box[1][axis]);
+    std::vector<std::size_t> lower, upper;
+    for (const std::size_t k : members) (parts_[k].centre[axis] < middle ? lower : upper).push_back(k);
+    std::array<Point, 2> lower_box = box, upper_box = box;
+    lower_box[1][axis] = upper_box[0][axis] = middle;
+    if (lower.empty()) return gather(std::move(members), upper_box, depth + 1);
+    if (upper.empty()) return gather(std::move(members), lower_box, depth + 1);
+    if (!gather(std::move(lower), lower_box, depth + 1)) return false;
+    const std::size_t first = made_->steps_.size() - 1;
+    if (!gather(std::move(upper), upper_box, depth + 1)) return false;
+    return finish({first, made_->steps_.size() - 1}, {});
+  }
+
+  // Numbers the unknowns of components, the ones that nothing else has first, and eliminates these.
+  bool finish(const std::vector<std::size_t>& halves, const std::vector<std::size_t>& members) {
+    std::vector<const int*> begin, end;
+    Substructure found;
+    for (const std::size_t half : halves) {
+      const Step& step = made_->steps_[half];
+      found.halves.push_back(step.result);
+      begin.push_back(step.unknowns.data() + step.result->eliminated);
+      end.push_back(step.unknowns.data() + step.unknowns.size());
+    }
+    for (const std::size_t k : members) {
+      found.parts.push_back(parts_[k]);
+      begin.push_back(parts_[k].unknowns.data());
+      end.push_back(begin.back() + parts_[k].unknowns.size());
+      for (const int unknown : parts_[k].unknowns) ++uses_here_[static_cast<std::size_t>(unknown)];
+    }
+    Step step;
+    step.unknowns = numbered(begin, end);
+    found.count = static_cast<Eigen::Index>(step.unknowns.size());
+    found.eliminated = eliminated_;
+    for (std::size_t c = 0; c < begin.size(); ++c) {
+      found.places.emplace_back();
+      for (const int* u = begin[c]; u != end[c]; ++u)
+        found.places.back().push_back(place_[static_cast<std::size_t>(*u)]);
+    }
+    for (const int unknown : step.unknowns) place_[static_cast<std::size_t>(unknown)] = -1;
+    step.result = known_or_new(std::move(found));
+    if (!step.result) return false;
+    made_->steps_.push_back(std::move(step));
+    return true;
+  }
+
+  // Unknowns of the components in the order in which they appear, those to eliminate first; sets place_ and
+  // eliminated_.
+  std::vector<int> numbered(const std::vector<const int*>& begin, const std::vector<const int*>& end) {
+    std::vector<int> order, others;
+    for (std::size_t c = 0; c < begin.size(); ++c)
+      for (const int* u = begin[c]; u != end[c]; ++u) {
+        const auto unknown = static_cast<std::size_t>(*u);
+        if (place_[unknown] >= 0) continue;
+        place_[unknown] = 0;
+        (uses_here_[unknown] == uses_[unknown] ? order : others).push_back(*u);
+      }
+    eliminated_ = static_cast<Eigen::Index>(order.size());
+    order.insert(order.end(), others.begin(), others.end());
+    for (std::size_t k = 0; k < order.size(); ++k) place_[static_cast<std::size_t>(order[k])] = static_cast<int>(k);
+    return order;
+  }
+
+  std::shared_ptr<const Substructure> known_or_new(Substructure found) {
+    std::shared_ptr<const Substructure> result = known(found, *made_);
+    if (!result && before_) result = known(found, *before_);
+    if (result) {
+      ++made_->taken_over_;
+    } else {
+      auto own = std::make_shared<Substructure>(std::move(found));
+      if (!own->eliminate()) return nullptr;
+      for (MatrixPart& part : own->parts) part.matrix = nullptr;
+      result = std::move(own);
+    }
+    made_->known_.emplace(result->first_component(), result);
+    return result;
+  }
+
+  static std::shared_ptr<const Substructure> known(const Substructure& wanted, const SubstructureFactor& factor) {
+    const auto [first, last] = factor.known_.equal_range(wanted.first_component());
+    const auto same =
+        std::find_if(first, last, [&](const auto& one) { return one.second->consists_of_the_same_as(wanted); });
+    return same == last ? nullptr : same->second;
+  }
+
+  std::vector<MatrixPart> parts_;
+  std::vector<int> uses_, uses_here_, place_;  // of each unknown: parts that have it, those seen so far, place
+  const SubstructureFactor* before_;
+  std::unique_ptr<SubstructureFactor> made_;
+  Eigen::Index eliminated_ = 0;
+};
+
+std::unique_ptr<SubstructureFactor> SubstructureFactor::of(std::vector<MatrixPart> parts,
+                                                           const std::array<Point, 2>& box, Eigen::Index unknowns,
+                                                           const SubstructureFactor* before) {
+  return Builder(std::move(parts), unknowns, before).make(box);
+}
+
+void SubstructureFactor::solve_in_place(Eigen::Ref<Eigen::MatrixXd> rhs) const {
+  for (const Step& step : steps_) {
+    const Substructure& s = *step.result;
+    if (s.eliminated == 0) continue;
+    Eigen::MatrixXd values = rhs(step.unknowns, Eigen::all);
+    s.pivots.triangularView<Eigen::Lower>().solveInPlace(values.topRows(s.eliminated));
+    values.bottomRows(s.below.rows()).noalias() -= s.below * values.topRows(s.eliminated);
+    rhs(step.unknowns, Eigen::all) = values;
+  }
+  for (auto step = steps_.rbegin(); step != steps_.rend(); ++step) {
+    const Substructure& s = *step->result;
+    if (s.eliminated == 0) continue;
+    Eigen::MatrixXd values = rhs(step->unknowns, Eigen::all);
+    values.topRows(s.eliminated).noalias() -= s.below.transpose() * values.bottomRows(s.below.rows());
+    s.pivots.triangularView<Eigen::Lower>().transpose().solveInPlace(values.topRows(s.eliminated));
+    rhs(step->unknowns, Eigen::all) = values;
+  }
+}
+
+std::int64_t SubstructureFactor::factor_nonzeros() const {
+  std::int64_t count = 0;
+  for (const Step& step : steps_) {
+    const Substructure& s = *step.result;
+    count += s.eliminated * (s.eliminated + 1) / 2 + s.below.size();
+  }
+  return count;
+}
+
+namespace {
+
+class SubstructureSolver final : public SystemSolver {
+ public:
+  explicit SubstructureSolver(std::shared_ptr<SubstructureFactor> factor) : factor_(std::move(factor)) {}
+
+  linalg::SparseFactorization& factorization() override { return *factor_; }
+
+  linalg::KrylovResult iterate(const Apply& apply, const Eigen::VectorXd& rhs, double tolerance,
+                               Eigen::VectorXd& x) const override {
+    const auto precondition = [this](Eigen::VectorXd& r) { factor_->solve_in_place(r); };
+    return linalg::conjugate_gradient(apply, precondition, rhs, x, {tolerance, most_iterations});
+  }
+
+  Eigen::VectorXd multiply(const Eigen::SparseMatrix<double>& matrix, const Eigen::VectorXd& x) const override {
+    return matrix.selfadjointView<Eigen::Lower>() * x;
+  }
+
+ private:
+  std::shared_ptr<SubstructureFactor> factor_;
+};
+
+}  // namespace
+
+std::unique_ptr<SystemSolver> solver_by(std::shared_ptr<SubstructureFactor> factor) {
+  return std::make_unique<SubstructureSolver>(std::move(factor));
+}
+
+}  // namespace bempd::coupling

@@ -1,0 +1,73 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <vector>
+
+#include "coupling/operator_schur_complement.hpp"
+#include "coupling/system_solver.hpp"
+#include "geometry/point.hpp"
+
+namespace bempd::coupling {
+
+// Part of a system's matrix: a condensed operator, or a spring that holds a node.
+struct MatrixPart {
+  std::shared_ptr<const void> source;                   // of the operator's matrix with all constraints open
+  std::shared_ptr<const ExactConstraints> constraints;  // null unless some are closed
+  std::vector<Eigen::Index> closed;
+  Eigen::MatrixXd own;            // matrix of a spring; empty for an operator
+  const Eigen::MatrixXd* matrix;  // null: `own`
+  std::vector<int> unknowns;
+  Point centre;
+
+  const Eigen::MatrixXd& entries() const { return matrix ? *matrix : own; }
+  // Whether both are made of the same, so that their matrices are equal bit by bit.
+  bool is_made_as(const MatrixPart& other) const {
+    return source == other.source && constraints == other.constraints && closed == other.closed && own == other.own;
+  }
+};
+
+struct Substructure;
+
+// Factor of a matrix that is a sum of parts, by nested substructures: parts are gathered into two halves by place,
+// these into halves again, and so on. From the smallest substructures on, unknowns are eliminated where nothing outside
+// has them, and what remains is a part of the next larger one (multifrontal method). Halves are those of a box, so that
+// a crack that grows changes only the substructures around it. Others are taken from an earlier factor. What is taken
+// over equals what would be computed, bit by bit.
+class SubstructureFactor final : public linalg::SparseFactorization {
+ public:
+  // Factorizes the sum of `parts`, which lie in a box; substructures are taken from `before` (null: none) where it has
+  // the same. Null if the matrix is not positive definite or nearly singular.
+  static std::unique_ptr<SubstructureFactor> of(std::vector<MatrixPart> parts, const std::array<Point, 2>& box,
+                                                Eigen::Index unknowns, const SubstructureFactor* before);
+
+  bool factorize(const Eigen::SparseMatrix<double>&) override { return false; }
+  void solve_in_place(Eigen::Ref<Eigen::MatrixXd> rhs) const override;
+  bool update(const Eigen::SparseMatrix<double>& columns, linalg::Change) override { return columns.nonZeros() == 0; }
+  double smallest_pivot_ratio() const override { return smallest_pivot_ratio_; }
+  std::int64_t factor_nonzeros() const override;
+
+  std::size_t substructures() const { return steps_.size(); }
+  std::size_t taken_over() const { return taken_over_; }
+
+ private:
+  // Elimination in one substructure; those of its halves come before it.
+  struct Step {
+    std::shared_ptr<const Substructure> result;
+    std::vector<int> unknowns;  // the eliminated ones first
+  };
+  class Builder;
+
+  std::vector<Step> steps_;
+  std::multimap<const void*, std::shared_ptr<const Substructure>> known_;  // by their first component
+  double smallest_pivot_ratio_ = 1;
+  std::size_t taken_over_ = 0;
+};
+
+// Solver with such a factor.
+std::unique_ptr<SystemSolver> solver_by(std::shared_ptr<SubstructureFactor> factor);
+
+}  // namespace bempd::coupling

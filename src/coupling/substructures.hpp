@@ -1,0 +1,52 @@
+#pragma once
+
+#include <array>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "coupling/condensed_operators.hpp"
+#include "coupling/constraints.hpp"
+#include "coupling/node_ties.hpp"
+#include "coupling/operators.hpp"
+#include "coupling/system_solver.hpp"
+#include "coupling/terms.hpp"
+#include "coupling/unknowns.hpp"
+#include "geometry/point.hpp"
+
+namespace bempd::coupling {
+
+class SubstructureFactor;
+
+// What a system's matrix is the sum of.
+struct MatrixSources {
+  const CondensedOperators& operators;
+  const Terms& terms;
+  const NodeTies& ties;
+  const Constraints& constraints;
+  std::span<const HoldingSpring> springs;
+  double largest_stiffness;
+};
+
+// Factors by nested substructures (SubstructureFactor) for systems of many operators and nothing else, as of large
+// regions that are cut into subdomains. Each factor takes over what the one before has, also that of a scene with
+// shorter cracks.
+class Substructures {
+ public:
+  void place(const std::vector<Point>& positions) { positions_ = positions; }  // of the nodes
+  void take_over(const Substructures& before) { last_ = before.last_; }
+  // Makes solver_of() return null from now on; returns whether it has given a solver before.
+  bool avoid();
+  // Solver with a factor of the matrix. Null if the system is of another kind, if another solver is wanted, or if the
+  // matrix is not positive definite.
+  std::unique_ptr<SystemSolver> solver_of(const MatrixSources& sources, const Unknowns& unknowns);
+
+ private:
+  bool serve(const MatrixSources& sources) const;
+
+  std::vector<Point> positions_;
+  std::shared_ptr<const SubstructureFactor> last_;
+  bool has_served_ = false, is_avoided_ = false;
+};
+
+}  // namespace bempd::coupling
