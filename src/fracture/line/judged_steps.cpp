@@ -146,9 +146,12 @@ void LineSteps::judge_fit(const std::vector<GrowingTip>& tips, const WilliamsFit
   const bool is_told = is_sheared ? acts_longer && is_crowded && step.residual < residual_with_shape
                                   : !is_crowded && step.residual < largest_residual(law);
   const bool is_alone = !beside_tip && !faces_press_at(tip) && !stress_.meets_other_material(tip, law, clear);
-  step.fit_would_hold = laws_.criterion == KinkCriterion::hoop_stress && is_told && is_alone;
-  step.at_border = is_alone && stress_.lacks_points(tip, law);
-  step.fit_holds = step.fit_would_hold && !step.at_border;
+  const bool by_hoop = laws_.criterion == KinkCriterion::hoop_stress;
+  const bool at_border = is_alone && stress_.lacks_points(tip, law);
+  step.fit_would_hold = by_hoop && is_told && is_alone;
+  step.asks_around =
+      at_border || (by_hoop && !step.is_shut && !faces_press_at(tip) && !stress_.is_beside_face(tip, law, horizon));
+  step.fit_holds = step.fit_would_hold && !(step.asks_around && (at_border || tip.grown == 0));
   step.blends = is_sheared && is_alone && step.residual < residual_with_shape;
   if (!step.blends) return;
   const double one = std::pow(factors.one.dot(at), 2), two = std::pow(factors.two.dot(at), 2);
@@ -197,7 +200,7 @@ bool LineSteps::take_factors(const GrowingTip& tip, const coupling::Affine& disp
 // follow into the step, which the energy does not contain.
 void LineSteps::try_step(const GrowingTip& tip, const coupling::Affine& displacement, const LoadWay& way,
                          TrialBody& body, LineStep& step) const {
-  if ((step.at_border && take_factors(tip, displacement, way, body, step)) || step.fit_would_hold) return;
+  if ((step.asks_around && take_factors(tip, displacement, way, body, step)) || step.fit_would_hold) return;
   if (!body_.pressure_in(tip.id.crack).isZero(0) || body_.has_fluid()) return;
   const pd::TipLaw& law = law_of(tip);
   if (step.residual > residual_without_direction && !has_begun(tip)) {

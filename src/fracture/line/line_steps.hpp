@@ -39,7 +39,7 @@ struct LineStep {
   // Whether the fit lacks points beside a border with boundary elements, although it would hold otherwise. Sums around
   // the tip then give its factors and the load, if it has room for them (`by_factors`). If so: the square of their
   // ratio to those of the fit.
-  bool at_border = false, fit_would_hold = true, by_factors = false;
+  bool asks_around = false, fit_would_hold = true, by_factors = false;
   double rate_over_fit = 1;
   // Whether the load by the fit counts beside that by an energy: for a sheared tip with no other tip near.
   bool blends = false;
