@@ -55,6 +55,15 @@ double largest_residual(const pd::TipLaw& law) {
   return std::max(least_limit, limit_of_residual * std::pow(law.spacing / law.horizon, 2));
 }
 
+// Whether an edge lies within a horizon of a tip, beside it rather than ahead. There the factors by sums turn the tip
+// towards the edge.
+bool runs_along_edge(const GrowingTip& tip, const pd::TipLaw& law, const TipStress& stress, const LineWay& way) {
+  const double horizon = (1 - rounding_of_places) * law.horizon, nearest = stress.nearest_outline(tip.place, horizon);
+  if (!(nearest < horizon)) return false;
+  const int spacings = static_cast<int>(std::ceil(2 * nearest / law.spacing));
+  return way.clear_spacings(tip.place, tip.direction, law, spacings) >= spacings;
+}
+
 // Replaces factors, load and turn of a step's fit by those of sums around its tip. `correction` is that of the fit.
 void set_by_factors(const TipFactors& found, const LineLoad& load, const LoadWay& way, double correction,
                     LineStep& step) {
@@ -126,12 +135,17 @@ void LineSteps::judge_fit(const std::vector<GrowingTip>& tips, const WilliamsFit
   const GrowingTip& tip = tips[step.tip];
   const pd::TipLaw& law = law_of(tip);
   // A weak direction turns a tip far more sharply than its field does, and the counted lengths of such a turn say
-  // little. A function of the host needs factors.
-  if (!laws_.loads_by_energy || law.directions || law.function) return;
+  // little.
+  if (!laws_.loads_by_energy || law.directions) return;
+  step.is_shut = is_shut(tip, fit);
+  if (law.function) {  // it needs factors
+    step.asks_around = !has_begun(tip) && has_own_field(tip, step);
+    step.fit_holds = !step.asks_around;
+    return;
+  }
   const Eigen::Vector2d at(1, step.load_factor);
   const AffineIntensity factors = stress_.as_read(fit.factors(law.horizon));
   const bool is_sheared = std::abs(factors.two.dot(at)) > largest_shear * std::abs(factors.one.dot(at));
-  step.is_shut = is_shut(tip, fit);
   // The distances are reduced by rounding, so that an equal distance counts as clear in whatever direction the scene is
   // turned.
   const double horizon = (1 - rounding_of_places) * law.horizon, clear = clear_horizons * horizon;
@@ -146,9 +160,14 @@ void LineSteps::judge_fit(const std::vector<GrowingTip>& tips, const WilliamsFit
   const bool is_told = is_sheared ? acts_longer && is_crowded && step.residual < residual_with_shape
                                   : !is_crowded && step.residual < largest_residual(law);
   const bool is_alone = !beside_tip && !faces_press_at(tip) && !stress_.meets_other_material(tip, law, clear);
-  step.fit_would_hold = laws_.criterion == KinkCriterion::hoop_stress && is_told && is_alone;
+  const bool by_hoop = laws_.criterion == KinkCriterion::hoop_stress;
   step.at_border = is_alone && stress_.lacks_points(tip, law);
-  step.fit_holds = step.fit_would_hold && !step.at_border;
+  step.fit_would_hold = by_hoop && is_told && is_alone;
+  // Sums around tips of cracks that began in the run are not measured yet.
+  step.asks_around =
+      step.at_border || (!has_begun(tip) && has_own_field(tip, step) && !runs_along_edge(tip, law, stress_, way_));
+  step.factors_suffice = step.at_border || (by_hoop && !(is_sheared && is_crowded));
+  step.fit_holds = step.fit_would_hold && !step.at_border && !(step.asks_around && tip.grown == 0);
   step.blends = is_sheared && is_alone && step.residual < residual_with_shape;
   if (!step.blends) return;
   const double one = std::pow(factors.one.dot(at), 2), two = std::pow(factors.two.dot(at), 2);
@@ -184,23 +203,33 @@ bool LineSteps::take_factors(const GrowingTip& tip, const coupling::Affine& disp
   const pd::TipLaw law = law_of(tip).at(tip.acts_at(), tip.grown);
   const AffineIntensity intensity = on_way(found->intensity, way);
   LineCriterion criterion{growth_law(law, tip, tip.acts_at()), 1, way.ahead(way.present), way.control};
+  const Point t_stress = law.function ? t_stress_at(tip, displacement) : Point(0, 0);
+  if (law.function) criterion.law.asking.t_stress = {t_stress.x(), way.ahead(t_stress.y())};
   const std::optional<LineLoad> load = load_of_growth(intensity, intensity, criterion);
   const Point direction = load ? turned(tip.direction, load->angle) : tip.direction;
   const LineWay::Step its = way_.next(tip.place, direction, law);
   if (!load || its.bonds.empty()) return false;
   set_by_factors(*found, *load, way, correction_of(tip), step);
   step.direction = direction, step.way = its;
+  // By the energy criterion the load is that of the energy alone; beside an edge the mean of both for a sheared tip.
+  step.blends = !step.factors_suffice && laws_.criterion == KinkCriterion::hoop_stress;
+  if (step.blends) step.error += error_of_crowded;
+  if (law.function)
+    step.toughness = criterion.law.toughness;
+  else if (!step.at_border)
+    step.taken_energy = trials_.energy_of_step(tip, law, direction);
   return true;
 }
 
-// Replaces the load by the fit by that of a trial step's energy. Cracks under fluid pressure keep the fit: fluid would
-// follow into the step, which the energy does not contain.
+// Replaces the load by the fit by that of sums around the tip, or of a trial step's energy. Cracks under fluid pressure
+// have none by energy: fluid would follow into the step, which the energy does not contain.
 void LineSteps::try_step(const GrowingTip& tip, const coupling::Affine& displacement, const LoadWay& way,
                          TrialBody& body, LineStep& step) const {
-  if ((step.at_border && take_factors(tip, displacement, way, body, step)) || step.fit_would_hold) return;
+  const bool around = step.asks_around && take_factors(tip, displacement, way, body, step);
+  if (around ? step.factors_suffice : step.fit_would_hold) return;
   if (!body_.pressure_in(tip.id.crack).isZero(0) || body_.has_fluid()) return;
   const pd::TipLaw& law = law_of(tip);
-  if (step.residual > residual_without_direction && !has_begun(tip)) {
+  if (!around && step.residual > residual_without_direction && !has_begun(tip)) {
     const Point better = trials_.best_direction(tip, law, step.direction, step.load_factor, displacement, body);
     const LineWay::Step its = way_.next(tip.place, better, law);
     if (!its.bonds.empty()) {
@@ -219,7 +248,7 @@ void LineSteps::try_step(const GrowingTip& tip, const coupling::Affine& displace
   if (step.is_shut && tip.grown == 0 && step.residual < residual_without_direction &&
       way.ahead(load->load_factor) > way.ahead(step.load_factor))
     return;
-  step.by_energy = true, step.taken_energy = growth->first_energy();
+  step.by_energy = true, step.by_factors = false, step.taken_energy = growth->first_energy();
   // A tip that is overloaded at the start of the path is due there, even if a smaller load would suffice further on.
   const bool is_due = way.control == Control::load && way.ahead(load->load_factor) > way.ahead(way.present) &&
                       growth->opens(way.present) && growth->ratio(way.present) >= 1 + ratio_rounding;

@@ -36,10 +36,11 @@ struct LineStep {
   // load, and the residual of the fit as a share of the stress.
   bool fit_holds = true, is_shut = false;  // shut: its faces press on each other at the tip
   double error = 0, residual = 0;
-  // Whether the fit lacks points beside a border with boundary elements, although it would hold otherwise. Sums around
-  // the tip then give its factors and the load, if it has room for them (`by_factors`). If so: the square of their
-  // ratio to those of the fit.
-  bool at_border = false, fit_would_hold = true, by_factors = false;
+  // Whether sums around the tip are asked for its factors, direction and load (`by_factors`: it had room for them), and
+  // whether their load stands without that of an energy. `at_border`: the fit lacks points beside a border with
+  // boundary elements. If by factors: the square of their ratio to those of the fit.
+  bool asks_around = false, factors_suffice = true, by_factors = false;
+  bool at_border = false, fit_would_hold = true;
   double rate_over_fit = 1;
   // Whether the load by the fit counts beside that by an energy: for a sheared tip with no other tip near.
   bool blends = false;
@@ -174,6 +175,11 @@ class LineSteps {
   // Factors that give the load of growth.
   AffineIntensity intensity_for_load(const GrowingTip& tip, const WilliamsFit& fit) const;
   bool is_shut(const GrowingTip& tip, const WilliamsFit& fit) const;
+  // Whether the field next to a tip is its own: its faces do not press, and no other face is within a horizon.
+  bool has_own_field(const GrowingTip& tip, const LineStep& step) const {
+    const pd::TipLaw& law = law_of(tip);
+    return !step.is_shut && !faces_press_at(tip) && !stress_.is_beside_face(tip, law, law.horizon);
+  }
   void judge_fit(const std::vector<GrowingTip>& tips, const WilliamsFit& fit, LineStep& step) const;
   KinkShape shape_of(const GrowingTip& tip, const coupling::Affine& displacement, const LineStep& step) const;
   // Replaces the load of the fit by that of a trial step's energy; keeps it if the step would close, or if the body has

@@ -190,7 +190,7 @@ TipStress::Fit TipStress::fit_of(const GrowingTip& growing, const pd::TipLaw& la
 // An edge behind the tip, as at the mouth of its crack, disturbs the energy of a step more than the fit. A border with
 // boundary elements of the same material is no edge: the field of the tip goes on behind it.
 bool TipStress::is_crowded(const GrowingTip& tip, const pd::TipLaw& law, double reach) const {
-  return sight_of(tip, law).nearest_face() < reach || std::ranges::any_of(near_.about(tip.place, reach), [&](int node) {
+  return is_beside_face(tip, law, reach) || std::ranges::any_of(near_.about(tip.place, reach), [&](int node) {
            const Point step = positions_[static_cast<std::size_t>(node)] - tip.place;
            return outline_.has(node) && !laws_.is_joined(node) && step.norm() < reach &&
                   step.dot(tip.direction) > rounding_of_places * reach;

@@ -51,6 +51,9 @@ class TipStress {
   // Whether the field ahead is not that of the tip alone: an edge ahead or another crack's face lies within `reach`, or
   // (second function) points of another material.
   bool is_crowded(const GrowingTip& tip, const pd::TipLaw& law, double reach) const;
+  bool is_beside_face(const GrowingTip& tip, const pd::TipLaw& law, double reach) const {
+    return sight_of(tip, law).nearest_face() < reach;
+  }
   bool meets_other_material(const GrowingTip& tip, const pd::TipLaw& law, double reach) const;
   // Whether the fit lacks points because a border with boundary elements of the same material is near.
   bool lacks_points(const GrowingTip& tip, const pd::TipLaw& law) const;

@@ -180,6 +180,20 @@ std::optional<LineLoad> TrialGrowth::load(double nearby, double sense, bool prop
 TrialSteps::TrialSteps(const coupling::EquilibriumSystem& system, const pd::TipLaws& laws, const LineWay& way)
     : system_(system), way_(way), cut_(system.terms(), laws) {}
 
+// The first step of an initial crack cuts bonds that the crack has weakened.
+CutStiffness::Counted TrialSteps::counted(const GrowingTip& tip, int bond, const Point& normal) const {
+  const auto b = static_cast<std::size_t>(bond);
+  const double present = system_.present_stiffness()[b];
+  return cut_.of(b, tip.energy_ratios.empty() ? cut_.left_of_weakened(b, present) : present, normal);
+}
+
+double TrialSteps::energy_of_step(const GrowingTip& tip, const pd::TipLaw& law, const Point& direction) const {
+  double energy = 0;
+  for (const int bond : way_.across(tip.place, tip.place + law.spacing * direction, law.horizon))
+    energy += counted(tip, bond, left_of(direction)).energy;
+  return std::isfinite(energy) ? energy * law.energy_share(tip.grown, direction) : 0;
+}
+
 // Trial step in a direction: the terms that it cuts, in the order in which ever longer steps cut them, with their
 // followers. Empty if no bond lies ahead or the body has no answer.
 std::optional<TrialGrowth> TrialSteps::along(const GrowingTip& tip, const pd::TipLaw& law, const Point& direction,
@@ -188,26 +202,23 @@ std::optional<TrialGrowth> TrialSteps::along(const GrowingTip& tip, const pd::Ti
   const int lengths =
       std::clamp(way_.clear_spacings(tip.place, direction, law, 2 * longest_trial) / 2, 1, longest_trial);
   const Point normal = left_of(direction);
-  const bool is_first = tip.energy_ratios.empty();
   const double share = law.energy_share(tip.grown, direction);
   std::vector<int> order;
   std::vector<char> taken;
   std::vector<TrialGrowth::Length> found;
-  CutStiffness::Counted counted;
+  CutStiffness::Counted all;
   for (int k = 1; k <= lengths; ++k) {
     std::vector<coupling::StageChange> changes;
     for (const int bond : way_.across(tip.place, tip.place + k * law.spacing * direction, law.horizon)) {
       if (std::find(order.begin(), order.end(), bond) != order.end()) continue;
-      const auto b = static_cast<std::size_t>(bond);
-      const double present = system_.present_stiffness()[b];
-      const CutStiffness::Counted own = cut_.of(b, is_first ? cut_.left_of_weakened(b, present) : present, normal);
-      counted.length += own.length, counted.energy += own.energy;
+      const CutStiffness::Counted own = counted(tip, bond, normal);
+      all.length += own.length, all.energy += own.energy;
       changes.push_back(terms.breaking(bond));
     }
     for (const coupling::StageChange& c : system_.with_followers(std::move(changes)))
       if (std::find(order.begin(), order.end(), c.term) == order.end()) order.push_back(c.term);
-    if (counted.length > 0 && std::isfinite(counted.energy))
-      found.push_back({static_cast<Eigen::Index>(order.size()), counted.length, counted.energy * share});
+    if (all.length > 0 && std::isfinite(all.energy))
+      found.push_back({static_cast<Eigen::Index>(order.size()), all.length, all.energy * share});
   }
   if (found.empty()) return std::nullopt;
   order.resize(static_cast<std::size_t>(found.back().terms));

@@ -98,11 +98,16 @@ class TrialSteps {
   std::optional<TrialGrowth> along(const GrowingTip& tip, const pd::TipLaw& law, const Point& direction,
                                    const coupling::Affine& displacement, TrialBody& body) const;
 
+  // Energy that a step of a spacing takes by its counted length [J]; 0 if that is no number.
+  double energy_of_step(const GrowingTip& tip, const pd::TipLaw& law, const Point& direction) const;
+
   // Direction of the largest energy release rate over some spacings, among directions on both sides of `around`.
   Point best_direction(const GrowingTip& tip, const pd::TipLaw& law, const Point& around, double load_factor,
                        const coupling::Affine& displacement, TrialBody& body) const;
 
  private:
+  CutStiffness::Counted counted(const GrowingTip& tip, int bond, const Point& normal) const;
+
   const coupling::EquilibriumSystem& system_;
   const LineWay& way_;
   CutStiffness cut_;

@@ -89,9 +89,9 @@ TipValues values_of(const BondedBody& body, const LatticeTip& tip, double toughn
   if (!free) return values;
   const double radius = std::min(part_of_clear * tip.clear, most_horizons * tip.horizon);
   const TipRings rings(body, tip.axes, radius + tip.horizon);
-  const Eigen::VectorXd whole = rings.around(solution.displacement - coupling::evaluate(*free, solution.load_factor));
   const Eigen::VectorXd constant = rings.around(solution.parts->col(0) - free->col(0));
   const Eigen::VectorXd proportional = rings.around(solution.parts->col(1) - free->col(1));
+  const Eigen::VectorXd whole = constant + solution.load_factor * proportional;
   // The effective tip is found from the actual displacement, or from that of the proportional load if the actual one is
   // zero.
   const bool loaded = whole.squaredNorm() > 0;
@@ -108,7 +108,7 @@ TipValues values_of(const BondedBody& body, const LatticeTip& tip, double toughn
     values.error = std::max(values.error, (factors_of(seen(whole, part)) - values.factors).norm());
   values.contours = static_cast<int>(parts.size());
   values.contour_radius = radius;
-  values.constant_factors = factors_of(seen(constant, 1));
+  values.constant_factors = constant.isZero(0) ? Point(0, 0) : factors_of(seen(constant, 1));
   values.proportional_factors = factors_of(seen(proportional, 1));
   values.closed = is_shut(body, tip, values);
   if (values.closed) values.factors.x() = values.constant_factors.x() = values.proportional_factors.x() = 0;

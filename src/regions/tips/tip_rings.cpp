@@ -162,6 +162,7 @@ Eigen::VectorXd TipRings::around(const Eigen::VectorXd& displacement) const {
   const auto count = static_cast<Eigen::Index>(nodes_.size());
   Eigen::VectorXd own(2 * count);
   for (Eigen::Index i = 0; i < count; ++i) own.segment<2>(2 * i) = displacement.segment<2>(2 * nodes_[i]);
+  if (own.isZero(0)) return own;
   Eigen::MatrixXd terms = Eigen::MatrixXd::Zero(2 * count, 3);
   for (Eigen::Index i = 0; i < count; ++i) {
     const Point arm = (body_.discretization.positions[nodes_[i]] - axes_.place) / radius_;
