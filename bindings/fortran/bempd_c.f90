@@ -745,7 +745,8 @@ module bempd_c
   !>
   !> A tip stays where it is while the load factor lies between `critical_load_factor_down` and `critical_load_factor`,
   !> and grows at either: there it reaches its toughness in the direction in which it goes on, by the option
-  !> crack.criterion, if until then no faces close or open and nothing else grows. A tip that is beyond them already
+  !> crack.criterion, if until then no faces close or open and nothing else grows. Where they do so as soon as the load
+  !> factor moves, as in a body at rest, each is that with the faces as they are then. A tip that is beyond them already
   !> grows at the present load factor, unless stepping.control is path. If it grows at every load factor the first is
   !> the largest double and the second minus that. A tip with elements that has stopped at an interface grows at none.
   !> Those of a frozen tip are as if it were free.

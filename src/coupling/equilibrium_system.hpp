@@ -162,11 +162,11 @@ class EquilibriumSystem {
   PlacesMet places_met() const { return places_met_ ? *places_met_ : PlacesMet(); }
   void set_places_met(PlacesMet places);
   void forget_places_met();
-  // Record of how the factor was made; empty if there is no factor. set_factor_origin() has the factor made again from
-  // such a record when it is first needed (equilibrium_factor.cpp).
+  // How the factor was made, empty without one; set_factor_origin() has it made so again when it is first needed.
   std::optional<FactorOrigin> factor_origin() const;
   void set_factor_origin(FactorOrigin origin);
   bool has_current_factor();
+  std::int64_t factor_version() const { return factor_.version(); }  // differs whenever the matrix may
   // Whether the factor is a fresh one of the present matrix, not a changed one, with the unknowns of these nodes last.
   bool factor_keeps(const std::vector<int>& nodes);
 

@@ -108,6 +108,29 @@ std::optional<NextBond> CrackEvolution::next_bond(bool upwards, Control control)
   return NextBond{most.front(), *at, body_.ratios().at(static_cast<std::size_t>(most.front()), state_.load_factor)};
 }
 
+bool CrackEvolution::look_past_switch(bool upwards, const std::function<void()>& visit) {
+  look();
+  const double direction = upwards ? 1 : -1;
+  if (!body_.switches_at_once(direction)) return false;
+  BodyState before = state_;
+  Continuation way_on = sources_.continuation();
+  const auto return_to_present = [&]() noexcept {
+    static_cast<BodyState&>(state_) = std::move(before);
+    sources_.abandon();
+    sources_.continue_with(std::move(way_on));
+  };
+  try {
+    sources_.settle();
+    body_.look_ahead(direction);
+    visit();
+  } catch (...) {
+    return_to_present();
+    throw;
+  }
+  return_to_present();
+  return true;
+}
+
 void CrackEvolution::restore(EvolutionState state, std::optional<Continuation> continuation) noexcept {
   state_ = std::move(state);
   sources_.abandon();

@@ -169,6 +169,9 @@ class CrackEvolution {
     look();
     return body_.reaction_at(dof);
   }
+  // Calls `visit` in the state in which faces are as soon as the load factor moves, if some open or close at once, and
+  // returns to the present state. Returns whether it did.
+  bool look_past_switch(bool upwards, const std::function<void()>& visit);
   // Number of the first contact place that growth has added (places on initial cracks come first); and whether a bond
   // and normal can make such a place.
   std::size_t first_grown_constraint() const { return body_.faces().first_grown(); }

@@ -87,6 +87,10 @@ class LoadedBody {
   // Load factor up to which constraints are settled in a direction: the present one, or one a little farther if they
   // could only be settled for that.
   double settled_until(double direction) const;
+  // Whether constraints open or close as soon as the load factor moves in a direction.
+  bool switches_at_once(double direction) const;
+  // Settles constraints for a look at what is ahead. The caller restores the state.
+  void look_ahead(double direction);
   // Adds the contact places of terms that have broken since the last update, at the state's displacements.
   void update_faces() { faces_.update(state_.total_displacement, state_.faces); }
   // Adds contact places as update_faces() does, and bars those on parts that only springs hold from closing.

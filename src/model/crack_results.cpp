@@ -147,6 +147,7 @@ const std::vector<regions::TipValues>& Model::tips() {
   ensure_equilibrium();
   if (tips_generation_ == generation_) return tips_;
   tips_ = compute_tips();
+  look_past_switches(tips_);
   tips_generation_ = generation_;
   return tips_;
 }
@@ -222,7 +223,7 @@ int Model::crack_count() const {
   return count;
 }
 
-std::vector<PathVertex> Model::crack_path(int crack) const {
+std::vector<crack::PathVertex> Model::crack_path(int crack) const {
   const auto described = static_cast<int>(scene_.cracks().size());
   if (crack < 1 || crack > crack_count()) scene_.crack(crack);  // throws
   const auto number = static_cast<std::size_t>(crack) - 1;

@@ -200,7 +200,7 @@ class Explainer {
     const std::vector<FatigueRecord> all = last;
     const auto is_there = [&](const FatigueRecord& record) {
       if (record.tip.crack > model_.crack_count()) return false;
-      const std::vector<PathVertex> path = model_.crack_path(record.tip.crack);
+      const std::vector<crack::PathVertex> path = model_.crack_path(record.tip.crack);
       const Point& end = record.tip.end == 0 ? path.front().place : path.back().place;
       return (end - record.place).norm() <= 1e-9 * record.length;
     };

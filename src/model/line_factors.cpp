@@ -21,7 +21,7 @@ regions::BondedBody bonded_body(const scene::Scene& scene, const PreparedScene& 
           pressures_of(prepared.conditions)};
 }
 
-std::vector<PathVertex> path_in(const scene::Scene& scene, const PreparedScene& prepared, int crack) {
+std::vector<crack::PathVertex> path_in(const scene::Scene& scene, const PreparedScene& prepared, int crack) {
   const std::span<const fracture::CrackExtension> extensions = prepared.evolution->progress().extensions;
   const auto number = static_cast<std::size_t>(crack) - 1;
   const bool is_described = number < scene.cracks().size() && !scene.cracks()[number].has_begun;

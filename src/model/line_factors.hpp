@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "coupling/affine.hpp"
-#include "model/crack_paths.hpp"
+#include "crack/path.hpp"
 #include "model/prepared_scene.hpp"
 #include "regions/tips/tip_rings.hpp"
 #include "regions/tips/tip_search.hpp"
@@ -19,7 +19,7 @@ regions::BondedBody bonded_body(const scene::Scene& scene, const PreparedScene& 
 
 // Path of a crack that cuts bonds. An end that has grown lies where its cut ended; an end that has not grown lies at
 // its effective tip.
-std::vector<PathVertex> path_in(const scene::Scene& scene, const PreparedScene& prepared, int crack);
+std::vector<crack::PathVertex> path_in(const scene::Scene& scene, const PreparedScene& prepared, int crack);
 
 // Stress intensity factors of a tip by sums around it, for the run itself; empty if no sum has room.
 std::optional<fracture::TipFactors> factors_around(const scene::Scene& scene, const scene::Options& options,

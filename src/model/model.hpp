@@ -13,11 +13,11 @@
 #include <vector>
 
 #include "cancellation.hpp"
+#include "crack/path.hpp"
 #include "fracture/crack_evolution.hpp"
 #include "linalg/external_solver.hpp"
 #include "model/accuracy.hpp"
 #include "model/answers.hpp"
-#include "model/crack_paths.hpp"
 #include "model/edge_results.hpp"
 #include "model/fatigue.hpp"
 #include "model/host_listener.hpp"
@@ -140,7 +140,7 @@ class Model {
   // Number of cracks: described ones, then those that began in the run. The other functions give path and length of a
   // crack (crack_results.cpp).
   int crack_count() const;
-  std::vector<PathVertex> crack_path(int crack) const;
+  std::vector<crack::PathVertex> crack_path(int crack) const;
   double crack_length(int crack) const;  // 0: of all
   // Tangential and normal openings of a crack at fractions of its length [m].
   std::vector<Point> crack_openings(int crack, const std::vector<double>& fractions);
@@ -208,6 +208,7 @@ class Model {
   void run_recording(double target, fracture::Goal goal, const fracture::SteppingOptions& stepping,
                      ElementCarrier& elements, StepResult& result);
   std::vector<regions::TipValues> compute_tips() const;
+  void look_past_switches(std::vector<regions::TipValues>& tips);
   std::vector<regions::TipValues> tips_in_lattices() const;
   std::vector<regions::TipValues> tips_of_lines() const;
   std::vector<Point> openings_in_lattices(int crack, const std::vector<double>& fractions) const;

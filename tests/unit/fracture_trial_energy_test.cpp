@@ -137,6 +137,27 @@ TEST(TrialEnergy, is_the_difference_of_the_energies_of_two_equilibria) {
   }
 }
 
+// Flexibilities that are kept for reuse belong to the matrix: after a return to earlier stages they are those of
+// before, although nothing has been factorized since.
+TEST(TrialEnergy, forgets_flexibilities_of_a_state_that_was_taken_back) {
+  Body body(false);
+  const std::vector<int> step = step_of(body.system.terms());
+  const std::vector<int> others(step.begin() + 1, step.end());
+  fracture::WholeBodyTrials trials(body.system, {});
+  const std::vector<std::uint8_t> stages = body.system.stages();
+  const std::optional<Eigen::MatrixXd> before = trials.flexibility(others);
+  ASSERT_TRUE(before.has_value());
+  const std::vector<coupling::StageChange> first{{step[0], 1}};
+  body.system.commit(first, {});
+  const std::optional<Eigen::MatrixXd> without = trials.flexibility(others);
+  ASSERT_TRUE(without.has_value());
+  EXPECT_GT((*without - *before).norm(), 1e-3 * before->norm());
+  body.system.restore(stages, {});
+  const std::optional<Eigen::MatrixXd> again = trials.flexibility(others);
+  ASSERT_TRUE(again.has_value());
+  EXPECT_LE((*again - *before).norm(), 1e-11 * before->norm());
+}
+
 // A trial ends before the terms that would free a part.
 TEST(TrialEnergy, ends_before_a_part_comes_free) {
   Body body(false);

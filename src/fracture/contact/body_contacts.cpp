@@ -134,6 +134,24 @@ double LoadedBody::settled_until(double direction) const {
   return settled_at_ == f && (settled_farther_on_ - f) * direction > 0 ? settled_farther_on_ : f;
 }
 
+bool LoadedBody::switches_at_once(double direction) const {
+  const double f = state_.load_factor;
+  const coupling::Affine& u = state_.displacement;
+  const coupling::Constraints& constraints = system_.constraints();
+  if (constraints.size() == 0 || settled_until(direction) != f) return false;
+  return !wrong_constraints(constraints, system_.gaps(u), u, f, direction).empty();
+}
+
+void LoadedBody::look_ahead(double direction) {
+  const double settled_at = settled_at_, settled_farther_on = settled_farther_on_;
+  settle_constraints(direction);
+  settled_at_ = settled_at, settled_farther_on_ = settled_farther_on;
+  update_ratios();
+  // Displacements without constant parts are in proportion to the load factor, of which only the sign matters.
+  const double at = farther_on(farthest_ahead, direction);
+  state_.load_factor = at != state_.load_factor ? at : state_.load_factor + direction;
+}
+
 LoadedBody::Settled LoadedBody::settle_constraints(double direction) {
   // Newton's method converges, because the energy is convex and once differentiable.
   Settled result;

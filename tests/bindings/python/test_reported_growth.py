@@ -213,3 +213,45 @@ def test_openings_in_a_lattice_are_those_of_boundary_elements() -> None:
     # The crack acts 0.06 spacings longer by its opening.
     assert np.all(np.abs(ratio - 1) < [2e-2, 9e-3, 7e-3, 7e-3])
     assert np.all(np.abs(openings["lattice"].tangential) < 1e-9 * openings["lattice"].normal)
+
+
+def inclined(kind: str, sign: float, degrees: float) -> bempd.Model:
+    """A crack in a plate that a rising load factor pulls (sign 1) or presses together."""
+    model = bempd.Model(options={"stepping.control": "path", "crack.rule": "tips"})
+    material = model.add_material(young_modulus=1, poisson_ratio=1 / 3, fracture_energy=1)
+    box = bempd.rectangle(-20, -20, 20, 20)
+    plate = model.add_bem_region(material, box, 5) if kind == "elements" else model.add_pd_region(material, box, 1, 3)
+    along = np.array([math.cos(math.radians(degrees)), math.sin(math.radians(degrees))])
+    model.add_crack([-7 * along + [0, 0.04], 7.4 * along + [0.3, 0.04]])
+    model.fix_point((-20, -20))
+    model.fix_point((20, -20), "y")
+    model.add_traction(plate, 3, "y", sign)
+    model.add_traction(plate, 1, "y", -sign)
+    return model
+
+
+@pytest.mark.parametrize("kind", ["elements", "lattice"])
+@pytest.mark.parametrize("sign", [1, -1])
+@pytest.mark.parametrize("degrees", [-55, 40])
+def test_at_rest_tips_tell_their_growth_with_faces_as_they_will_be(kind: str, sign: float, degrees: float) -> None:
+    """Under proportional loads faces open or close as soon as the load factor leaves zero. Of the two ways one was told with the
+    faces of the other: a pressed crack in a lattice would grow at up to 1.6 times its load."""
+    at_rest, looked_at = (inclined(kind, sign, degrees) for _ in range(2))
+    at_rest.prepare()
+    told = {upwards: first_of(at_rest, upwards) for upwards in (True, False)}
+    for upwards in (True, False):
+        model = inclined(kind, sign, degrees)
+        way = 1 if upwards else -1
+        report = model.step_to_next_event(way * 1e9)
+        first = told[upwards]
+        assert report.load_factor == pytest.approx(first.critical_load_factor if upwards else first.critical_load_factor_down, rel=1e-6)
+        assert model.extensions()[-1].end == first.end
+    looked_at.prepare()
+    looked_at.tips()
+    assert looked_at.step_to_next_event(1e9).load_factor == pytest.approx(first_of(at_rest, True).critical_load_factor, rel=1e-9)
+
+
+@pytest.mark.parametrize("kind", ["elements", "lattice"])
+def test_at_rest_a_crack_that_is_pressed_shut_never_grows(kind: str) -> None:
+    for tip in inclined(kind, -1, 0.0).tips():
+        assert tip.critical_load_factor > 1e6 and tip.critical_load_factor_down > -1e3

@@ -5,9 +5,10 @@
 #include <span>
 #include <vector>
 
-#include "fracture/evolution_state.hpp"
+#include "crack/extension.hpp"
+#include "geometry/point.hpp"
 
-namespace bempd::model {
+namespace bempd::crack {
 
 // Vertex of a crack's path. Load factor, stress intensity factors and rates of the growth to it are NaN if the vertex
 // was described by the host or is where the crack began.
@@ -24,10 +25,9 @@ struct PathVertex {
 
 // Path of a crack from its start to its end: the points that the host described (none for a crack that began in the
 // run) and the end points of its extensions.
-std::vector<PathVertex> path_of(int crack, std::span<const Point> described,
-                                std::span<const fracture::CrackExtension> extensions);
+std::vector<PathVertex> path_of(int crack, std::span<const Point> described, std::span<const Extension> extensions);
 
 std::vector<Point> places_of(const std::vector<PathVertex>& path);
 double length_of(const std::vector<PathVertex>& path);
 
-}  // namespace bempd::model
+}  // namespace bempd::crack

@@ -1,14 +1,13 @@
-#include "model/crack_paths.hpp"
+#include "crack/path.hpp"
 
 #include <deque>
 
-namespace bempd::model {
+namespace bempd::crack {
 
-std::vector<PathVertex> path_of(int crack, std::span<const Point> described,
-                                std::span<const fracture::CrackExtension> extensions) {
+std::vector<PathVertex> path_of(int crack, std::span<const Point> described, std::span<const Extension> extensions) {
   std::deque<PathVertex> path;
   for (const Point& place : described) path.push_back({.place = place});
-  for (const fracture::CrackExtension& e : extensions) {
+  for (const Extension& e : extensions) {
     if (e.crack != crack) continue;
     if (path.empty()) {
       path.push_back({.place = {e.from_x, e.from_y}, .event = e.event, .end = -1, .load_factor = e.load_factor});
@@ -37,4 +36,4 @@ double length_of(const std::vector<PathVertex>& path) {
   return sum;
 }
 
-}  // namespace bempd::model
+}  // namespace bempd::crack
