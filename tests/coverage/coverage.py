@@ -26,7 +26,7 @@ TABLE = pathlib.Path(__file__).with_name("coverage.csv")
 # Least share of branches that tests take, in per cent: of all files, and of folders whose answers hosts trust first, the default
 # crack rule, contact and tips. A gate may be raised, not lowered: it follows the stored share by so much at most.
 SLACK = 3
-GATES = {"src": 0, "src/crack": 0, "src/fracture/line": 0, "src/fracture/contact": 0, "src/regions/tips": 0}
+GATES = {"src": 85, "src/crack": 90, "src/fracture/line": 86, "src/fracture/contact": 82, "src/regions/tips": 79}
 
 
 def files() -> list[str]:
