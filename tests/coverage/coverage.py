@@ -26,7 +26,7 @@ TABLE = pathlib.Path(__file__).with_name("coverage.csv")
 # Least share of branches that tests take, in per cent: of all files, and of folders whose answers hosts trust first, the default
 # crack rule, contact and tips. A gate may be raised, not lowered: it follows the stored share by so much at most.
 SLACK = 3
-GATES = {"src": 0, "src/crack": 0, "src/fracture/line": 0, "src/fracture/contact": 0, "src/regions/tips": 0}
+GATES = {"src": 85, "src/crack": 90, "src/fracture/line": 86, "src/fracture/contact": 82, "src/regions/tips": 79}
 
 
 def files() -> list[str]:
@@ -87,7 +87,7 @@ def store(counts: dict[str, tuple[int, int]]) -> None:
         writer.writerows([file, *counts.get(file, (0, 0))] for file in files())
 
 
-def check() -> int:
+def check(counted_now: bool = False) -> int:
     counts, wrong = stored(), []
     missing, gone = set(files()) - set(counts), set(counts) - set(files())
     for what, names in (("has no row for", missing), ("has a row for a file that is gone:", gone)):
@@ -96,7 +96,7 @@ def check() -> int:
         _, taken = share(counts, folder)
         if taken < gate:
             wrong.append(f"tests take {taken:.1f} % of the branches of {folder}, less than the gate of {gate} %")
-        if gate < math.floor(taken) - SLACK:
+        if gate < math.floor(taken) - SLACK and not counted_now:
             wrong.append(f"the gate of {folder} is {gate} %, and tests take {taken:.1f} %: raise it")
     print("\n".join(wrong) or "the stored table has the present files, and all gates are kept")
     return int(bool(wrong))
@@ -109,7 +109,7 @@ def main() -> int:
     if task in ("run", "count"):
         store(counted())
         show(stored())
-        return check()
+        return check(counted_now=True)
     if task == "names":
         store(stored())
         return 0
