@@ -163,7 +163,7 @@ TEST(Substructures, are_computed_only_where_parts_changed) {
   links[20] = link(7, 0.01);
   const auto second = SubstructureFactor::of(chain_of(links), box, 65, first.get());
   ASSERT_TRUE(second);
-  // Those on the way from the changed part to the whole are new, one of each size.
+  // Substructures on the way from the changed part to the whole are new, one of each size.
   EXPECT_EQ(second->substructures(), first->substructures());
   EXPECT_LE(second->substructures() - second->taken_over(), 7U);
   EXPECT_GE(second->substructures() - second->taken_over(), 5U);
