@@ -23,7 +23,7 @@ CELL, POROSITY, SEED = 5e-3, 0.2, 1  # side of the square around each hole [m]; 
 YOUNG, RATIO, THICKNESS, FRACTURE_ENERGY = 3e9, 1 / 3, 2e-3, 300.0  # of PMMA
 STRAIN = 1e-3  # of the sheet at load factor one
 CRACK = 0.15  # length of a crack over the cell's side
-GROWTH = 0.5  # of all cracks together, per crack and over the cell's side, at which the run ends
+GROWTH = 0.1  # of all cracks together, per crack and over the cell's side, at which the run ends
 FAR = 1e6  # a load factor that is never reached
 
 Hole = tuple[float, float, float]  # centre, radius
@@ -109,7 +109,7 @@ def rows_of(sheet: Sheet, run: Run) -> list[tuple[str, str]]:
         ("steps, seconds of one (middle, largest)", f"{len(steps)}, {steps[len(steps) // 2]:.2f}, {steps[-1]:.2f}"),
         ("first and largest load factor", f"{run.load[0]:.4g}, {max(run.load):.4g}"),
         ("growth over a cell, load factor", "; ".join(f"{run.grown[k]:.2f}, {run.load[k]:.4g}" for k in picked(len(run.load)))),
-        ("pieces at the end", f"{sheet.model.piece_count()}"),
+        ("pieces at the end", f"{sheet.model.piece_count}"),
         ("ended by", run.ended),
     ]
 

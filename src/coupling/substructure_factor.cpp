@@ -11,7 +11,7 @@
 namespace bempd::coupling {
 
 // What a substructure consists of, and its elimination: with the blocks A of eliminated and B of other unknowns,
-// `pivots` is the Cholesky factor L of A_aa, `below` is A_ba L^-T, and `rest` the Schur complement on b.
+// `pivots` has the Cholesky factor L of A_aa, `below` is A_ba L^-T, and `rest` the Schur complement on b.
 struct Substructure {
   // Components with the places of their unknowns in this substructure: halves first, then parts.
   std::vector<std::shared_ptr<const Substructure>> halves;
@@ -19,8 +19,9 @@ struct Substructure {
   std::vector<std::vector<int>> places;
   Eigen::Index eliminated = 0, count = 0;
 
-  Eigen::MatrixXd pivots, below, rest;  // lower triangles of `pivots` and `rest`
-  Eigen::VectorXd diagonal;             // of the sum of all parts, for the unknowns that remain
+  linalg::DenseCholesky pivots;
+  Eigen::MatrixXd below, rest;  // of `rest` the lower triangle
+  Eigen::VectorXd diagonal;     // of the sum of all parts, for the unknowns that remain
   double smallest_pivot_ratio = 1;
 
   const void* first_component() const {
@@ -70,15 +71,16 @@ bool Substructure::eliminate() {
   }
   const Eigen::Index others = count - eliminated;
   diagonal = whole.tail(others);
-  pivots = sum.topLeftCorner(eliminated, eliminated);
   below = sum.bottomLeftCorner(others, eliminated);
   rest = sum.bottomRightCorner(others, others);
   if (eliminated == 0) return true;
-  sum.resize(0, 0);
-  if (!linalg::factorize_in_parts(pivots)) return false;
-  linalg::solve_upper_from_right(pivots, below);
-  linalg::add_square(rest, below, -1);
-  const Eigen::VectorXd ratios = pivots.diagonal().cwiseAbs2().cwiseQuotient(whole.head(eliminated));
+  pivots.compute(sum.topLeftCorner(eliminated, eliminated));
+  if (pivots.info() != Eigen::Success) return false;
+  if (others > 0) {
+    linalg::solve_upper_from_right(pivots.lower(), below);
+    linalg::add_square(rest, below, -1);
+  }
+  const Eigen::VectorXd ratios = pivots.lower().diagonal().cwiseAbs2().cwiseQuotient(whole.head(eliminated));
   smallest_pivot_ratio = std::min(smallest_pivot_ratio, ratios.minCoeff());
   return smallest_pivot_ratio > linalg::singular_pivot_ratio;
 }
@@ -133,6 +135,8 @@ class SubstructureFactor::Builder {
       found.halves.push_back(step.result);
       begin.push_back(step.unknowns.data() + step.result->eliminated);
       end.push_back(step.unknowns.data() + step.unknowns.size());
+      for (std::size_t k = 0; k < uses_of_[half].size(); ++k)
+        uses_here_[static_cast<std::size_t>(begin.back()[k])] += uses_of_[half][k];
     }
     for (const std::size_t k : members) {
       found.parts.push_back(parts_[k]);
@@ -149,7 +153,12 @@ class SubstructureFactor::Builder {
       for (const int* u = begin[c]; u != end[c]; ++u)
         found.places.back().push_back(place_[static_cast<std::size_t>(*u)]);
     }
-    for (const int unknown : step.unknowns) place_[static_cast<std::size_t>(unknown)] = -1;
+    uses_of_.emplace_back();
+    for (std::size_t k = 0; k < step.unknowns.size(); ++k) {
+      const auto unknown = static_cast<std::size_t>(step.unknowns[k]);
+      if (k >= static_cast<std::size_t>(eliminated_)) uses_of_.back().push_back(uses_here_[unknown]);
+      place_[unknown] = -1, uses_here_[unknown] = 0;
+    }
     step.result = known_or_new(std::move(found));
     if (!step.result) return false;
     made_->steps_.push_back(std::move(step));
@@ -196,7 +205,8 @@ class SubstructureFactor::Builder {
   }
 
   std::vector<MatrixPart> parts_;
-  std::vector<int> uses_, uses_here_, place_;  // of each unknown: parts that have it, those seen so far, place
+  std::vector<int> uses_, uses_here_, place_;  // of each unknown: parts that have it, also in a substructure; its place
+  std::vector<std::vector<int>> uses_of_;      // of each step, for the unknowns that remain
   const SubstructureFactor* before_;
   std::unique_ptr<SubstructureFactor> made_;
   Eigen::Index eliminated_ = 0;
@@ -213,7 +223,7 @@ void SubstructureFactor::solve_in_place(Eigen::Ref<Eigen::MatrixXd> rhs) const {
     const Substructure& s = *step.result;
     if (s.eliminated == 0) continue;
     Eigen::MatrixXd values = rhs(step.unknowns, Eigen::all);
-    s.pivots.triangularView<Eigen::Lower>().solveInPlace(values.topRows(s.eliminated));
+    s.pivots.lower().triangularView<Eigen::Lower>().solveInPlace(values.topRows(s.eliminated));
     values.bottomRows(s.below.rows()).noalias() -= s.below * values.topRows(s.eliminated);
     rhs(step.unknowns, Eigen::all) = values;
   }
@@ -222,7 +232,7 @@ void SubstructureFactor::solve_in_place(Eigen::Ref<Eigen::MatrixXd> rhs) const {
     if (s.eliminated == 0) continue;
     Eigen::MatrixXd values = rhs(step->unknowns, Eigen::all);
     values.topRows(s.eliminated).noalias() -= s.below.transpose() * values.bottomRows(s.below.rows());
-    s.pivots.triangularView<Eigen::Lower>().transpose().solveInPlace(values.topRows(s.eliminated));
+    s.pivots.lower().triangularView<Eigen::Lower>().transpose().solveInPlace(values.topRows(s.eliminated));
     rhs(step->unknowns, Eigen::all) = values;
   }
 }
