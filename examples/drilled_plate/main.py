@@ -44,7 +44,7 @@ class Run:
         if film:
             from bempd import plot
 
-            self.movie = plot.Movie(film, self.model, "stress von Mises", magnification=15, frames_per_second=5,
+            self.movie = plot.Movie(film, self.model, "stress von Mises", magnification=15, frames_per_second=4, resolution=16,
                                     limits=(0, 12e6))
 
     def until(self, crack: int, length: float, what: str) -> None:
@@ -52,7 +52,7 @@ class Run:
         model, events = self.model, 0
         while model.crack_length(crack) < length:
             report = model.step_to_next_event(1e9)
-            if self.movie and events % 4 == 0:
+            if self.movie and events % 5 == 0:
                 self.movie.add_frame()
             events += 1
             if report.separated or report.events == 0:
@@ -73,7 +73,7 @@ def run(treatment: str, film: pathlib.Path | None) -> Run:
     found.until(found.inner, 36e-3, "the edge crack is frozen, in the patch")
     found.until(found.inner, 50e-3, "the inner crack leaves its patch")
     model.set_crack_treatment(found.edge, "automatic")
-    found.until(found.inner, 80e-3, "both may grow")
+    found.until(found.inner, 70e-3, "both may grow")
     if found.movie:
         found.movie.close()
     return found
