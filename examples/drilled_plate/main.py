@@ -92,7 +92,7 @@ def main() -> None:
     with (arguments.folder / "summary.csv").open("w", newline="") as file:
         csv.writer(file).writerows(table)
     for row in table:
-        print(f"{row[0]:12s}{row[1]:42s}" + "".join(f"{word:>18s}" for word in row[2:]))
+        print(f"{row[0]:12s}{row[1]:42s}" + "".join(f"{word:>20s}" for word in row[2:]))
     for part in runs["lattice"].model.parts():
         print(part)
     if arguments.short:
