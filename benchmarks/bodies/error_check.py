@@ -66,10 +66,10 @@ def table(first: int, count: int) -> list[str]:
             print(seed, type(error).__name__, error, file=sys.stderr)
     ratios.sort()
     enough, close = sum(ratio >= 1 for ratio in ratios), sum(ratio <= 3 for ratio in ratios)
-    return [f"* Random bodies, seeds {first} to {first + count - 1}, of at most 500 elements when halved three times, have {len(ratios)} "
-            "meshes.",
-            f"* {enough} of them tell at least the true error, {close} at most three times it.",
-            f"* Told over true is {ratios[0]:.2f} to {ratios[-1]:.1f}, {ratios[len(ratios) // 2]:.1f} in the middle."]
+    return ["| random bodies, at most 500 elements when halved three times | meshes | tell at least the true error | at most three times it "
+            "| told over true | in the middle |", "|---|---|---|---|---|---|",
+            f"| seeds {first} to {first + count - 1} | {len(ratios)} | {enough} | {close} | {ratios[0]:.2f} to {ratios[-1]:.1f} "
+            f"| {ratios[len(ratios) // 2]:.1f} |"]
 
 
 if __name__ == "__main__":

@@ -42,7 +42,6 @@ def grown(model: bempd.Model, steps: int) -> np.ndarray:
     fit to the stress ahead of the tip."""
     rules = []
     for _ in range(steps):
-        model.step(model.load_factor)
         rules += [tip.load_rule == bempd.LoadRule.FIT for tip in model.tips()[-1:]]
         if model.step_to_next_event(1e9).separated:
             break

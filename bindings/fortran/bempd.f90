@@ -102,7 +102,8 @@ module bempd
   end type bempd_option
 
   private :: create, free, last_error, c_handle, set_option_number, set_option_text, get_option_number, &
-    get_option_text, refuse_copy, add_body, set_body_lattice, set_crack_treatment, plan, error_estimate, add_material, add_bem_region, &
+    get_option_text, refuse_copy, add_body, set_body_lattice, set_crack_treatment, plan, error_estimate, &
+    add_material, add_bem_region, &
     add_pd_region, add_hole, add_circular_hole, add_crack, &
     add_bem_disc, set_edge_arc, set_edge_arc_about, set_edges_smooth, set_edge_mesh, &
     set_toughness_at, set_resistance_curve, set_resistance_directions, &

@@ -57,9 +57,7 @@ std::vector<int> Scene::region_ids() const {
   return ids;
 }
 
-Region& Scene::mutable_region(int id) {
-  return const_cast<Region&>(region(id));
-}
+Region& Scene::mutable_region(int id) { return const_cast<Region&>(region(id)); }
 
 int Scene::crack_nearest(const Point& place) const {
   int nearest = 0;

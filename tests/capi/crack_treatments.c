@@ -3,7 +3,7 @@
 
 enum { LATTICE = BEMPD_TREATMENT_LATTICE, FROZEN = BEMPD_TREATMENT_FROZEN, AUTOMATIC = BEMPD_TREATMENT_AUTOMATIC };
 
-static const double size = 4, half_length = 0.5, spacing = 0.1;
+static const double size = 6, half_length = 0.5, spacing = 0.1;
 
 static int32_t add_tough_material(bempd_model* model) {
   bempd_material material = sound_material();
@@ -124,16 +124,16 @@ static void a_patch_is_a_part_of_its_body(void) {
 
 /** Loads on the whole body act in its patch too: weight reaches the supports, and heat causes no stress. */
 static void loads_on_the_whole_body_reach_patches(void) {
-  static const double inside[2] = {2, 2.2};
+  static const double inside[2] = {3, 3.3};
   double force[2], u[2], stress[3];
   int32_t region = 0;
   bempd_model* model = with_patch(0);
   CHECK_OK(model, bempd_set_option(model, "error.wanted", 0.05));
-  CHECK_OK(model, bempd_add_body_force(model, 1, BEMPD_Y, 0.3, 0, NULL));
+  CHECK_OK(model, bempd_add_body_force(model, 1, BEMPD_Y, 0.1, 0, NULL));
   CHECK_OK(model, bempd_add_temperature(model, 1, 10, 0, NULL));
   step_to(model, 0);
   CHECK_OK(model, bempd_reaction(model, 1, force));
-  CHECK_CLOSE(force[1], -0.3 * size * size, 1e-8);
+  CHECK_CLOSE(force[1], -0.1 * size * size, 1e-8);
   bempd_model_free(model);
   model = with_patch(0);
   CHECK_OK(model, bempd_add_temperature(model, 1, 10, 0, NULL));
@@ -176,7 +176,7 @@ static void cracks_leave_patches(void) {
   int k, grown_in_elements = 0;
   CHECK_OK(model, bempd_set_option_text(model, "stepping.control", "path"));
   CHECK_OK(other, bempd_set_option_text(other, "stepping.control", "path"));
-  for (k = 0; k < 60 && grown_in_elements < 2; ++k) {
+  for (k = 0; k < 60 && grown_in_elements < 1; ++k) {
     bempd_crack_extension last;
     next_event(model);
     CHECK_OK(model, bempd_extension_count(model, &count));
@@ -186,10 +186,10 @@ static void cracks_leave_patches(void) {
     if (k == 4) CHECK_OK(model, bempd_state_save(model, &state));
   }
   printf("%d events, %lld extensions\n", k, (long long)count);
-  CHECK(grown_in_elements == 2);
+  CHECK(grown_in_elements == 1);
   CHECK(tip_of(model, 0).method == BEMPD_TIP_ELEMENTS);
   CHECK_OK(other, bempd_state_restore(other, state));
-  for (k = 5; k < 60; ++k) {
+  for (k = 5; k < 9; ++k) {
     bempd_crack_extension mine, theirs;
     int64_t reached = 0;
     next_event(other);
@@ -218,7 +218,7 @@ static void what_cannot_be_is_refused(void) {
   CHECK_FAILS(model, BEMPD_ERROR_ARGUMENT, "region 2", bempd_set_body_lattice(model, 2, 0.1, 4));
   CHECK_FAILS(model, BEMPD_ERROR_ARGUMENT, "spacing is -0.1", bempd_set_body_lattice(model, 1, -0.1, 4));
   CHECK_FAILS(model, BEMPD_ERROR_ARGUMENT, "horizon_ratio is 2", bempd_set_body_lattice(model, 1, 0.1, 2));
-  CHECK_OK(model, bempd_add_circular_hole(model, 1, 2, 2.8, 0.3, NULL));
+  CHECK_OK(model, bempd_add_circular_hole(model, 1, 3, 3.9, 0.3, NULL));
   CHECK_FAILS(model, BEMPD_ERROR_ARGUMENT, "edge", bempd_prepare(model));
   CHECK_OK(model, bempd_region_count(model, &regions));
   CHECK(regions == 1);

@@ -12,7 +12,7 @@ import numpy.typing as npt
 from ._faces import mesh_of, rim_of
 from ._names import Face, FieldName
 from ._sketch import Sketch
-from .reports import Bonds, BondState, PathVertex, PointValues
+from .reports import Bonds, BondState, Part, PathVertex, PointValues
 
 FloatArray = npt.NDArray[np.float64]
 IntArray = npt.NDArray[np.int32]
@@ -39,6 +39,8 @@ class Drawable(Protocol):
     def evaluate(self, points: npt.ArrayLike, *, stress: bool = True) -> PointValues: ...
 
     def evaluate_in(self, region: int, points: npt.ArrayLike, *, face: Face = "left", stress: bool = True) -> PointValues: ...
+
+    def parts(self) -> list[Part]: ...
 
     def crack_count(self) -> int: ...
 
@@ -84,6 +86,11 @@ def bodies(model: Drawable, resolution: int) -> list[Body]:
     return made
 
 
+def owner_of(model: Drawable, region: int) -> int:
+    """The region that was added: the region itself, or the body from which a patch was cut."""
+    return region if region in model._sketch.regions else model.parts()[model.region_ids.index(region)].body
+
+
 def lattice_body(model: Drawable, region: int, cells: IntArray, resolution: int) -> Body:
     """A peridynamic region."""
     points = model.field(region, "position")
@@ -95,7 +102,7 @@ def lattice_body(model: Drawable, region: int, cells: IntArray, resolution: int)
     sides = [pairs.index(side) for side in ((0, 1), (1, 2), (2, 3), (0, 3))]
     return Body(points, model.field(region, "displacement"), model.field(region, "stress"),
                 model.field(region, "damage"), halves(cells), [], np.arange(len(points), dtype=np.int32), cells, cut,
-                crack_segments(points, cells, broken[:, sides]), model._sketch.across_plane(region))
+                crack_segments(points, cells, broken[:, sides]), model._sketch.across_plane(owner_of(model, region)))
 
 
 def pair_keys(pairs: IntArray, count: int) -> npt.NDArray[np.int64]:

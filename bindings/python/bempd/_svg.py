@@ -93,12 +93,15 @@ class Drawing:
             elif segment.start is not None and segment.end is not None:
                 more, bends, deviation = self._line(segment, tolerance)
                 lengths = [math.dist(a, b) for a, b in zip(more, more[1:])]
+                # The line that closes a circle is as long as rounding makes it.
+                closes = isinstance(segment, self._package.Close)
+                least = 1e-9 * max((math.dist(places[0], place) for place in places), default=0.0) if closes else 0.0
                 for k, length in enumerate(lengths):
-                    if length > 0:
+                    if length > least:
                         places = [*places, more[k + 1]] if places else [more[k], more[k + 1]]
                         bulges.append(bends[k])
                 worst = max(worst, deviation)
-                if isinstance(segment, self._package.Close) and places:
+                if closes and places:
                     places[-1] = places[0]
         return chains
 

@@ -259,7 +259,7 @@ class BodyPlan:
                                      linewidth=0.8, label=str(part)))
         axes.autoscale_view()
         axes.set_aspect("equal")
-        axes.set_title(str(self), fontsize=8)
+        axes.set_title(str(self).replace("; ", "\n"), fontsize=8)
         axes.legend(loc="upper center", bbox_to_anchor=(0.5, -0.08), fontsize=7)
         return axes
 

@@ -110,6 +110,7 @@ def test_a_patch_is_part_of_the_plan():
     model.step(0.1)
     assert [part.region for part in model.parts()] == [body, patch.region]
     assert len(model.bonds(patch.region).states) > 1000
+    assert model.plot("stress von Mises").get_title() is not None
     with pytest.raises(bempd.ArgumentError, match="'latice'"):
         model.set_crack_treatment(crack, "latice")
 

@@ -81,7 +81,7 @@ pub enum Treatment {
     Elements = sys::BEMPD_TREATMENT_ELEMENTS as i32,
     /// A lattice patch of its body around it.
     Lattice = sys::BEMPD_TREATMENT_LATTICE as i32,
-    /// Its tips stay where they are.
+    /// The crack's tips stay where they are.
     Frozen = sys::BEMPD_TREATMENT_FROZEN as i32,
 }
 
