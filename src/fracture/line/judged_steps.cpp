@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 
 #include "coupling/pressed_faces.hpp"
 #include "elasticity/kinked_tip.hpp"
@@ -51,17 +52,25 @@ constexpr double error_of_fit = 0.02, error_by_residual = 1.8, least_residual = 
 constexpr double error_of_sheared = 0.01, error_by_shear = 0.03, error_of_sheared_by_residual = 0.5,
                  error_of_crowded = 0.02;
 
+// Relative error of a fit with another crack's face within a horizon of the tip, which leaves few points to it: neither
+// its load nor its direction holds. Loads were up to 12 times too high there; those by the energy are up to 2.5 times
+// those of boundary elements.
+constexpr double error_beside_face = 1, error_by_energy_beside_face = 0.65;
+
+bool direction_holds(const LineStep& step) {
+  return step.residual <= residual_without_direction && step.error < error_beside_face;
+}
+
 double largest_residual(const pd::TipLaw& law) {
   return std::max(least_limit, limit_of_residual * std::pow(law.spacing / law.horizon, 2));
 }
 
-// Whether an edge lies within a horizon of a tip, beside it rather than ahead. There the factors by sums turn the tip
-// towards the edge.
-bool runs_along_edge(const GrowingTip& tip, const pd::TipLaw& law, const TipStress& stress, const LineWay& way) {
-  const double horizon = (1 - rounding_of_places) * law.horizon, nearest = stress.nearest_outline(tip.place, horizon);
-  if (!(nearest < horizon)) return false;
-  const int spacings = static_cast<int>(std::ceil(2 * nearest / law.spacing));
-  return way.clear_spacings(tip.place, tip.direction, law, spacings) >= spacings;
+// Whether an edge lies within a horizon to a side of a tip. Factors by sums turn the tip towards it.
+bool runs_along_edge(const GrowingTip& tip, const pd::TipLaw& law, const LineWay& way) {
+  const int spacings = static_cast<int>(std::floor(law.horizon / law.spacing + rounding_of_places));
+  const Point left = left_of(tip.direction);
+  return way.clear_spacings(tip.place, left, law, spacings) < spacings ||
+         way.clear_spacings(tip.place, -left, law, spacings) < spacings;
 }
 
 // Replaces factors, load and turn of a step's fit by those of sums around its tip. `correction` is that of the fit.
@@ -76,6 +85,27 @@ void set_by_factors(const TipFactors& found, const LineLoad& load, const LoadWay
   step.factors = {{intensity.one[0], intensity.two[0]}, {intensity.one[1], intensity.two[1]}};
   step.load_factor = load_factor, step.constant = load.constant, step.growing = way.ahead(load.growing);
   step.angle = load.angle;
+}
+
+// Direction of a step by energy where that of its fit does not hold: among directions beside that of the fit. With a
+// face within a horizon the fit may point to where the step would close; then up to 65 degrees off straight ahead.
+Point direction_by_energy(const GrowingTip& tip, const pd::TipLaw& law, const LineStep& step, const TrialSteps& trials,
+                          const coupling::Affine& displacement, TrialBody& body) {
+  const auto best_about = [&](const Point& middle) {
+    return trials.best_direction(tip, law, middle, step.load_factor, displacement, body);
+  };
+  if (step.residual > residual_without_direction) return best_about(step.direction);
+  const std::optional<TrialGrowth> own = trials.along(tip, law, step.direction, displacement, body);
+  if (own && own->opens(step.load_factor)) return step.direction;
+  Point best = step.direction;
+  double largest = 0;
+  for (const double aside : {0.0, 45.0, -45.0}) {
+    const Point direction = best_about(turned(tip.direction, aside * std::numbers::pi / 180));
+    const std::optional<TrialGrowth> growth = trials.along(tip, law, direction, displacement, body);
+    const double ratio = growth ? growth->mean_ratio(step.load_factor) : 0;
+    if (ratio > (1 + ratio_rounding) * largest) largest = ratio, best = direction;
+  }
+  return best;
 }
 
 // Takes the load by the energy, with its relative error; for a sheared tip the mean of both loads, weighted by the
@@ -165,10 +195,11 @@ void LineSteps::judge_fit(const std::vector<GrowingTip>& tips, const WilliamsFit
   step.fit_would_hold = by_hoop && is_told && is_alone;
   // Sums around tips of cracks that began in the run are not measured yet.
   step.asks_around =
-      step.at_border || (!has_begun(tip) && has_own_field(tip, step) && !runs_along_edge(tip, law, stress_, way_));
+      step.at_border || (!has_begun(tip) && has_own_field(tip, step) && !runs_along_edge(tip, law, way_));
   step.factors_suffice = step.at_border || (by_hoop && !(is_sheared && is_crowded));
   step.fit_holds = step.fit_would_hold && !step.at_border && !(step.asks_around && tip.grown == 0);
-  step.blends = is_sheared && is_alone && step.residual < residual_with_shape;
+  if (stress_.is_beside_face(tip, law, horizon)) step.error = std::max(step.error, error_beside_face);
+  step.blends = is_sheared && is_alone && step.residual < residual_with_shape && step.error < error_beside_face;
   if (!step.blends) return;
   const double one = std::pow(factors.one.dot(at), 2), two = std::pow(factors.two.dot(at), 2);
   step.error = error_of_sheared + error_by_shear * two / (one + two) +
@@ -180,7 +211,7 @@ bool need_body(const std::vector<LineStep>& steps, const LoadWay& way) {
   double first = std::numeric_limits<double>::infinity();
   for (const LineStep& step : steps) first = std::min(first, std::abs(way.place_of(step.load_factor)));
   return std::ranges::any_of(steps, [&](const LineStep& step) {
-    const bool is_bounded = !step.is_shut && step.residual <= residual_without_direction;
+    const bool is_bounded = !step.is_shut && direction_holds(step);
     return !step.fit_holds && (!is_bounded || std::abs(way.place_of(step.load_factor)) <= most_by_fit * first);
   });
 }
@@ -229,8 +260,8 @@ void LineSteps::try_step(const GrowingTip& tip, const coupling::Affine& displace
   if (around ? step.factors_suffice : step.fit_would_hold) return;
   if (!body_.pressure_in(tip.id.crack).isZero(0) || body_.has_fluid()) return;
   const pd::TipLaw& law = law_of(tip);
-  if (!around && step.residual > residual_without_direction && !has_begun(tip)) {
-    const Point better = trials_.best_direction(tip, law, step.direction, step.load_factor, displacement, body);
+  if (!around && !direction_holds(step) && !has_begun(tip)) {
+    const Point better = direction_by_energy(tip, law, step, trials_, displacement, body);
     const LineWay::Step its = way_.next(tip.place, better, law);
     if (!its.bonds.empty()) {
       step.angle += std::atan2(cross(step.direction, better), step.direction.dot(better));
@@ -253,7 +284,8 @@ void LineSteps::try_step(const GrowingTip& tip, const coupling::Affine& displace
   const bool is_due = way.control == Control::load && way.ahead(load->load_factor) > way.ahead(way.present) &&
                       growth->opens(way.present) && growth->ratio(way.present) >= 1 + ratio_rounding;
   step.after_step = growth->ratio_after(load->load_factor) / growth->ratio(load->load_factor);
-  blend(*load, error_by_energy + growth->error(load->load_factor), step);
+  const double least_error = step.error < error_beside_face ? 0 : error_by_energy_beside_face;
+  blend(*load, std::max(error_by_energy + growth->error(load->load_factor), least_error), step);
   if (is_due) step.load_factor = way.present;
 }
 
