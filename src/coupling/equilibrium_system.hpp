@@ -173,7 +173,6 @@ class EquilibriumSystem {
   std::optional<FactorOrigin> factor_origin() const;
   void set_factor_origin(FactorOrigin origin);
   bool has_current_factor();
-  std::int64_t factor_version() const { return factor_.version(); }  // differs whenever the matrix may
   // Whether the factor is a fresh one of the present matrix, not a changed one, with the unknowns of these nodes last.
   bool factor_keeps(const std::vector<int>& nodes);
 

@@ -77,14 +77,14 @@ void SystemFactor::choose_order() {
 bool SystemFactor::recall(const std::vector<FactorChange>& changes) {
   if (forgotten_ == FactorState::none || kept_when_made_ != kept_nodes_ || changes_ != changes) return false;
   state_ = std::exchange(forgotten_, FactorState::none);
-  ++version_;
+  ++counters_.matrices;
   return true;
 }
 
 void SystemFactor::factorize(const Matrix& matrix) {
   lose();
   state_ = FactorState::none;
-  ++version_;
+  ++counters_.matrices;
   changes_.clear();
   const Stopwatch watch(counters_.seconds_factorization);
   largest_diagonal_ = matrix.diagonal().maxCoeff();
@@ -135,7 +135,7 @@ void SystemFactor::change(const Matrix& columns, linalg::Change change) {
   // A factor that cannot follow the change becomes stale; it still preconditions the iteration in solve(). After an
   // error, such as a request to cancel, there is none.
   state_ = FactorState::none;
-  ++version_;
+  ++counters_.matrices;
   const bool follows = solver_->factorization().update(columns, change);
   state_ = follows && was_current ? FactorState::updated : FactorState::stale;
   counters_.factor_updates += columns.cols();

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <Eigen/SparseCore>
-#include <cstdint>
 #include <functional>
 #include <memory>
 #include <vector>
@@ -46,10 +45,8 @@ class SystemFactor {
   void forget() {
     if (exists()) forgotten_ = state_;
     state_ = FactorState::none;
-    ++version_;
+    ++counters_.matrices;
   }
-  // Number that differs whenever the factor may be that of another matrix.
-  std::int64_t version() const { return version_; }
   // Undoes the last forget() and returns true, if no other factor has been made since and the forgotten one had
   // undergone just these changes. The caller must know that the matrix is the same.
   bool recall(const std::vector<FactorChange>& changes);
@@ -101,7 +98,6 @@ class SystemFactor {
   std::vector<int> kept_when_made_;
   std::vector<FactorChange> changes_;
   double largest_diagonal_ = 0;  // of the matrix last factorized
-  std::int64_t version_ = 0;
 };
 
 // Diagonal of a matrix, with a tiny positive value in place of zeros.

@@ -158,9 +158,8 @@ void Model::grow_lines(PreparedScene& p) const {
             law->energies->share(p.discretization.positions[static_cast<std::size_t>(node)]);
     }
     const Outline& outline = scene_.region(region->id()).outline();
-    const std::vector<Edge> edges = edges_of(outline);
-    for (std::size_t k = 0; k < edges.size(); ++k)
-      (k < outline.loops.front().size() ? laws.outer_edges : laws.hole_edges).push_back(edges[k]);
+    for (std::size_t k = 0; const Edge& edge : edges_of(outline))
+      (k++ < outline.loops.front().size() ? laws.outer_edges : laws.hole_edges).push_back(edge);
   }
   std::vector<fracture::GrowingTip> tips;
   for (const regions::StartingTip& tip : regions::tips_of_cracks(scene_, p.in_lattices, p.discretization, options_)) {

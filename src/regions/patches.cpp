@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <set>
 
 #include "error.hpp"
 #include "regions/boundary/boundary_description.hpp"
@@ -57,12 +58,17 @@ Inside inside(const scene::Scene& scene, int region, const LatticeCrack& crack, 
   return found;
 }
 
+bool has_patch(const std::vector<Patch>& patches, int crack) {
+  return std::ranges::any_of(patches, [&](const Patch& patch) { return std::ranges::count(patch.cracks, crack) > 0; });
+}
+
 }  // namespace
 
 std::vector<Patch> lay_out_patches(const scene::Scene& scene, const std::vector<LatticeCrack>& cracks,
                                    const std::map<int, BodyLattice>& lattices) {
   const double tolerance = 10 * geometric_tolerance(scene.bounding_box());
   std::map<int, std::vector<Inside>> in_body;
+  std::set<int> is_in_body;  // cracks
   for (const LatticeCrack& crack : cracks) {
     std::optional<Inside> found;
     int region = 0;
@@ -78,6 +84,7 @@ std::vector<Patch> lay_out_patches(const scene::Scene& scene, const std::vector<
             ", whose elements the host has chosen; lattice patches are laid in bodies: make it one with "
             "bempd_add_body(), or give the crack another treatment");
     in_body[region].push_back(std::move(*found));
+    is_in_body.insert(crack.id);
   }
   std::vector<Patch> all;
   for (auto& [body, inside_it] : in_body) {
@@ -85,6 +92,10 @@ std::vector<Patch> lay_out_patches(const scene::Scene& scene, const std::vector<
     PatchLayout layout(scene, body, std::move(inside_it), lattice == lattices.end() ? BodyLattice{} : lattice->second);
     for (Patch& patch : layout.patches()) all.push_back(std::move(patch));
   }
+  for (const LatticeCrack& crack : cracks)
+    require(
+        !is_in_body.contains(crack.id) || has_patch(all, crack.id), "crack ", crack.id,
+        " leaves no room for a lattice patch between its mouths, where elements carry it; give it another treatment");
   return all;
 }
 

@@ -22,11 +22,11 @@ constexpr std::size_t most_answers_kept = 32;
 std::optional<Eigen::MatrixXd> WholeBodyTrials::flexibility(std::span<const int> terms) {
   try {
     if (is_apart_) return coupling::flexibility_apart(system_, terms);
-    if (system_.factor_version() != version_known_ || answers_.size() >= most_answers_kept) answers_.clear();
+    if (system_.counters().matrices != matrix_known_ || answers_.size() >= most_answers_kept) answers_.clear();
     for (const Answer& answer : answers_)
       if (std::equal(answer.terms.begin(), answer.terms.end(), terms.begin(), terms.end())) return answer.flexibility;
     answers_.push_back({{terms.begin(), terms.end()}, coupling::flexibility_of(system_, terms)});
-    version_known_ = system_.factor_version();
+    matrix_known_ = system_.counters().matrices;
     return answers_.back().flexibility;
   } catch (const Error& error) {
     if (error.failure() != Failure::unsolvable) throw;

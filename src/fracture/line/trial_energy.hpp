@@ -60,7 +60,7 @@ class WholeBodyTrials final : public TrialBody {
   coupling::EquilibriumSystem& system_;
   FactorsAround factors_;
   bool is_apart_ = false;
-  std::int64_t version_known_ = -1;  // of the system's factor
+  std::int64_t matrix_known_ = -1;  // by the count of matrices
   std::vector<Answer> answers_;
 };
 
