@@ -48,7 +48,7 @@ std::optional<fracture::TipFactors> factors_around(const scene::Scene& scene, co
   std::vector<Point> path = places_of(path_in(scene, prepared, tip.id.crack));
   if (tip.id.end == 0) std::reverse(path.begin(), path.end());
   if (path.size() < 2) return std::nullopt;
-  // Without load the field of a unit load factor tells the error and where the tip acts.
+  // The field of a unit load factor tells the error and where the tip acts if there is no load.
   const double present = prepared.evolution->progress().load_factor;
   const double load_factor = present == 0 && displacement.col(0).isZero(0) ? 1 : present;
   const Eigen::VectorXd total = coupling::evaluate(displacement, load_factor);

@@ -73,6 +73,22 @@ bool runs_along_edge(const GrowingTip& tip, const pd::TipLaw& law, const LineWay
          way.clear_spacings(tip.place, -left, law, spacings) < spacings;
 }
 
+// Shape of the energy release rate behind a kink as the fit gives it, with less weight the larger the residual is. For
+// pressed faces there is none, because the series is that of free faces.
+KinkShape shape_of(const WilliamsFit& fit, const TipStress& stress, double horizon, const LineStep& step) {
+  const double share = std::clamp(
+      (residual_without_direction - step.residual) / (residual_without_direction - residual_with_shape), 0.0, 1.0);
+  if (share == 0 || step.is_shut) return {};
+  return {stress.as_read(fit.factors(horizon)), share * t_stress_at_kinks * fit.t_stress(), step.angle};
+}
+
+// Relative error of a sheared tip's load by the fit.
+double sheared_error(double one, double two, const LineStep& step, bool is_crowded) {
+  return error_of_sheared + error_by_shear * two * two / (one * one + two * two) +
+         error_of_sheared_by_residual * std::max(step.residual - least_residual, 0.0) +
+         (is_crowded ? error_of_crowded : 0);
+}
+
 // Replaces factors, load and turn of a step's fit by those of sums around its tip. `correction` is that of the fit.
 void set_by_factors(const TipFactors& found, const LineLoad& load, const LoadWay& way, double correction,
                     LineStep& step) {
@@ -168,9 +184,13 @@ void LineSteps::judge_fit(const std::vector<GrowingTip>& tips, const WilliamsFit
   // little.
   if (!laws_.loads_by_energy || law.directions) return;
   step.is_shut = is_shut(tip, fit);
+  const bool press = faces_press_at(tip),
+             beside_face = stress_.is_beside_face(tip, law, (1 - rounding_of_places) * law.horizon);
+  const bool has_own_field =
+      !has_begun(tip) && !step.is_shut && !press && !beside_face && !runs_along_edge(tip, law, way_);
   if (law.function) {  // it needs factors
-    step.asks_around = !has_begun(tip) && has_own_field(tip, step);
-    step.fit_holds = !step.asks_around;
+    step.asks_around = has_own_field;
+    step.fit_holds = !has_own_field;
     return;
   }
   const Eigen::Vector2d at(1, step.load_factor);
@@ -189,22 +209,16 @@ void LineSteps::judge_fit(const std::vector<GrowingTip>& tips, const WilliamsFit
   const bool is_crowded = (!acts_longer || is_sheared) && stress_.is_crowded(tip, law, clear);
   const bool is_told = is_sheared ? acts_longer && is_crowded && step.residual < residual_with_shape
                                   : !is_crowded && step.residual < largest_residual(law);
-  const bool is_alone = !beside_tip && !faces_press_at(tip) && !stress_.meets_other_material(tip, law, clear);
+  const bool is_alone = !beside_tip && !press && !stress_.meets_other_material(tip, law, clear);
   const bool by_hoop = laws_.criterion == KinkCriterion::hoop_stress;
   step.at_border = is_alone && stress_.lacks_points(tip, law);
   step.fit_would_hold = by_hoop && is_told && is_alone;
-  // Sums around tips of cracks that began in the run are not measured yet.
-  step.asks_around =
-      step.at_border || (!has_begun(tip) && has_own_field(tip, step) && !runs_along_edge(tip, law, way_));
+  step.asks_around = step.at_border || has_own_field;
   step.factors_suffice = step.at_border || (by_hoop && !(is_sheared && is_crowded));
   step.fit_holds = step.fit_would_hold && !step.at_border && !(step.asks_around && tip.grown == 0);
-  if (stress_.is_beside_face(tip, law, horizon)) step.error = std::max(step.error, error_beside_face);
+  if (beside_face) step.error = std::max(step.error, error_beside_face);
   step.blends = is_sheared && is_alone && step.residual < residual_with_shape && step.error < error_beside_face;
-  if (!step.blends) return;
-  const double one = std::pow(factors.one.dot(at), 2), two = std::pow(factors.two.dot(at), 2);
-  step.error = error_of_sheared + error_by_shear * two / (one + two) +
-               error_of_sheared_by_residual * std::max(step.residual - least_residual, 0.0) +
-               (is_crowded ? error_of_crowded : 0);
+  if (step.blends) step.error = sheared_error(factors.one.dot(at), factors.two.dot(at), step, is_crowded);
 }
 
 bool need_body(const std::vector<LineStep>& steps, const LoadWay& way) {
@@ -214,17 +228,6 @@ bool need_body(const std::vector<LineStep>& steps, const LoadWay& way) {
     const bool is_bounded = !step.is_shut && direction_holds(step);
     return !step.fit_holds && (!is_bounded || std::abs(way.place_of(step.load_factor)) <= most_by_fit * first);
   });
-}
-
-// Shape of the energy release rate behind a kink as the fit gives it, with less weight the larger the residual is. For
-// pressed faces there is none, because the series is that of free faces.
-KinkShape LineSteps::shape_of(const GrowingTip& tip, const coupling::Affine& displacement, const LineStep& step) const {
-  const pd::TipLaw& law = law_of(tip);
-  const double share = std::clamp(
-      (residual_without_direction - step.residual) / (residual_without_direction - residual_with_shape), 0.0, 1.0);
-  if (share == 0 || step.is_shut) return {};
-  const WilliamsFit fit = stress_.fitted(tip, law, displacement, body_.pressure_in(tip.id.crack));
-  return {stress_.as_read(fit.factors(law.horizon)), share * t_stress_at_kinks * fit.t_stress(), step.angle};
 }
 
 bool LineSteps::take_factors(const GrowingTip& tip, const coupling::Affine& displacement, const LoadWay& way,
@@ -242,7 +245,7 @@ bool LineSteps::take_factors(const GrowingTip& tip, const coupling::Affine& disp
   if (!load || its.bonds.empty()) return false;
   set_by_factors(*found, *load, way, correction_of(tip), step);
   step.direction = direction, step.way = its;
-  // By the energy criterion the load is that of the energy alone; beside an edge the mean of both for a sheared tip.
+  // The load is that of the energy alone by the energy criterion; beside an edge the mean of both for a sheared tip.
   step.blends = !step.factors_suffice && laws_.criterion == KinkCriterion::hoop_stress;
   if (step.blends) step.error += error_of_crowded;
   if (law.function)
@@ -270,7 +273,8 @@ void LineSteps::try_step(const GrowingTip& tip, const coupling::Affine& displace
   }
   std::optional<TrialGrowth> growth = trials_.along(tip, law, step.direction, displacement, body);
   if (!growth) return;
-  growth->shape(shape_of(tip, displacement, step));
+  const WilliamsFit fit = stress_.fitted(tip, law, displacement, body_.pressure_in(tip.id.crack));
+  growth->shape(shape_of(fit, stress_, law.horizon, step));
   const std::optional<LineLoad> load = growth->load(step.load_factor, way.sense(), displacement.col(0).isZero(0));
   if (!load) return;
   // A tip whose faces are shut grows by shear alone, as the fit has it: the rate behind its kink falls too fast to

@@ -49,6 +49,23 @@ Point middle_of(const coupling::Terms& terms, int term, const std::vector<Point>
          2;
 }
 
+// Law of the region in which the nearest material point ahead of a tip lies; the tip's present law if there is no point
+// near.
+int law_ahead_of(const GrowingTip& tip, const pd::TipLaws& laws, const NearPoints& near,
+                 const std::vector<Point>& positions) {
+  const pd::TipLaw& law = laws.laws[static_cast<std::size_t>(tip.law)];
+  double nearest = law.horizon;
+  int found = tip.law;
+  for (const int node : near.about(tip.place, law.horizon)) {
+    const int number = laws.of_node[static_cast<std::size_t>(node)];
+    const Point way = positions[static_cast<std::size_t>(node)] - tip.place;
+    if (number < 0 || way.dot(tip.direction) <= rounding_of_places * law.spacing) continue;
+    if (way.norm() >= nearest - rounding_of_places * law.spacing) continue;
+    nearest = way.norm(), found = number;
+  }
+  return found;
+}
+
 }  // namespace
 
 AffineIntensity LineSteps::on_way(AffineIntensity intensity, const LoadWay& way) {
@@ -189,23 +206,7 @@ void LineSteps::move(const LineStep& step, std::vector<GrowingTip>& tips) const 
   tip.grown += step.way.length;
   tip.even_ahead.reset();
   tip.direction = step.direction;
-  if (laws_.laws.size() > 1) tip.law = law_ahead_of(tip);
-}
-
-// Law of the region in which the nearest material point ahead of a tip lies; the tip's present law if there is no point
-// near.
-int LineSteps::law_ahead_of(const GrowingTip& tip) const {
-  const pd::TipLaw& law = law_of(tip);
-  double nearest = law.horizon;
-  int found = tip.law;
-  for (const int node : stress_.near().about(tip.place, law.horizon)) {
-    const int number = laws_.of_node[static_cast<std::size_t>(node)];
-    const Point way = body_.positions()[static_cast<std::size_t>(node)] - tip.place;
-    if (number < 0 || way.dot(tip.direction) <= rounding_of_places * law.spacing) continue;
-    if (way.norm() >= nearest - rounding_of_places * law.spacing) continue;
-    nearest = way.norm(), found = number;
-  }
-  return found;
+  if (laws_.laws.size() > 1) tip.law = law_ahead_of(tip, laws_, stress_.near(), body_.positions());
 }
 
 crack::TipState LineSteps::state_at_edge(const Point& place) const {

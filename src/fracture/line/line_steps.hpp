@@ -175,13 +175,7 @@ class LineSteps {
   // Factors that give the load of growth.
   AffineIntensity intensity_for_load(const GrowingTip& tip, const WilliamsFit& fit) const;
   bool is_shut(const GrowingTip& tip, const WilliamsFit& fit) const;
-  // Whether the field next to a tip is its own: its faces do not press, and no other face is within a horizon.
-  bool has_own_field(const GrowingTip& tip, const LineStep& step) const {
-    const pd::TipLaw& law = law_of(tip);
-    return !step.is_shut && !faces_press_at(tip) && !stress_.is_beside_face(tip, law, law.horizon);
-  }
   void judge_fit(const std::vector<GrowingTip>& tips, const WilliamsFit& fit, LineStep& step) const;
-  KinkShape shape_of(const GrowingTip& tip, const coupling::Affine& displacement, const LineStep& step) const;
   // Replaces the load of the fit by that of a trial step's energy; keeps it if the step would close, or if the body has
   // no answer.
   void try_step(const GrowingTip& tip, const coupling::Affine& displacement, const LoadWay& way, TrialBody& body,
@@ -191,7 +185,6 @@ class LineSteps {
                     LineStep& step) const;
   AffineIntensity turning_of(const GrowingTip& tip, const AffineIntensity& by_fit, const coupling::Affine& displacement,
                              double present) const;
-  int law_ahead_of(const GrowingTip& tip) const;
   crack::TipState state_at_edge(const Point& place) const;
   // Ratio of a tip's equivalent stress intensity factor after a step to the toughness of `law`. `displacement` is that
   // after the step.
