@@ -243,8 +243,6 @@ static void what_cannot_be_is_refused(void) {
   CHECK_OK(model, bempd_add_crack(model, 2, (const double[4]){0, 0.5, 1, 0}, NULL));
   CHECK_OK(model, bempd_set_crack_treatment(model, 2, LATTICE));
   CHECK_FAILS(model, BEMPD_ERROR_ARGUMENT, "crack 2", bempd_prepare(model));
-  CHECK_OK(model, bempd_set_crack_treatment(model, 2, AUTOMATIC));
-  CHECK_OK(model, bempd_prepare(model));
   bempd_model_free(model);
 }
 

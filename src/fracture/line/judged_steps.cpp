@@ -186,8 +186,9 @@ void LineSteps::judge_fit(const std::vector<GrowingTip>& tips, const WilliamsFit
   step.is_shut = is_shut(tip, fit);
   const bool press = faces_press_at(tip),
              beside_face = stress_.is_beside_face(tip, law, (1 - rounding_of_places) * law.horizon);
-  const bool has_own_field =
-      !has_begun(tip) && !step.is_shut && !press && !beside_face && !runs_along_edge(tip, law, way_);
+  // Sums around the tip serve first loads only: farther on they cost a solution of the whole body at each step.
+  const bool has_own_field = tip.grown == 0 && !has_begun(tip) && !step.is_shut && !press && !beside_face &&
+                             !runs_along_edge(tip, law, way_);
   if (law.function) {  // it needs factors
     step.asks_around = has_own_field;
     step.fit_holds = !has_own_field;
@@ -215,7 +216,7 @@ void LineSteps::judge_fit(const std::vector<GrowingTip>& tips, const WilliamsFit
   step.fit_would_hold = by_hoop && is_told && is_alone;
   step.asks_around = step.at_border || has_own_field;
   step.factors_suffice = step.at_border || (by_hoop && !(is_sheared && is_crowded));
-  step.fit_holds = step.fit_would_hold && !step.at_border && !(step.asks_around && tip.grown == 0);
+  step.fit_holds = step.fit_would_hold && !step.asks_around;
   if (beside_face) step.error = std::max(step.error, error_beside_face);
   step.blends = is_sheared && is_alone && step.residual < residual_with_shape && step.error < error_beside_face;
   if (step.blends) step.error = sheared_error(factors.one.dot(at), factors.two.dot(at), step, is_crowded);
