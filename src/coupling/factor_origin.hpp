@@ -46,7 +46,7 @@ struct FactorSource {
   static FactorSource of(const std::vector<std::uint8_t>& stages, const std::vector<HoldingSpring>& springs,
                          const Constraints& constraints, const std::shared_ptr<const PlacesMet>& places) {
     FactorSource source{stages, springs, {}, constraints.closed_exact(), places, false, {}};
-    constraints.for_each_closed_penalty([&](const Constraint& closed) { source.closed.push_back(closed); });
+    constraints.for_each_closed_penalty([&](const Constraint& one) { source.closed.push_back(one); });
     return source;
   }
 

@@ -186,6 +186,7 @@ def lattice_strip(**settings: Any) -> bempd.Model:
     model.add_crack([(0, 0), (0.3, 0)])
     model.fix_edge(region, 1)
     model.prescribe_edge(region, 3, "y", 1e-4)
+    model.prescribe_edge(region, 3, "x", 0)
     model.set_growth_rate(acrylic, coefficient=1e-11, exponent=3, unit_intensity=1e6, critical_intensity=1e6)
     return model
 
