@@ -187,8 +187,8 @@ void LineSteps::judge_fit(const std::vector<GrowingTip>& tips, const WilliamsFit
   const bool press = faces_press_at(tip),
              beside_face = stress_.is_beside_face(tip, law, (1 - rounding_of_places) * law.horizon);
   // Sums around the tip serve first loads only: farther on they cost a solution of the whole body at each step.
-  const bool has_own_field = tip.grown == 0 && !has_begun(tip) && !step.is_shut && !press && !beside_face &&
-                             !runs_along_edge(tip, law, way_);
+  const bool has_own_field =
+      tip.grown == 0 && !has_begun(tip) && !step.is_shut && !press && !beside_face && !runs_along_edge(tip, law, way_);
   if (law.function) {  // it needs factors
     step.asks_around = has_own_field;
     step.fit_holds = !has_own_field;
