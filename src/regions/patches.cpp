@@ -111,9 +111,10 @@ void add_patches(scene::Scene& scene, const std::vector<Patch>& patches) {
     part->set_fracture_energies(body.fracture_energies());
     scene.add_region(std::move(part));
   }
-  for (const auto& [body, of_body] : loops) {
+  for (const auto& of_body : loops) {
+    const int body = of_body.first;
     const auto first = std::find_if(patches.begin(), patches.end(), [&](const Patch& p) { return p.body == body; });
-    boundary_in(scene, body)->cut_out(of_body, first->horizon_ratio * first->spacing);
+    boundary_in(scene, body)->cut_out(of_body.second, first->horizon_ratio * first->spacing);
   }
 }
 
