@@ -65,8 +65,8 @@ def test_windows_take_the_steps_of_the_whole_body(rule: str, control: str, incli
 
 
 def test_a_plate_is_torn_in_few_windows() -> None:
-    """Straight across, a window a time: factorizations, each with a window, against a change of the factor a step. Two more
-    belong to the steps before the edges, whose loads are those of trial steps in the whole body."""
+    """Straight across, a window a time: factorizations, each with a window, against a change of the factor a step. Four more
+    belong to the first steps of both tips, with loads from sums, and to those before the edges, with loads of trial steps."""
     model = bempd.Model(options={"crack.rule": "line"})
     material = model.add_material(young_modulus=1, poisson_ratio=1 / 3, critical_stretch=1e-3)
     body = model.add_pd_region(material, bempd.rectangle(0, 0, 49, 49), 1, 4)
@@ -78,7 +78,7 @@ def test_a_plate_is_torn_in_few_windows() -> None:
     spent = model.statistics()
     print(len(model.history()), "lines of the history,", spent.sparse_factorizations, "factorizations,", spent.factor_updates,
           "updates,", spent.solves, "solves")
-    assert model.history()["event"].max() == 32 and spent.sparse_factorizations <= 5 and spent.factor_updates < 500
+    assert model.history()["event"].max() == 32 and spent.sparse_factorizations <= 5 and spent.factor_updates < 800
 
 
 def body_force(model: bempd.Model, body: int) -> None:
