@@ -466,10 +466,10 @@ typedef enum bempd_treatment {
  * comes within two horizons of the patch's border goes on in elements; the patch stays where it was laid.
  *
  * BEMPD_TREATMENT_FROZEN does what bempd_set_tip_frozen() does at both ends, and any other treatment releases a crack
- * of which both are frozen.
- * That may be done between steps too. Whether a crack has a patch cannot change any more once the model is prepared.
- * Preparing fails as an argument error where a patch has no room, where a crack lies in several bodies, and with the
- * option crack.rule = "bond".
+ * of which both are frozen. That may be done between steps too. Whether a crack has a patch cannot change any more once
+ * the model is prepared. Preparing fails as an argument error where a patch has no room, where a crack lies in several
+ * bodies, with the option crack.rule = "bond", and with BEMPD_TREATMENT_ELEMENTS for a crack in a region with a
+ * lattice.
  * @param[in] model the model @param[in] crack id of a crack @param[in] treatment a bempd_treatment
  * @return status @since 0.4 */
 BEMPD_API bempd_status bempd_set_crack_treatment(bempd_model* model, int32_t crack, int32_t treatment);
@@ -2000,7 +2000,8 @@ BEMPD_API bempd_status bempd_tip(bempd_model* model, int64_t index, bempd_crack_
  * at the end of every step, also where bempd_grow_cracks() has made one.
  *
  * A tip in a peridynamic region costs 10 to 200 ms each time, one in a BEM region some ms; without the option nothing.
- * States in memory carry the records; those from bytes have none.
+ * Load factors of growth are recorded with the faces of cracks as they are at that moment. States in memory carry the
+ * records; those from bytes have none.
  * @param[in] model the model @param[out] count number of records @return status @since 0.3 */
 BEMPD_API bempd_status bempd_tip_history_count(const bempd_model* model, int64_t* count);
 

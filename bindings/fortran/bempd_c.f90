@@ -1642,7 +1642,8 @@ module bempd_c
     !> BEMPD_TREATMENT_FROZEN does what bempd_set_tip_frozen() does at both ends, and any other treatment releases a
     !> crack of which both are frozen. That may be done between steps too. Whether a crack has a patch cannot change any
     !> more once the model is prepared. Preparing fails as an argument error where a patch has no room, where a crack
-    !> lies in several bodies, and with the option crack.rule = "bond".
+    !> lies in several bodies, with the option crack.rule = "bond", and with BEMPD_TREATMENT_ELEMENTS for a crack in a
+    !> region with a lattice.
     !>
     !> model [in]: the model
     !> crack [in]: id of a crack
@@ -3985,7 +3986,8 @@ module bempd_c
     !> the end of every step, also where bempd_grow_cracks() has made one.
     !>
     !> A tip in a peridynamic region costs 10 to 200 ms each time, one in a BEM region some ms; without the option
-    !> nothing. States in memory carry the records; those from bytes have none.
+    !> nothing. Load factors of growth are recorded with the faces of cracks as they are at that moment. States in
+    !> memory carry the records; those from bytes have none.
     !>
     !> model [in]: the model
     !> count [out]: number of records

@@ -87,9 +87,10 @@ void EquilibriumSystem::forget_places_met() {
 void EquilibriumSystem::factorize() {
   rebuild_factor();
   if (factor_.exists()) return;
-  source_ = FactorSource::of(stages_, springs_, constraints_, places_met_);
-  if (factor_.factorize(substructures_, {operators_, terms_, ties_, constraints_, springs_, largest_stiffness_}))
+  if (factor_.factorize(substructures_, {operators_, terms_, ties_, constraints_, springs_, largest_stiffness_})) {
+    source_ = FactorSource::of(stages_, springs_, constraints_, places_met_);
     return;
+  }
   const Eigen::SparseMatrix<double>* matrix = nullptr;
   {
     const Stopwatch watch(counters_.seconds_assembly);

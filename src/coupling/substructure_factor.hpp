@@ -26,7 +26,8 @@ struct MatrixPart {
   const Eigen::MatrixXd& entries() const { return matrix ? *matrix : own; }
   // Whether both are made of the same, so that their matrices are equal bit by bit.
   bool is_made_as(const MatrixPart& other) const {
-    return source == other.source && constraints == other.constraints && closed == other.closed && own == other.own;
+    return source == other.source && constraints == other.constraints && closed == other.closed &&
+           own.rows() == other.own.rows() && own == other.own;
   }
 };
 

@@ -58,9 +58,21 @@ std::vector<regions::LatticeCrack> CrackTreatments::in_lattices() const {
   return cracks;
 }
 
+// Throws Error (argument) if a crack is to have elements in a lattice that the host has added.
+void CrackTreatments::require_elements() const {
+  for (const auto& [crack, treatment] : treatments_) {
+    if (treatment != CrackTreatment::elements) continue;
+    const int lattice = regions::lattice_around(model_.scene_, crack);
+    require(lattice == 0, "crack ", crack,
+            " has the treatment BEMPD_TREATMENT_ELEMENTS and runs through the lattice of ", "region ", lattice,
+            "; choose BEMPD_TREATMENT_AUTOMATIC, or add that region with bempd_add_body()");
+  }
+}
+
 void CrackTreatments::lay() {
   const std::vector<regions::LatticeCrack> cracks = in_lattices();
   if (cracks != laid_) take_away();
+  require_elements();
   if (cracks.empty()) return;
   const scene::Options& options = model_.options_;
   require(options.text_value("scheme") == "symmetric", "lattice patches need the option scheme = symmetric; it is ",
@@ -73,7 +85,8 @@ void CrackTreatments::lay() {
   loads_of_elements_.clear();
   try {
     loads_of_elements_ = model_.accuracy_.loads_of_elements();
-  } catch (const Error&) {  // they are only for comparison
+  } catch (const Error& error) {  // they are only for comparison
+    if (error.failure() == Failure::cancelled) throw;
   }
   const int own = model_.scene_.region_count();
   try {

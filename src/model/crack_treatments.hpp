@@ -34,6 +34,7 @@ class CrackTreatments {
 
  private:
   std::vector<regions::LatticeCrack> in_lattices() const;
+  void require_elements() const;
 
   Model& model_;
   std::map<int, CrackTreatment> treatments_;  // by crack; without automatic ones

@@ -1,32 +1,9 @@
-// Tips of the history, and the growth ahead of tips where faces open or close.
 #include "error.hpp"
 #include "model/driven_growth.hpp"
 #include "model/element_carrier.hpp"
 #include "model/model.hpp"
 
 namespace bempd::model {
-
-// Takes the growth of tips from a state a little ahead if faces open or close as soon as the load factor moves, as in a
-// body at rest. If there is no such equilibrium, nothing is known of the growth.
-void Model::look_past_switches(std::vector<regions::TipValues>& tips) {
-  for (const bool upwards : {true, false}) {
-    std::vector<regions::TipValues> ahead(tips.size());
-    try {
-      if (!prepared_->evolution->look_past_switch(upwards, [&] { ahead = compute_tips(); })) continue;
-    } catch (const Error& error) {
-      if (error.failure() != Failure::unsolvable && error.failure() != Failure::convergence) throw;
-    }
-    for (std::size_t k = 0; k < tips.size(); ++k) {
-      if (!upwards) {
-        tips[k].critical_load_factor_down = ahead[k].critical_load_factor_down;
-        continue;
-      }
-      tips[k].critical_load_factor = ahead[k].critical_load_factor;
-      tips[k].critical_kink_angle = ahead[k].critical_kink_angle;
-      tips[k].load_rule = ahead[k].load_rule, tips[k].load_error = ahead[k].load_error;
-    }
-  }
-}
 
 void Model::record_tips() {
   const fracture::HistoryEntry& line = prepared_->evolution->state().history.back();

@@ -27,7 +27,7 @@ constexpr double blocks_at_mouth = 5;
 
 constexpr double nearly = 1 - 1e-9;
 
-std::string name_of(const Inside& crack) { return text("crack ", crack.crack.id); }
+std::string name_of(const CrackInBody& crack) { return text("crack ", crack.crack.id); }
 
 void add_walls(const Outline& outline, std::vector<Wall>& walls) {
   constexpr double largest_turn = 0.05;  // [rad]
@@ -47,13 +47,15 @@ void add_walls(const Outline& outline, std::vector<Wall>& walls) {
 
 }  // namespace
 
-PatchLayout::PatchLayout(const scene::Scene& scene, int body, std::vector<Inside> cracks, const BodyLattice& lattice)
+PatchLayout::PatchLayout(const scene::Scene& scene, int body, std::vector<CrackInBody> cracks,
+                         const BodyLattice& lattice)
     : body_(body), cracks_(std::move(cracks)) {
   add_walls(scene.region(body).outline(), walls_);
   edges_ = edges_of(scene.region(body).outline());
   for (int id = 1; id <= static_cast<int>(scene.cracks().size()); ++id) {
     const std::vector<Point>& points = scene.cracks()[static_cast<std::size_t>(id) - 1].points;
-    const bool is_ours = std::any_of(cracks_.begin(), cracks_.end(), [&](const Inside& c) { return c.crack.id == id; });
+    const bool is_ours =
+        std::any_of(cracks_.begin(), cracks_.end(), [&](const CrackInBody& c) { return c.crack.id == id; });
     for (std::size_t i = 0; i + 1 < points.size(); ++i)
       (is_ours ? crack_walls_ : walls_).push_back({{points[i], points[i + 1]}, -1, text("crack ", id)});
   }
@@ -67,10 +69,10 @@ double PatchLayout::chosen_spacing() const {
   constexpr double spacings_between_cracks = 4;
   const double room = blocks_of_room * 2 * ratio_;  // in spacings
   double spacing = std::numeric_limits<double>::infinity();
-  for (const Inside& crack : cracks_) {
+  for (const CrackInBody& crack : cracks_) {
     const double points = least_per_tip * std::max<double>(1, static_cast<double>(crack.tips.size()));
     spacing = std::min(spacing, crack.length() / std::max(points, crack.mouths.empty() ? 0 : room));
-    for (const Inside::Tip& tip : crack.tips) {
+    for (const CrackInBody::Tip& tip : crack.tips) {
       for (const Wall& wall : walls_) spacing = std::min(spacing, distance(wall.piece, tip.place) / room);
       for (const Wall& wall : crack_walls_)
         if (wall.name != name_of(crack))
@@ -99,7 +101,7 @@ double PatchLayout::clearance(const Point& origin) const {
 Point PatchLayout::origin() const {
   constexpr int parts = 8;            // of a spacing
   constexpr double is_better = 1.01;  // times the clearance
-  const Inside& first = cracks_.front();
+  const CrackInBody& first = cracks_.front();
   const Point tip = first.tips.empty() ? first.pieces.front().at(0.5) : first.tips.front().place;
   const Point corner = tip - Point::Constant(ratio_ * spacing_);
   Point best = corner - Point::Constant(0.5 * spacing_);
@@ -113,7 +115,8 @@ Point PatchLayout::origin() const {
   return best;
 }
 
-// What is closer to a block than a block; null if nothing is, and the block lies in the body.
+// The wall nearest to a block that is closer than a block's size; null if there is none. A block outside of the body
+// has the first wall.
 const Wall* PatchLayout::wall_beside(const Block& block) const {
   const Box box = grid_.box(block);
   const Wall* nearest = nullptr;
@@ -129,7 +132,7 @@ const Wall* PatchLayout::wall_beside(const Block& block) const {
 }
 
 // Throws Error (argument) if the lattice cannot reach two horizons around `along`, but for parts near a mouth.
-void PatchLayout::require_room(const Inside& crack, const Segment& along, bool is_tip) {
+void PatchLayout::require_room(const CrackInBody& crack, const Segment& along, bool is_tip) {
   for (const Block& block : grid_.near(along, grid_.size * nearly)) {
     const Wall* wall = wall_beside(block);
     if (!wall) continue;
@@ -143,27 +146,27 @@ void PatchLayout::require_room(const Inside& crack, const Segment& along, bool i
   }
 }
 
-void PatchLayout::add_band(const Inside& crack) {
+void PatchLayout::add_band(const CrackInBody& crack) {
   const double reach = grid_.size * nearly;
   const auto add = [&](const Segment& line) {
     for (const Block& block : grid_.near(line, reach))
       if (is_allowed(block)) blocks_.insert(block);
   };
   for (const Segment& piece : crack.pieces) require_room(crack, piece, false), add(piece);
-  for (const Inside::Tip& tip : crack.tips) {
+  for (const CrackInBody::Tip& tip : crack.tips) {
     require_room(crack, {tip.place, tip.place}, true);
     if (tip.grows) add({tip.place, tip.place + blocks_ahead * grid_.size * tip.direction});
   }
 }
 
 std::vector<Patch> PatchLayout::patches() {
-  for (const Inside& crack : cracks_) add_band(crack);
+  for (const CrackInBody& crack : cracks_) add_band(crack);
   require(close_gaps(blocks_, [&](const Block& block) { return is_allowed(block); }), "lattice patches of body ", body_,
           " would enclose a hole or another crack; ", advice());
   std::vector<Patch> all;
   for (const Blocks& part : connected_parts(blocks_)) {
     Patch patch{body_, loop_around(part, grid_), spacing_, ratio_, {}};
-    for (const Inside& crack : cracks_) {
+    for (const CrackInBody& crack : cracks_) {
       const bool passes = std::any_of(crack.pieces.begin(), crack.pieces.end(), [&](const Segment& piece) {
         return std::any_of(part.begin(), part.end(),
                            [&](const Block& b) { return distance(grid_.box(b), piece) == 0; });
@@ -171,6 +174,11 @@ std::vector<Patch> PatchLayout::patches() {
       if (passes) patch.cracks.push_back(crack.crack.id);
     }
     if (!patch.cracks.empty()) all.push_back(std::move(patch));
+  }
+  for (const CrackInBody& crack : cracks_) {
+    const auto has_crack = [&](const Patch& patch) { return std::ranges::count(patch.cracks, crack.crack.id) > 0; };
+    require(std::ranges::any_of(all, has_crack), name_of(crack),
+            " leaves no room for a lattice patch between its mouths, where elements carry it; ", advice());
   }
   return all;
 }

@@ -18,7 +18,7 @@ struct Wall {
 };
 
 // Part of a crack inside a body.
-struct Inside {
+struct CrackInBody {
   LatticeCrack crack;
   std::vector<Segment> pieces;
   struct Tip {
@@ -38,7 +38,7 @@ struct Inside {
 // Patches of one body.
 class PatchLayout {
  public:
-  PatchLayout(const scene::Scene& scene, int body, std::vector<Inside> cracks, const BodyLattice& lattice);
+  PatchLayout(const scene::Scene& scene, int body, std::vector<CrackInBody> cracks, const BodyLattice& lattice);
 
   std::vector<Patch> patches();
 
@@ -48,12 +48,12 @@ class PatchLayout {
   Point origin() const;
   const Wall* wall_beside(const Block& block) const;
   bool is_allowed(const Block& block) const { return !wall_beside(block); }
-  void add_band(const Inside& crack);
-  void require_room(const Inside& crack, const Segment& along, bool is_tip);
+  void add_band(const CrackInBody& crack);
+  void require_room(const CrackInBody& crack, const Segment& along, bool is_tip);
   std::string advice() const;
 
   int body_;
-  std::vector<Inside> cracks_;
+  std::vector<CrackInBody> cracks_;
   std::vector<Wall> walls_, crack_walls_;
   std::vector<Edge> edges_;
   int ratio_;

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
-#include <set>
 
 #include "error.hpp"
 #include "regions/boundary/boundary_description.hpp"
@@ -31,11 +30,11 @@ std::vector<Segment> pieces_between(const std::vector<Point>& points, const std:
 }
 
 // The part of a crack inside a region; no pieces if none is.
-Inside inside(const scene::Scene& scene, int region, const LatticeCrack& crack, double tolerance) {
+CrackInBody part_of(const scene::Scene& scene, int region, const LatticeCrack& crack, double tolerance) {
   const Outline& outline = scene.region(region).outline();
   const std::vector<Edge> edges = edges_of(outline);
   const std::vector<Point>& points = scene.crack(crack.id).points;
-  Inside found{crack, {}, {}, {}};
+  CrackInBody found{crack, {}, {}, {}};
   for (const Segment& piece : pieces_between(points, edges))
     if (locate(edges, piece.at(0.5), tolerance) == Location::inside) found.pieces.push_back(piece);
   const auto loop_at = [&](const Point& place) {
@@ -58,22 +57,17 @@ Inside inside(const scene::Scene& scene, int region, const LatticeCrack& crack, 
   return found;
 }
 
-bool has_patch(const std::vector<Patch>& patches, int crack) {
-  return std::ranges::any_of(patches, [&](const Patch& patch) { return std::ranges::count(patch.cracks, crack) > 0; });
-}
-
 }  // namespace
 
 std::vector<Patch> lay_out_patches(const scene::Scene& scene, const std::vector<LatticeCrack>& cracks,
                                    const std::map<int, BodyLattice>& lattices) {
   const double tolerance = 10 * geometric_tolerance(scene.bounding_box());
-  std::map<int, std::vector<Inside>> in_body;
-  std::set<int> is_in_body;  // cracks
+  std::map<int, std::vector<CrackInBody>> in_body;
   for (const LatticeCrack& crack : cracks) {
-    std::optional<Inside> found;
+    std::optional<CrackInBody> found;
     int region = 0;
     for (const int id : scene.region_ids()) {
-      Inside part = inside(scene, id, crack, tolerance);
+      CrackInBody part = part_of(scene, id, crack, tolerance);
       if (part.pieces.empty() || !scene.region(id).has_elements()) continue;
       require(!found, "crack ", crack.id, " runs through the regions ", region, " and ", id,
               "; lattice patches are laid for cracks in one body: give it another treatment");
@@ -84,7 +78,6 @@ std::vector<Patch> lay_out_patches(const scene::Scene& scene, const std::vector<
             ", whose elements the host has chosen; lattice patches are laid in bodies: make it one with "
             "bempd_add_body(), or give the crack another treatment");
     in_body[region].push_back(std::move(*found));
-    is_in_body.insert(crack.id);
   }
   std::vector<Patch> all;
   for (auto& [body, inside_it] : in_body) {
@@ -92,11 +85,15 @@ std::vector<Patch> lay_out_patches(const scene::Scene& scene, const std::vector<
     PatchLayout layout(scene, body, std::move(inside_it), lattice == lattices.end() ? BodyLattice{} : lattice->second);
     for (Patch& patch : layout.patches()) all.push_back(std::move(patch));
   }
-  for (const LatticeCrack& crack : cracks)
-    require(
-        !is_in_body.contains(crack.id) || has_patch(all, crack.id), "crack ", crack.id,
-        " leaves no room for a lattice patch between its mouths, where elements carry it; give it another treatment");
   return all;
+}
+
+int lattice_around(const scene::Scene& scene, int crack) {
+  if (scene.crack(crack).points.empty()) return 0;
+  const double tolerance = 10 * geometric_tolerance(scene.bounding_box());
+  for (const int id : scene.region_ids())
+    if (!scene.region(id).has_elements() && !part_of(scene, id, {crack, {}}, tolerance).pieces.empty()) return id;
+  return 0;
 }
 
 void add_patches(scene::Scene& scene, const std::vector<Patch>& patches) {

@@ -36,6 +36,9 @@ struct Patch {
 std::vector<Patch> lay_out_patches(const scene::Scene& scene, const std::vector<LatticeCrack>& cracks,
                                    const std::map<int, BodyLattice>& lattices);
 
+// Id of the first region without elements through which a crack runs; 0 if there is none.
+int lattice_around(const scene::Scene& scene, int crack);
+
 // Cuts patches out of their bodies and adds them to the scene, as regions with the next ids.
 void add_patches(scene::Scene& scene, const std::vector<Patch>& patches);
 // Takes all patches out again; the scene has `count` regions then.

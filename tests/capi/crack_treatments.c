@@ -244,6 +244,15 @@ static void what_cannot_be_is_refused(void) {
   CHECK_OK(model, bempd_set_crack_treatment(model, 2, LATTICE));
   CHECK_FAILS(model, BEMPD_ERROR_ARGUMENT, "crack 2", bempd_prepare(model));
   bempd_model_free(model);
+  model = new_model();
+  add_pd_rectangle(model, add_tough_material(model), 0, 0, 20, 20, 1);
+  CHECK_OK(model, bempd_add_crack(model, 2, (const double[4]){5, 10, 15, 10}, NULL));
+  CHECK_OK(model, bempd_fix_edge(model, 1, 1, BEMPD_BOTH, NULL));
+  CHECK_OK(model, bempd_set_crack_treatment(model, 1, BEMPD_TREATMENT_ELEMENTS));
+  CHECK_FAILS(model, BEMPD_ERROR_ARGUMENT, "bempd_add_body", bempd_prepare(model));
+  CHECK_OK(model, bempd_set_crack_treatment(model, 1, AUTOMATIC));
+  CHECK_OK(model, bempd_prepare(model));
+  bempd_model_free(model);
 }
 
 int main(void) {

@@ -104,7 +104,8 @@ void set_by_factors(const TipFactors& found, const LineLoad& load, const LoadWay
 }
 
 // Direction of a step by energy where that of its fit does not hold: among directions beside that of the fit. With a
-// face within a horizon the fit may point to where the step would close; then up to 65 degrees off straight ahead.
+// face within a horizon the fit may point to where the step would close; then directions up to 65 degrees off straight
+// ahead are tried.
 Point direction_by_energy(const GrowingTip& tip, const pd::TipLaw& law, const LineStep& step, const TrialSteps& trials,
                           const coupling::Affine& displacement, TrialBody& body) {
   const auto best_about = [&](const Point& middle) {

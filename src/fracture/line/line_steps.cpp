@@ -244,10 +244,9 @@ crack::Extension LineSteps::remember(const LineStep& step, double ratio, double 
   const double expected = rate * law.thickness * step.way.length;
   const double released = step.by_factors ? step.rate_over_fit : expected > 0 ? released_energy / expected : 1;
   // The energy of the first step depends on where the crack was described to end between the points, so it is not used.
-  // A load by an energy, or beside a fit that does not hold, says nothing of the fit, whose correction then stays as it
-  // is.
+  // A load by an energy says nothing of the fit, whose correction then stays as it is.
   const bool is_first = tip.energy_ratios.empty();
-  if (is_first || (!step.by_energy && (!step.by_factors || step.fit_would_hold || step.at_border)))
+  if (is_first || !step.by_energy)
     tip.energy_ratios.push_back(is_first ? 1 : std::clamp(released, least_ratio, largest_ratio));
   if (tip.energy_ratios.size() > remembered_steps) tip.energy_ratios.erase(tip.energy_ratios.begin());
   tip.state = step.way.ends_as == crack::TipState::at_edge ? state_at_edge(tip.place) : step.way.ends_as;

@@ -380,7 +380,8 @@ extern "C" {
     /// treatment releases a crack of which both are frozen. That may be done between steps too.
     /// Whether a crack has a patch cannot change any more once the model is prepared. Preparing
     /// fails as an argument error where a patch has no room, where a crack lies in several bodies,
-    /// and with the option crack.rule = "bond".
+    /// with the option crack.rule = "bond", and with BEMPD_TREATMENT_ELEMENTS for a crack in a
+    /// region with a lattice.
     ///
     /// * model \[in\]: the model
     /// * crack \[in\]: id of a crack
@@ -3398,7 +3399,8 @@ extern "C" {
     /// every n-th event and at the end of every step, also where bempd_grow_cracks() has made one.
     ///
     /// A tip in a peridynamic region costs 10 to 200 ms each time, one in a BEM region some ms;
-    /// without the option nothing. States in memory carry the records; those from bytes have none.
+    /// without the option nothing. Load factors of growth are recorded with the faces of cracks as
+    /// they are at that moment. States in memory carry the records; those from bytes have none.
     ///
     /// * model \[in\]: the model
     /// * count \[out\]: number of records
