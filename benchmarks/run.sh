@@ -17,7 +17,8 @@
 #   benchmarks/run.sh bodies          bodies: errors wanted, told and true, promises, cost over size, into docs/bodies.md with --write
 #   benchmarks/run.sh mpi             one body on several processes by MUMPS, and ensembles, into docs/scaling.md with --write
 #   benchmarks/run.sh factorization   the library's own sparse factorization beside CHOLMOD's, into docs/research/tables
-#   --with-peers, last, installs the peers first: FreeFem++, dolfinx and CalculiX; LAMMPS and dolfinx; or dolfinx
+#   benchmarks/run.sh states          what saved states cost, in memory and as bytes, also beside other libraries
+#   --with-peers, last, installs the peers first: FreeFem++, dolfinx and CalculiX; LAMMPS and dolfinx; or dolfinx (fracture, bodies)
 set -euo pipefail
 export BEMPD_TEST_HOOKS=1  # some compare with ways that the library does not choose by itself
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
@@ -39,10 +40,11 @@ case "$name" in
   line_loads) programs=() peers=() ;;
   fatigue) programs=() peers=() ;;
   subdomains) programs=() peers=() ;;
-  bodies) programs=() peers=() ;;
+  bodies) programs=() peers=(python3-dolfinx python3-gmsh) ;;
   mpi) programs=(bempd_mpi bempd_schur) peers=() ;;
   factorization) programs=(bempd_factorization) peers=() ;;
-  *) sed -n '2,20s/^# *//p' "$0" >&2; exit 2 ;;
+  states) programs=() peers=() ;;
+  *) sed -n '2,21s/^# *//p' "$0" >&2; exit 2 ;;
 esac
 shift
 if [ "${*: -1}" = --with-peers ]; then set -- "${@:1:$#-1}"; else peers=(); fi

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import resource
 import time
 
 import numpy as np
@@ -38,19 +39,15 @@ def plate(width: float, height: float, angle: float, carrier: str, horizon_ratio
 
 
 def grown(model: bempd.Model, steps: int) -> np.ndarray:
-    """Load factor, place, and crack length of every extension in the first steps of the run, and whether its load came from the
-    fit to the stress ahead of the tip."""
-    rules = []
+    """Load factor, place, and crack length of every extension in the first steps of the run."""
     for _ in range(steps):
-        rules += [tip.load_rule == bempd.LoadRule.FIT for tip in model.tips()[-1:]]
         if model.step_to_next_event(1e9).separated:
             break
-    extensions = model.extensions()
-    return np.array([(e.load_factor, e.x, e.y, e.crack_length, rule) for e, rule in zip(extensions, rules)])
+    return np.array([(e.load_factor, e.x, e.y, e.crack_length) for e in model.extensions()])
 
 
 def against_lattices(quick: bool) -> list[str]:
-    lines = ["| m | angle | steps | loads from the whole lattice | those by the same rule | places [spacings] | loads from elements, "
+    lines = ["| m | angle | steps | layouts | loads from the whole lattice | places [spacings] | loads from elements, "
              "patch | whole | points, patch | whole | s, patch | whole |", "|---|---|---|---|---|---|---|---|---|---|---|---|"]
     for ratio in (3,) if quick else (3, 4, 5):
         for degrees in (0,) if quick else (0, 20):
@@ -59,7 +56,7 @@ def against_lattices(quick: bool) -> list[str]:
 
 
 def one_against_lattice(ratio: int, degrees: float) -> str:
-    width, height, steps = 26 * ratio, 22 * ratio, 4 * ratio - 2
+    width, height, steps = 44 * ratio, 22 * ratio, 8 * ratio
     # The crack is moved so that the patch has material points at whole numbers, as the whole lattice has.
     shift = plate(width, height, math.radians(degrees), "patch", ratio)[0].parts()[1].outline[0][0] % 1
     found, seconds, points = {}, {}, {}
@@ -68,10 +65,11 @@ def one_against_lattice(ratio: int, degrees: float) -> str:
         model, _, _ = plate(width, height, math.radians(degrees), carrier, ratio, shift)
         found[carrier] = grown(model, steps)
         seconds[carrier], points[carrier] = time.process_time() - begin, model.statistics().material_points
+        if carrier == "patch":
+            layouts = np.count_nonzero(model.history()["event"] == 0)
     patch, whole = found["patch"], found["whole lattice"]
     count = min(len(patch), len(whole))
     loads = np.abs(patch[:count, 0] / whole[:count, 0] - 1)
-    alike = loads[(patch[:count, 4] == 1) & (whole[:count, 4] == 1)]
     places = np.linalg.norm(patch[:count, 1:3] - whole[:count, 1:3], axis=1).max()
     lengths, of_elements = found["elements"][:, 3], found["elements"][:, 0]
 
@@ -80,8 +78,34 @@ def one_against_lattice(ratio: int, degrees: float) -> str:
         errors = [row[0] / np.interp(row[3], lengths, of_elements) - 1 for row in known]
         return f"{100 * min(errors):+.1f} to {100 * max(errors):+.1f} %" if errors else "-"
 
-    return (f"| {ratio} | {degrees} | {count} | {loads.max():.1e} | {alike.max():.1e} | {places:.3f} | {off(patch)} | {off(whole)} "
+    return (f"| {ratio} | {degrees} | {count} | {layouts} | {loads.max():.1e} | {places:.3f} | {off(patch)} | {off(whole)} "
             f"| {points['patch']:,} | {points['whole lattice']:,} | {seconds['patch']:.1f} | {seconds['whole lattice']:.1f} |")
+
+
+def following(quick: bool) -> list[str]:
+    """One end of a crack grows on, and its patch with it."""
+    lines = ["| grown by [spacings] | layouts | points | elements | s | of them layouts | s for a step, last half | memory [GB] | "
+             "stored energy by layouts |", "|---|---|---|---|---|---|---|---|---|"]
+    model, _, crack = pulled(2000.0, "lattice")
+    model.set_tip_frozen(crack, bempd.TipEnd.START)
+    model.prepare()
+    begin, seconds, points = time.process_time(), [], [model.statistics().material_points]
+    for goal in (20, 40) if quick else (100, 200, 400, 800):
+        while len(seconds) < goal:
+            before = time.process_time()
+            model.step_to_next_event(1e9)
+            seconds.append(time.process_time() - before)
+            points.append(model.statistics().material_points)
+        is_layout, spent = np.diff(points) != 0, np.array(seconds)
+        usual = np.mean(spent[len(spent) // 2:][~is_layout[len(spent) // 2:]])  # many steps are computed at once
+        of_layouts = np.sum(spent[is_layout] - usual)
+        history = model.history()
+        stored = history["stored_energy"]
+        jumps = np.abs(stored[1:] / stored[:-1] - 1)[history["event"][1:] == 0]
+        memory = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss / 1e6
+        lines.append(f"| {model.crack_length(crack) - POINTS:.0f} | {len(jumps)} | {points[-1]:,} | {model.parts()[0].boundary_elements} "
+                     f"| {time.process_time() - begin:.1f} | {of_layouts:.1f} | {usual:.3f} | {memory:.2f} | {jumps.max(initial=0):.1e} |")
+    return lines
 
 
 def sizes(quick: bool) -> list[str]:

@@ -2,8 +2,8 @@
 docs/bodies.md.
 
 usage: benchmarks/run.sh bodies [--write] [--quick] [--only TABLE]
-    --write: into docs/bodies.md;  --quick: four scenes and two errors;  --only: trade, random, promises, sheets, patches, sizes or
-    treatments
+    --write: into docs/bodies.md;  --quick: four scenes and two errors;  --only: trade, random, calibration, runs, promises, sheets, patches, following, near,
+    sizes, treatments, peers or paper
 """
 
 from __future__ import annotations
@@ -21,7 +21,12 @@ from typing import Any, Callable
 import numpy as np
 
 import bempd
+import calibration
+import growing
+import near
+import paper
 import patches
+import peers
 from error_check import answers, table, true_errors
 
 PAGE = Path(__file__).resolve().parents[2] / "docs" / "bodies.md"
@@ -178,6 +183,16 @@ def random_bodies(quick: bool) -> list[str]:
     return table(1, 5 if quick else 24)
 
 
+def calibrated(quick: bool) -> list[str]:
+    """Told and true errors of all results, of scenes with which no factor was chosen."""
+    return calibration.table(101, 4 if quick else 40, 1 if quick else 8)
+
+
+def runs(quick: bool) -> list[str]:
+    """Told and true errors of runs in which cracks grow."""
+    return growing.table(201, 3 if quick else 8)
+
+
 def promise(name: str) -> dict[str, float]:
     """Promises of a plan and what came, in a process of its own for the memory."""
     scene = dict(SCENES)[name]
@@ -248,13 +263,14 @@ def main() -> None:
         return
     quick = "--quick" in sys.argv
     only = sys.argv[sys.argv.index("--only") + 1] if "--only" in sys.argv else None
-    for name, make in (("trade", trade), ("random", random_bodies), ("promises", promises), ("sheets", sheets),
-                       ("patches", patches.against_lattices), ("sizes", patches.sizes), ("treatments", patches.treatments)):
+    for name, make in (("trade", trade), ("random", random_bodies), ("calibration", calibrated), ("runs", runs), ("promises", promises), ("sheets", sheets),
+                       ("patches", patches.against_lattices), ("following", patches.following), ("near", near.table), ("sizes", patches.sizes),
+                       ("treatments", patches.treatments), ("peers", peers.table), ("paper", paper.table)):
         if only not in (None, name):
             continue
         lines = make(quick)
         print("\n".join(lines), flush=True)
-        if "--write" in sys.argv:
+        if "--write" in sys.argv and len(lines) > 1:  # more than a sentence that says why there is no table
             text = PAGE.read_text(encoding="utf-8")
             block = f"<!-- {name} -->\n" + "\n".join(lines) + "\n<!-- end -->"
             found = re.sub(rf"<!-- {name} -->.*?<!-- end -->", lambda _: block, text, flags=re.DOTALL)

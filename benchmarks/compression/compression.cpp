@@ -79,8 +79,7 @@ class Lattice {
     hold(body, std::move(terms));
     if (!body.crack.empty()) {
       const std::vector<int> cut = pd::bonds_cut_by(places_, network_.bonds, body.crack);
-      system_->mark_broken(cut);
-      system_->commit_break(cut, {});
+      system_->commit(system_->stages().breaking(cut), {});
     }
   }
 
@@ -105,8 +104,7 @@ class Lattice {
       const std::vector<int> gone(event.begin(), event.end());
       broken += static_cast<int>(gone.size());
       run.events.push_back(std::move(event));
-      system_->mark_broken(gone);
-      system_->commit_break(gone, {});
+      system_->commit(system_->stages().breaking(gone), {});
     }
     return run;
   }
@@ -127,7 +125,7 @@ class Lattice {
     }
     system_ = std::make_unique<coupling::EquilibriumSystem>(
         cells_.point_count(), std::vector<coupling::DenseOperator>(), std::move(terms), held);
-    system_->place_nodes(places_);
+    system_->factor().place_nodes(places_);
     system_->set_load(coupling::Affine::Zero(dofs, 2), moved);
   }
 
@@ -140,9 +138,9 @@ class Lattice {
       stretch[b] = terms.elongation(b, u.data()) * scale[b];
     }
     fracture::AffineRelief relief;
-    across_.relieve(none, stretch, scale, system_->intact(), relief);
+    across_.relieve(none, stretch, scale, system_->stages().intact(), relief);
     for (std::size_t b = 0; b < terms.size(); ++b) {
-      if (!system_->intact()[b]) continue;
+      if (!system_->stages().intact()[b]) continue;
       // What the library takes off is -nu / (1 - nu^2) (across + nu own).
       const double across = -(1 - nu * nu) / nu * relief.proportional[b] - nu * stretch[b];
       result[b] = criterion.ratio(stretch[b], across);

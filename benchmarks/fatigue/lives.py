@@ -5,6 +5,7 @@ da/dN = 1e-11 dK^3 in MPa m^(1/2) and m; loads are 1 MPa per unit of the load fa
 
 from __future__ import annotations
 
+import functools
 import math
 from typing import Any
 
@@ -194,6 +195,7 @@ SQUARES: dict[str, tuple[list[list[tuple[float, float]]], float]] = {
 }
 
 
+@functools.cache
 def square_life(scene: str, spacings: int = 0) -> float:
     """Cycles until the first crack has its last length, with elements, or as a line in a lattice of so many spacings."""
     cracks, end = SQUARES[scene]
@@ -237,6 +239,7 @@ def halves(left: str, right: str, cracks: list[list[tuple[float, float]]], spaci
     return model, loads
 
 
+@functools.cache
 def life_in_halves(left: str, right: str, scene: str, spacings: int = 40) -> list[float]:
     """Cycles at which the first crack has its lengths."""
     cracks, lengths = HALVES[scene]

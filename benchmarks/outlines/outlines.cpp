@@ -1,9 +1,11 @@
 // Prints how exact the networks of bodies with any outline are, as a table: three places and directions of the lattice
-// for each; with the argument `mouths` those of long outlines on which cracks begin.
+// for each. With the argument `mouths` those of long outlines on which cracks begin; with `rows` how networks along
+// lattice rows differ from those made without templates.
 #include <algorithm>
 #include <cstdio>
 
 #include "mouths.hpp"
+#include "rows.hpp"
 #include "unit/pd_outlines.hpp"
 
 namespace {
@@ -59,6 +61,10 @@ std::string name(const char* what, double value) {
 int main(int count, char** arguments) {
   if (count > 1 && std::string(arguments[1]) == "mouths") {
     print_mouths();
+    return 0;
+  }
+  if (count > 1 && std::string(arguments[1]) == "rows") {
+    print_rows();
     return 0;
   }
   std::mt19937 random(2);

@@ -1,7 +1,7 @@
 """Large BEM regions, whole and cut into subdomains: the tables of docs/scaling.md.
 
-usage: benchmarks/run.sh subdomains [--write] [--quick] [--growth]
-    --write: the first table into docs/scaling.md;  --quick: small bodies only;  --growth: growing cracks only
+usage: benchmarks/run.sh subdomains [--write] [--quick] [--growth [--holes N]]
+    --write: into docs/scaling.md;  --quick: small bodies only;  --growth: growing cracks only, in sheets of at most N holes
 """
 
 from __future__ import annotations
@@ -160,7 +160,8 @@ def table(quick: bool) -> list[str]:
 def growth(quick: bool) -> list[str]:
     lines = ["| body | cracks | nodes | subdomains | processor seconds until the first growth | of a step "
              "| wall seconds of the last scene: operators, factor, solutions | memory [GB] |", "|---|---|---|---|---|---|---|---|"]
-    answers = {numbers: in_process("grow", *numbers) for numbers in (GROWING[:2] if quick else GROWING)}
+    most = int(sys.argv[sys.argv.index("--holes") + 1]) if "--holes" in sys.argv else GROWING[-1][0]
+    answers = {numbers: in_process("grow", *numbers) for numbers in (GROWING[:2] if quick else GROWING) if numbers[0] <= most}
     for (holes, _, _), answer in answers.items():
         parts = f"{answer['subdomains']:,}" if answer["subdomains"] else "whole"
         lines.append(f"| sheet, {holes:,} holes | {answer['cracks']} | {answer['nodes']:,} | {parts} | {answer['first']:.0f} "
@@ -190,7 +191,7 @@ def main() -> None:
     for name, make in tables.items():
         lines = make(quick)
         print("\n".join(lines))
-        if writes and name == "table":
+        if writes:
             write(name, lines)
 
 

@@ -35,7 +35,7 @@ int main(void) {
     printf("%s\n", bempd_last_error(model)); /* of the call that failed */
     return 1;
   }
-  printf("breaks after %.0f cycles, at a length of %.2f mm\n", life.cycles, 1e3 * length);
+  printf("breaks after %.0f cycles, at a length of %.1f mm\n", life.cycles, 1e3 * length);
   bempd_model_free(model);
   return 0;
 }

@@ -31,6 +31,6 @@ program smallest
   call model%set_growth_rate(aluminium, rate)
   call model%grow_fatigue([1._dp, .7_dp], [.1_dp, .2_dp], [10._dp, 500._dp], report=life)
   call model%crack_length(1, length)
-  print '("breaks after ", i0, " cycles, at a length of ", f0.2, " mm")', nint(life%cycles), 1e3_dp * length
+  print '("breaks after ", i0, " cycles, at a length of ", f0.1, " mm")', nint(life%cycles), 1e3_dp * length
   call model%free()
 end program smallest

@@ -11,4 +11,4 @@ model.add_traction(sheet, 1, "y", -80e6)
 model.set_growth_rate(  # Paris and Walker, in MPa m^(1/2) and m
     aluminium, coefficient=2e-11, exponent=3, unit_intensity=1e6, walker=0.6, critical_intensity=35)
 life = model.grow_fatigue(high=[1, 0.7], low=[0.1, 0.2], cycles=[10, 500])
-print(f"breaks after {life.cycles:.0f} cycles, at a length of {1e3 * model.crack_length(crack):.2f} mm")
+print(f"breaks after {life.cycles:.0f} cycles, at a length of {1e3 * model.crack_length(crack):.1f} mm")

@@ -20,6 +20,6 @@ fn main() -> bempd::Result<()> {
         [Block { high: 1.0, low: 0.1, cycles: 10.0 }, Block { high: 0.7, low: 0.2, cycles: 500.0 }];
     let life = model.grow_fatigue(&spectrum, &FatigueOptions::default())?;
     let length = model.crack_length(crack)?;
-    println!("breaks after {:.0} cycles, at a length of {:.2} mm", life.cycles, 1e3 * length);
+    println!("breaks after {:.0} cycles, at a length of {:.1} mm", life.cycles, 1e3 * length);
     Ok(())
 }

@@ -72,7 +72,7 @@ def run(treatment: str, film: pathlib.Path | None, lengths: tuple[float, ...]) -
     model.set_crack_treatment(found.edge, "frozen")
     model.set_crack_treatment(found.inner, treatment)
     found.until(found.inner, lengths[1], "the edge crack is frozen, in the patch")
-    found.until(found.inner, lengths[2], "the inner crack leaves its patch")
+    found.until(found.inner, lengths[2], "the patch follows the inner crack")
     model.set_crack_treatment(found.edge, "automatic")
     found.until(found.inner, lengths[3], "both may grow")
     if found.movie:

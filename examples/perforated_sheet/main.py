@@ -1,7 +1,8 @@
 """Pulls a sheet with 1,000 holes in which ten cracks grow.
 
-usage: main.py [--short] [--full] [FOLDER]
-    --short: 64 holes, three cracks and no picture, as a test;  --full: on until the cracks end or the sheet is torn
+usage: main.py [--short | --small] [--full] [FOLDER]
+    --short: 64 holes, three cracks and no picture, as a test;  --small: 256 holes
+    --full: on until the cracks end or the sheet is torn
     FOLDER: out/perforated_sheet
 """
 
@@ -143,11 +144,12 @@ def picture(sheet: Sheet, run: Run, file: pathlib.Path) -> None:
 def main() -> None:
     parser = argparse.ArgumentParser()
     parser.add_argument("--short", action="store_true")
+    parser.add_argument("--small", action="store_true")
     parser.add_argument("--full", action="store_true")
     parser.add_argument("folder", nargs="?", type=pathlib.Path, default=pathlib.Path("out/perforated_sheet"))
     arguments = parser.parse_args()
     arguments.folder.mkdir(parents=True, exist_ok=True)
-    sheet = describe(8, 8, 3) if arguments.short else describe(40, 25, 10)
+    sheet = describe(8, 8, 3) if arguments.short else describe(16, 16, 10) if arguments.small else describe(40, 25, 10)
     run = grow(sheet, math.inf if arguments.full else 0.1 if arguments.short else GROWTH)
     assert run.load, f"no crack has grown: {run.ended}"
     rows = rows_of(sheet, run)
