@@ -38,9 +38,13 @@ failed=0
 # The presets in CMakePresets.json, here and in the host's folder, say what each stage is. The library's files are compiled
 # together, but for the stage clang, which sees that each stands alone.
 run_presets() {
-  local together=ON
-  [ "$1" != clang ] || together=OFF
-  cmake --preset "$1" -D BEMPD_COMPILE_TOGETHER="$together" && cmake --build --preset "$1" -j "$jobs" && ctest --preset "$1" -j "$jobs"
+  local settings=(-D BEMPD_COMPILE_TOGETHER=ON)
+  case "$1" in
+    clang) settings=(-D BEMPD_COMPILE_TOGETHER=OFF) ;;
+    # GCC keeps what it no longer needs up to 1 GB: a ninth of the time for large files, and the same code.
+    ci) settings+=(-D CMAKE_CXX_FLAGS="--param=ggc-min-heapsize=1000000") ;;
+  esac
+  cmake --preset "$1" "${settings[@]}" && cmake --build --preset "$1" -j "$jobs" && ctest --preset "$1" -j "$jobs"
 }
 
 # Python with the library of a build directory.

@@ -32,7 +32,7 @@ module bempd
     BEMPD_CRACK_END, BEMPD_TIP_ELEMENTS, BEMPD_TIP_CONTOURS, BEMPD_TIP_STRESS, bempd_path_vertex, &
     BEMPD_LOAD_UNKNOWN, BEMPD_LOAD_FACTORS, BEMPD_LOAD_FIT, BEMPD_LOAD_ENERGY, &
     BEMPD_TIP_GROWS, BEMPD_TIP_AT_EDGE, BEMPD_TIP_AT_HOLE, BEMPD_TIP_AT_CRACK, BEMPD_TIP_AT_INTERFACE, BEMPD_TIP_SEPARATED, &
-    bempd_step_report, bempd_statistics, bempd_body_plan, bempd_errors, &
+    bempd_step_report, bempd_statistics, bempd_body_plan, bempd_errors, bempd_run_errors, &
     BEMPD_ERROR_SOURCE_BOUNDARY, BEMPD_ERROR_SOURCE_LATTICE, BEMPD_ERROR_SOURCE_PATCH, BEMPD_ERROR_SOURCE_MODEL, &
     bempd_history_entry, bempd_crack_tip, bempd_growth, bempd_crack_extension, bempd_growth_rate, bempd_fatigue, &
     bempd_fatigue_report, bempd_fatigue_record, bempd_growth_rate_init, bempd_fatigue_init, BEMPD_RATE_PARIS, &
@@ -54,7 +54,7 @@ module bempd
     generic :: set_option => set_option_number, set_option_text
     generic :: get_option => get_option_number, get_option_text
     generic :: assignment(=) => refuse_copy
-    procedure :: add_body, set_body_lattice, set_crack_treatment, plan, error_estimate
+    procedure :: add_body, set_body_lattice, set_crack_treatment, plan, error_estimate, run_error_estimate
     procedure :: add_material, add_bem_region, add_pd_region, add_hole, add_circular_hole, add_crack
     procedure :: add_bem_disc, set_edge_arc, set_edge_arc_about, set_edges_smooth, set_edge_mesh, set_toughness_at
     procedure :: set_resistance_curve, set_resistance_directions
@@ -73,7 +73,7 @@ module bempd
     procedure :: prepare, step, step_to_next_event, run_to_separation, step_to_values, run_program
     procedure :: load_factor, admissible_load_factors, explain, generation, copy_field, fill_field, view_field
     procedure :: copy_elements, copy_bonds, reaction, reaction_moment, edge_reaction, evaluate, evaluate_in, singularities
-    procedure :: stress_orders
+    procedure :: stress_orders, evaluate_errors
     procedure :: add_edge_forces, set_support_nodal_values, set_load_nodal_values, set_support_values_at
     procedure :: set_load_values_at, fractions_on_edge, edge_nodes, edge_elements, edge_forces
     procedure :: piece_count, piece, node_pieces, support_piece, load_piece, are_connected
@@ -103,11 +103,12 @@ module bempd
 
   private :: create, free, last_error, c_handle, set_option_number, set_option_text, get_option_number, &
     get_option_text, refuse_copy, add_body, set_body_lattice, set_crack_treatment, plan, error_estimate, &
+    run_error_estimate, &
     add_material, add_bem_region, &
     add_pd_region, add_hole, add_circular_hole, add_crack, &
     add_bem_disc, set_edge_arc, set_edge_arc_about, set_edges_smooth, set_edge_mesh, &
     set_toughness_at, set_resistance_curve, set_resistance_directions, &
-    edge_reaction, evaluate_in, singularities, stress_orders, &
+    edge_reaction, evaluate_in, singularities, stress_orders, evaluate_errors, &
     add_edge_forces, set_support_nodal_values, set_load_nodal_values, set_support_values_at, set_load_values_at, &
     fractions_on_edge, edge_nodes, edge_elements, edge_forces, &
     piece_count, piece, node_pieces, support_piece, load_piece, are_connected, &
@@ -817,6 +818,14 @@ module bempd
       integer, intent(out), optional :: stat
       character(*), intent(inout), optional :: errmsg
     end subroutine stress_orders
+    !> Errors of displacements and stresses at places, as bempd_evaluate_errors has them.
+    module subroutine evaluate_errors(self, points, displacement, stress, stat, errmsg)
+      class(bempd_model), intent(inout) :: self
+      real(c_double), intent(in) :: points(:, :)
+      real(c_double), allocatable, intent(out) :: displacement(:), stress(:)
+      integer, intent(out), optional :: stat
+      character(*), intent(inout), optional :: errmsg
+    end subroutine evaluate_errors
     !> All places where stress is unbounded, as bempd_get_singularity has them.
     module subroutine singularities(self, found, stat, errmsg)
       class(bempd_model), intent(inout) :: self
@@ -901,6 +910,14 @@ module bempd
       integer, intent(out), optional :: stat
       character(*), intent(inout), optional :: errmsg
     end subroutine error_estimate
+    !> Errors of peak and paths of a run, which is run again if that takes at most `seconds_allowed`.
+    module subroutine run_error_estimate(self, seconds_allowed, errors, stat, errmsg)
+      class(bempd_model), intent(inout) :: self
+      real(c_double), intent(in) :: seconds_allowed
+      type(bempd_run_errors), intent(out) :: errors
+      integer, intent(out), optional :: stat
+      character(*), intent(inout), optional :: errmsg
+    end subroutine run_error_estimate
     module subroutine get_statistics(self, statistics, stat, errmsg)
       class(bempd_model), intent(inout) :: self
       type(bempd_statistics), intent(out) :: statistics

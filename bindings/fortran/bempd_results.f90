@@ -181,6 +181,13 @@ contains
     call finish(self, bempd_error_estimate(self%handle, errors), stat, errmsg)
   end procedure error_estimate
 
+  module procedure run_error_estimate
+    integer(c_int) :: status
+
+    status = bempd_run_errors_init(errors, c_sizeof(errors))
+    call finish(self, bempd_run_error_estimate(self%handle, seconds_allowed, errors), stat, errmsg)
+  end procedure run_error_estimate
+
   module procedure get_statistics
     integer(c_int) :: status
 
@@ -348,6 +355,17 @@ contains
     allocate (orders(size(points, 2)), source=0.0_c_double)
     call finish(self, bempd_stress_orders(self%handle, size(points, 2, c_int64_t), points, orders), stat, errmsg)
   end procedure stress_orders
+
+  module procedure evaluate_errors
+    real(c_double), allocatable, target :: u(:), s(:)
+
+    if (.not. are_points(self, "bempd_evaluate_errors", "points", points, stat, errmsg)) return
+    allocate (u(size(points, 2)), s(size(points, 2)), source=0.0_c_double)
+    call finish(self, bempd_evaluate_errors(self%handle, size(points, 2, c_int64_t), points, c_loc(u), c_loc(s)), &
+      stat, errmsg)
+    call move_alloc(u, displacement)
+    call move_alloc(s, stress)
+  end procedure evaluate_errors
 
   module procedure singularities
     integer(c_int64_t) :: count, k

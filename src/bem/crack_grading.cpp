@@ -34,8 +34,8 @@ constexpr double longest = 0.5, longest_at_tip = 0.25;
 // gap's ends. The strip between the faces bends: openings are right to 4e-5 with elements of two widths, to 6e-4 with
 // four, if the elements at the ends of the gap are short.
 constexpr double longest_along_gap = 2, growth_along_gap = 0.25;
-// Limit on elements along a gap, as a share of the element length without a gap: in wider gaps long elements save
-// nothing.
+// Largest length of elements along a gap, as a share of the element length without a gap. It limits the elements of
+// wide gaps, where longer ones would hardly be fewer.
 constexpr double part_along_crack = 0.125, part_along_boundary = 0.25;
 
 // Growth of crack elements behind a mouth on an edge with fixed node spacing: each is at most 1.6 times as long as the
@@ -160,7 +160,8 @@ Point CrackSizes::place_at(int l, double way) const {
   return segment(cracks_.lines[l], own).at((way - ways[own]) / (ways[own + 1] - ways[own]));
 }
 
-std::vector<CrackSizes::Neighbour> CrackSizes::neighbours(int l, double way, const Point& x) const {
+template <class Visit>
+void CrackSizes::for_neighbours(int l, double way, const Point& x, const double& limit, const Visit& visit) const {
   const CrackLine& line = cracks_.lines[l];
   const std::vector<double>& ways = ways_[l];
   const auto way_to_joint = [&](const auto& is_there) {
@@ -170,22 +171,21 @@ std::vector<CrackSizes::Neighbour> CrackSizes::neighbours(int l, double way, con
         apart = std::min(apart, end == 0 ? way : ways.back() - way);
     return apart;
   };
-  std::vector<Neighbour> found;
   for (const Edge& edge : boundary_) {
+    if (least_distance(edge, x) - tolerance_ >= limit) continue;
     const double apart =
         way_to_joint([&](int joint) { return bempd::distance(edge, cracks_.joints[joint].place) <= 8 * tolerance_; });
-    found.push_back({bempd::distance(edge, x), apart, -1});
+    visit(Neighbour{bempd::distance(edge, x), apart, -1});
   }
   for (int other = 0; other < static_cast<int>(cracks_.lines.size()); ++other) {
     if (other == l) continue;
     const CrackLine& them = cracks_.lines[other];
     const double apart = way_to_joint([&](int joint) { return them.joints[0] == joint || them.joints[1] == joint; });
-    found.push_back({distance(them, x), apart, other});
+    visit(Neighbour{distance(them, x), apart, other});
   }
   for (std::size_t i = 0; i + 1 < ways.size(); ++i)
     if (way < ways[i] || way > ways[i + 1])
-      found.push_back({bempd::distance(segment(line, i), x), std::max(ways[i] - way, way - ways[i + 1]), l});
-  return found;
+      visit(Neighbour{bempd::distance(segment(line, i), x), std::max(ways[i] - way, way - ways[i + 1]), l});
 }
 
 // Limit on the element length at x along a gap of width `gap`. `shortest` is the length of the elements at the ends of
@@ -207,12 +207,14 @@ double CrackSizes::on_line(int l, double way) const {
   // Elements in a small angle between two lines that meet are not made smaller than those at kinks.
   const double least = std::ldexp(own, -grading_.halvings_at_kinks);
   double limit = std::min({share * from_kinks(l, way), from_tips(l, way), from_rows(x)});
-  for (const Neighbour& thing : neighbours(l, way, x)) {
+  double widest = limit / share;  // gaps as wide as this set no limit below the present one
+  for_neighbours(l, way, x, widest, [&](const Neighbour& thing) {
     if (thing.apart == infinite)
       limit = std::min(limit, along_gap(thing.gap, share * thing.gap, part_along_crack * own, x));
     else if (thing.gap < aside * thing.apart)
       limit = std::min(limit, std::max(thing.gap, least));
-  }
+    widest = limit / share;
+  });
   return limit;
 }
 
@@ -222,8 +224,9 @@ NarrowGap CrackSizes::narrowest_gap() const {
   for (int l = 0; l < static_cast<int>(cracks_.lines.size()); ++l)
     for (const double way : stations_[l]) {
       const Point x = place_at(l, way);
-      for (const Neighbour& thing : neighbours(l, way, x))
+      for_neighbours(l, way, x, least.width, [&](const Neighbour& thing) {
         if (thing.apart == infinite && thing.gap < least.width) least = {l, thing.line, thing.gap, x};
+      });
     }
   return least;
 }

@@ -10,7 +10,7 @@ namespace bempd::bem {
 struct CrackGrading {
   // Number of elements along the described part of a line (not its growth), before grading adds more near its ends.
   int elements_per_line = 8;
-  // Largest number of elements on one segment of growth, which otherwise have the length of those on the line.
+  // Largest number of elements on one segment of growth; if fewer are enough, they are as long as those on the line.
   int elements_per_growth = 4;
   // Number of halvings of elements at kinks and branches, where stress has a weak singularity.
   int halvings_at_kinks = 4;
@@ -57,7 +57,10 @@ class CrackSizes {
     double apart;  // distance along the line to the place where it meets the neighbour; infinite if it does not
     int line;      // -1: an edge of the boundary
   };
-  std::vector<Neighbour> neighbours(int line, double way, const Point& x) const;
+  // Calls visit(neighbour) for the cracks and edges beside a place x of a line whose gap is not sure to be as large as
+  // `limit`, which visit() may make smaller.
+  template <class Visit>
+  void for_neighbours(int line, double way, const Point& x, const double& limit, const Visit& visit) const;
   std::size_t segment_at(int line, double way) const;
   Point place_at(int line, double way) const;
   double along_gap(double gap, double shortest, double undivided, const Point& x) const;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "bem/boundary_slopes.hpp"
 #include "bem/kelvin_solution.hpp"
@@ -13,9 +14,11 @@ namespace bempd::bem {
 namespace {
 
 constexpr double tolerance = 1e-14;
-// Distance from an element, over its length, below which a point counts as lying on the boundary: differences of
-// positions have no more digits.
+// Distance from an element, over its length, below which a point counts as lying on the boundary: smaller distances
+// are lost in the rounding of positions.
 constexpr double on_boundary = 1e-10;
+// Rounding of a place in a body, over the largest of its coordinates and of the body's size; also of a node's place.
+constexpr double rounding = 8 * std::numeric_limits<double>::epsilon();
 
 // Parameter of the point of an arc nearest to x, from the angle at the arc's centre; beyond the ends, the nearer end.
 double nearest_on_arc(const ElementGeometry& arc, const Point& x) {
@@ -207,7 +210,9 @@ InteriorEvaluator::Value InteriorEvaluator::from_boundary(const Point& x, const 
 InteriorEvaluator::Value InteriorEvaluator::evaluate(const Point& position, bool with_stress) const {
   const Point x = boundary_.scaled(position);
   const Nearest closest = nearest(x);
-  if (closest.distance <= on_boundary * boundary_.elements[closest.element].c1.norm()) {
+  // Elements beside singular places are so short that the rounding of a place on them counts.
+  const double of_place = rounding * std::max(1.0, boundary_.centre.lpNorm<Eigen::Infinity>() / boundary_.length);
+  if (closest.distance <= std::max(of_place, on_boundary * boundary_.elements[closest.element].c1.norm())) {
     const Point displacement = displacement_[closest.element].at(closest.xi);
     return {boundary_.length * displacement, stress_on(closest.element, closest.xi)};
   }

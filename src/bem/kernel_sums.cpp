@@ -95,7 +95,7 @@ class Sums {
     }
   }
 
-  // Adds the integrals of points with one outer point for each radius: sums over the angles come first.
+  // Adds the integrals if each radius has one outer point: values are summed over the angles first.
   [[gnu::always_inline]] static void add_by_rows(const SingularPoints& points, const SingularTable& table,
                                                  PairPart part, PairMoments& moments) {
     const SingularPoints::Side& outer = points.outer[0];

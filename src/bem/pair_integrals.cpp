@@ -23,7 +23,8 @@ Distances distances_between(const std::array<Point, 3>& outer, const std::array<
 }
 
 constexpr int largest_rule = static_cast<int>(regular_point_counts.size()) - 1;
-// Largest number of pairs of intervals into which a pair of elements is split; more cost about as much as alongside().
+// Largest number of pairs of intervals into which a pair of elements is split. A pair that would need more is left to
+// alongside(), at about the same cost.
 constexpr std::size_t most_short_pairs = 256;
 
 double closest_singularity(const ElementGeometry& element, const Interval& interval,

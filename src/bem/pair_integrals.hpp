@@ -86,7 +86,8 @@ class PairIntegrator {
     bool straight;
   };
   Stretch stretch(const Side& side) const;
-  // Pair of sides that are short enough for their distance, with their rules.
+  // Parts of two elements, each short enough for a Gauss rule at the distance between them, with the indices of the
+  // rules.
   struct ShortPair {
     Side outer, inner;
     int outer_rule, inner_rule;
@@ -106,8 +107,8 @@ class PairIntegrator {
   struct Closeness {
     Nearness outer, inner;
   };
-  // Nearness of the singularity of `own`. `sums` has, for each sample point of `other`, its distances from both ends of
-  // `own` added up.
+  // Nearness to `own` of the singularity that points of `other` cause in the integrand over `own`. `sums` has, for each
+  // sample point of `other`, the sum of its distances from both ends of `own`.
   Nearness nearness(const Stretch& own, const std::array<double, 3>& sums, const Stretch& other) const;
   Closeness closeness(const Stretch& outer, const Stretch& inner) const;
   class ShortPairs;

@@ -35,7 +35,7 @@ int regular_rule(int points_needed);
 class RegularRules {
  public:
   explicit RegularRules(double tolerance);
-  // Sum of distances for which the rule with the most points is just enough.
+  // Sum of a singularity's distances from the ends, as in rule(), for which the rule with most points is just enough.
   double least_sum() const { return least_sum_.back(); }
   // Index of the rule for a singularity with this sum of distances from the ends (as in ellipse_size()).
   int rule(double sum_of_distances) const {

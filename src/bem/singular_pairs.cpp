@@ -15,8 +15,8 @@ namespace bempd::bem {
 
 namespace {
 
-// Writes an element's functions at a point (`values`), and its part `scale * difference` of N(y) - N(x) over the
-// radius, as entry `p` of `side`.
+// Writes entry `p` of `side`: an element's normal, shape functions and their derivatives at a point, from `values`; and
+// what the element contributes to the quotient (N(y) - N(x)) / radius, which is `scale * difference`.
 void set(const ElementGeometry::Values& values, const std::array<double, 3>& difference, double scale, std::size_t p,
          SingularPoints::Side& side) {
   const Point normal = scaled_normal(values.derivative);
@@ -87,7 +87,7 @@ struct AngularRule {
   }
 };
 
-// An element as seen from one of its ends.
+// Element as seen from one of its ends: sets quadrature points by their distance from this end.
 class FromEnd {
  public:
   FromEnd(const ElementGeometry& element, const Interval& interval)

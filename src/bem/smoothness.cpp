@@ -64,8 +64,8 @@ double ArcParameters::sum_of_distances(const Point& x, const Interval& interval)
   return 2 * std::min(sum(xi), sum(next_turn)) / std::abs(interval.to - interval.from);
 }
 
-// Bounds the change: the parameters of two places, z and z' from the centre, differ by |ln(z' / z)| / alpha <= q / (1 -
-// q) / alpha, where q = |z' - z| / |z|.
+// The bound follows from the parameters of two places, z and z' from the centre: they differ by |ln(z' / z)| / alpha <=
+// q / (1 - q) / alpha, where q = |z' - z| / |z|.
 double ArcParameters::largest_change(const std::array<Point, 3>& places, const Interval& interval) const {
   const double apart =
       std::sqrt(std::max((places[0] - places[1]).squaredNorm(), (places[2] - places[1]).squaredNorm()));

@@ -37,7 +37,8 @@ class ArcParameters {
   // Complex parameters at which the distance from x vanishes: the one within half a turn of the arc's middle, and the
   // next one, a full turn away.
   std::array<std::complex<double>, 2> of(const Point& x) const;
-  // Sum of distances of the nearer of the two parameters, as Singularities::sum_of_distances().
+  // Sum of the distances from both ends of the interval, in units of half its length, for the nearer one of the two
+  // parameters that of() finds.
   double sum_of_distances(const Point& x, const Interval& interval) const;
   // Bound on the change of sum_of_distances() from places[1] to either of the other places.
   double largest_change(const std::array<Point, 3>& places, const Interval& interval) const;

@@ -2,6 +2,8 @@
 
 #include "capi/guard.hpp"
 #include "model/parts.hpp"
+#include "model/present_errors.hpp"
+#include "model/run_errors.hpp"
 #include "number_range.hpp"
 #include "regions/boundary/boundary_description.hpp"
 
@@ -70,6 +72,23 @@ bempd_model_part described(const model::Part& part) {
           .element_growth_load_factor = known_load(part.growth_load_of_elements)};
 }
 
+bempd_run_errors described(const model::RunErrors& errors) {
+  const double unknown = std::numeric_limits<double>::quiet_NaN();
+  const auto told = [&](double error) { return errors.is_made ? in_range(error) : unknown; };
+  const bool is_lattice = errors.lattice.path > errors.boundary.path;
+  return {.struct_size = sizeof(bempd_run_errors),
+          .expected_seconds = errors.expected_seconds,
+          .seconds = errors.seconds,
+          .first_growth = told(errors.boundary.first_growth),
+          .peak = told(errors.boundary.peak),
+          .path = told(errors.boundary.path),
+          .lattice_first_growth = told(errors.lattice.first_growth),
+          .lattice_peak = told(errors.lattice.peak),
+          .lattice_path = told(errors.lattice.path),
+          .path_crack = is_lattice ? errors.lattice.crack : errors.boundary.crack,
+          .is_made = errors.is_made ? 1 : 0};
+}
+
 }  // namespace
 
 bempd_status bempd_add_body(bempd_model* model, int32_t material, int64_t vertex_count, const double* vertices,
@@ -114,7 +133,7 @@ bempd_status bempd_errors_init(bempd_errors* errors, int64_t struct_size) {
 bempd_status bempd_error_estimate(bempd_model* model, bempd_errors* errors) {
   return with_model(model, __func__, [&](model::Model& m) {
     struct_bytes(errors, "errors", sizeof(int64_t));
-    const model::ErrorSources found = m.accuracy().errors_now();
+    const model::ErrorSources found = model::errors_now(m);
     const bool is_boundary = !(found.model > found.boundary.largest());
     write_struct(errors,
                  bempd_errors{.struct_size = sizeof(bempd_errors),
@@ -131,6 +150,18 @@ bempd_status bempd_error_estimate(bempd_model* model, bempd_errors* errors) {
                               .halving_seconds = found.halving_seconds,
                               .halving_memory = found.halving_bytes},
                  "errors");
+  });
+}
+
+bempd_status bempd_run_errors_init(bempd_run_errors* errors, int64_t struct_size) {
+  return init_struct(__func__, "errors", errors, struct_size, bempd_run_errors{});
+}
+
+bempd_status bempd_run_error_estimate(bempd_model* model, double seconds_allowed, bempd_run_errors* errors) {
+  return with_model(model, __func__, [&](model::Model& m) {
+    struct_bytes(errors, "errors", sizeof(int64_t));
+    require(seconds_allowed >= 0, "seconds_allowed is ", seconds_allowed, "; it must be >= 0");
+    write_struct(errors, described(model::errors_of_run(m, seconds_allowed)), "errors");
   });
 }
 

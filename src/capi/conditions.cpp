@@ -206,14 +206,15 @@ bempd_status bempd_add_crack_pressure(bempd_model* model, int32_t crack, double 
 
 bempd_status bempd_set_load_values(bempd_model* model, int32_t load, int64_t value_count, const double* constant,
                                    const double* proportional) {
-  return with_model(model, __func__,
-                    [&](model::Model& m) { m.set_load_values(load, samples(value_count, constant, proportional)); });
+  return with_model(model, __func__, [&](model::Model& m) {
+    m.loads().set_load_values(load, samples(value_count, constant, proportional));
+  });
 }
 
 bempd_status bempd_set_support_values(bempd_model* model, int32_t support, int64_t value_count, const double* constant,
                                       const double* proportional) {
   return with_model(model, __func__, [&](model::Model& m) {
-    m.set_support_values(support, samples(value_count, constant, proportional));
+    m.loads().set_support_values(support, samples(value_count, constant, proportional));
   });
 }
 

@@ -4,11 +4,11 @@ using namespace bempd;
 using namespace bempd::capi;
 
 bempd_status bempd_crack_count(const bempd_model* model, int64_t* count) {
-  return with_model(model, __func__, [&](const model::Model& m) { out(count, "count") = m.crack_count(); });
+  return with_model(model, __func__, [&](const model::Model& m) { out(count, "count") = m.cracks().count(); });
 }
 
 bempd_status bempd_crack_length(const bempd_model* model, int32_t crack, double* length) {
-  return with_model(model, __func__, [&](const model::Model& m) { out(length, "length") = m.crack_length(crack); });
+  return with_model(model, __func__, [&](const model::Model& m) { out(length, "length") = m.cracks().length(crack); });
 }
 
 bempd_status bempd_path_vertex_init(bempd_path_vertex* vertex, int64_t struct_size) {
@@ -17,14 +17,14 @@ bempd_status bempd_path_vertex_init(bempd_path_vertex* vertex, int64_t struct_si
 
 bempd_status bempd_crack_path_count(const bempd_model* model, int32_t crack, int64_t* count) {
   return with_model(model, __func__, [&](const model::Model& m) {
-    out(count, "count") = static_cast<int64_t>(m.crack_path(crack).size());
+    out(count, "count") = static_cast<int64_t>(m.cracks().path(crack).size());
   });
 }
 
 bempd_status bempd_crack_path(const bempd_model* model, int32_t crack, int64_t index, bempd_path_vertex* vertex) {
   return with_model(model, __func__, [&](const model::Model& m) {
     struct_bytes(vertex, "vertex", sizeof(int64_t));
-    const std::vector<crack::PathVertex> path = m.crack_path(crack);
+    const std::vector<crack::PathVertex> path = m.cracks().path(crack);
     const auto count = static_cast<int64_t>(path.size());
     require(index >= 0 && index < count, "index is ", index, "; the path of crack ", crack, " has ", count,
             " vertices");

@@ -46,31 +46,32 @@ bempd_status bempd_crack_tip_init(bempd_crack_tip* tip, int64_t struct_size) {
 
 bempd_status bempd_tip_count(bempd_model* model, int64_t* count) {
   return with_model(model, __func__,
-                    [&](model::Model& m) { out(count, "count") = static_cast<int64_t>(m.tips().size()); });
+                    [&](model::Model& m) { out(count, "count") = static_cast<int64_t>(m.cracks().tips().size()); });
 }
 
 bempd_status bempd_tip(bempd_model* model, int64_t index, bempd_crack_tip* tip) {
   return with_model(model, __func__, [&](model::Model& m) {
     struct_bytes(tip, "tip", sizeof(int64_t));
-    const auto count = static_cast<int64_t>(m.tips().size());
+    const auto count = static_cast<int64_t>(m.cracks().tips().size());
     require(index >= 0 && index < count, "index is ", index, "; cracks have ", count, " tips");
-    write_struct(tip, described(m.tips()[static_cast<std::size_t>(index)]), "tip");
+    write_struct(tip, described(m.cracks().tips()[static_cast<std::size_t>(index)]), "tip");
   });
 }
 
 bempd_status bempd_tip_history_count(const bempd_model* model, int64_t* count) {
-  return with_model(model, __func__,
-                    [&](const model::Model& m) { out(count, "count") = static_cast<int64_t>(m.tip_history().size()); });
+  return with_model(model, __func__, [&](const model::Model& m) {
+    out(count, "count") = static_cast<int64_t>(m.cracks().history().size());
+  });
 }
 
 bempd_status bempd_get_tip_history(const bempd_model* model, int64_t index, int64_t* event, int64_t* total_broken_bonds,
                                    double* load_factor, bempd_crack_tip* tip) {
   return with_model(model, __func__, [&](const model::Model& m) {
     struct_bytes(tip, "tip", sizeof(int64_t));
-    const auto count = static_cast<int64_t>(m.tip_history().size());
+    const auto count = static_cast<int64_t>(m.cracks().history().size());
     require(index >= 0 && index < count, "index is ", index, "; ", count,
             " tips were recorded; set the option tips.record before stepping");
-    const results::TipRecord& record = m.tip_history()[static_cast<std::size_t>(index)];
+    const results::TipRecord& record = m.cracks().history()[static_cast<std::size_t>(index)];
     write_struct(tip, described(record.tip), "tip");
     if (event) *event = record.event;
     if (total_broken_bonds) *total_broken_bonds = record.total_broken_bonds;
@@ -85,7 +86,7 @@ bempd_status bempd_growth_init(bempd_growth* growth, int64_t struct_size) {
 bempd_status bempd_grow_cracks(bempd_model* model, double length, bempd_growth* growth) {
   return with_model(model, __func__, [&](model::Model& m) {
     if (growth) struct_bytes(growth, "growth", sizeof(int64_t));
-    const model::GrowthResult grown = m.grow_cracks(length);
+    const model::GrowthResult grown = m.growth().grow(length);
     if (growth)
       write_struct(growth,
                    bempd_growth{sizeof(bempd_growth), grown.tips, grown.ended, grown.load_factor, grown.length,
@@ -99,7 +100,7 @@ bempd_status bempd_set_tip_frozen(bempd_model* model, int32_t crack, int32_t end
     require(end == BEMPD_CRACK_START || end == BEMPD_CRACK_END, "end is ", end,
             "; it must be BEMPD_CRACK_START (1) or BEMPD_CRACK_END (2)");
     require(frozen == 0 || frozen == 1, "frozen is ", frozen, "; it must be 0 or 1");
-    m.set_tip_frozen(crack, end == BEMPD_CRACK_START ? 0 : 1, frozen == 1);
+    m.growth().set_frozen(crack, end == BEMPD_CRACK_START ? 0 : 1, frozen == 1);
   });
 }
 
@@ -108,14 +109,15 @@ bempd_status bempd_crack_extension_init(bempd_crack_extension* extension, int64_
 }
 
 bempd_status bempd_extension_count(const bempd_model* model, int64_t* count) {
-  return with_model(model, __func__,
-                    [&](const model::Model& m) { out(count, "count") = static_cast<int64_t>(m.extensions().size()); });
+  return with_model(model, __func__, [&](const model::Model& m) {
+    out(count, "count") = static_cast<int64_t>(m.cracks().extensions().size());
+  });
 }
 
 bempd_status bempd_extension(const bempd_model* model, int64_t index, bempd_crack_extension* extension) {
   return with_model(model, __func__, [&](const model::Model& m) {
     struct_bytes(extension, "extension", sizeof(int64_t));
-    const auto all = m.extensions();
+    const auto all = m.cracks().extensions();
     const auto count = static_cast<int64_t>(all.size());
     require(index >= 0 && index < count, "index is ", index, "; cracks have been extended ", count, " times");
     const fracture::CrackExtension& e = all[static_cast<std::size_t>(index)];
@@ -157,7 +159,7 @@ bempd_status bempd_crack_opening(bempd_model* model, int32_t crack, int64_t coun
   return with_model(model, __func__, [&](model::Model& m) {
     require(count >= 1 && count < (int64_t{1} << 31), "count is ", count, "; give at least 1 place");
     require(fractions != nullptr, "fractions is NULL; give places as fractions of the crack's length");
-    const std::vector<Point> openings = m.crack_openings(crack, {fractions, fractions + count});
+    const std::vector<Point> openings = m.cracks().openings(crack, {fractions, fractions + count});
     for (std::size_t i = 0; i < openings.size(); ++i) {
       if (normal) normal[i] = openings[i].y();
       if (tangential) tangential[i] = openings[i].x();

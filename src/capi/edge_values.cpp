@@ -95,12 +95,14 @@ void set_edge_values(model::Model& m, bool of_support, std::int32_t id, const be
   };
   if (values.kind == BEMPD_NODAL) {
     const std::size_t rows = row_count(values);
-    m.set_nodal_values(of_support, id, rows_as_pairs(values, values.constant, rows),
-                       rows_as_pairs(values, values.proportional, rows));
+    m.loads().set_nodal_values(of_support, id, rows_as_pairs(values, values.constant, rows),
+                               rows_as_pairs(values, values.proportional, rows));
   } else if (are_samples(values) && sample_count() == row_count(values)) {
-    of_support ? m.set_support_values(id, values_as_samples(values)) : m.set_load_values(id, values_as_samples(values));
+    of_support ? m.loads().set_support_values(id, values_as_samples(values))
+               : m.loads().set_load_values(id, values_as_samples(values));
   } else {
-    of_support ? m.set_support_values(id, values_at_places(values)) : m.set_load_values(id, values_at_places(values));
+    of_support ? m.loads().set_support_values(id, values_at_places(values))
+               : m.loads().set_load_values(id, values_at_places(values));
   }
 }
 

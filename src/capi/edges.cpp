@@ -32,28 +32,28 @@ void require_room(std::int64_t capacity, std::size_t needed, const char* what) {
 bempd_status bempd_set_support_values_at(bempd_model* model, int32_t support, int64_t count, const double* fractions,
                                          const double* constant, const double* proportional) {
   return with_model(model, __func__, [&](model::Model& m) {
-    m.set_support_values(support, placed_values(count, fractions, constant, proportional));
+    m.loads().set_support_values(support, placed_values(count, fractions, constant, proportional));
   });
 }
 
 bempd_status bempd_set_load_values_at(bempd_model* model, int32_t load, int64_t count, const double* fractions,
                                       const double* constant, const double* proportional) {
   return with_model(model, __func__, [&](model::Model& m) {
-    m.set_load_values(load, placed_values(count, fractions, constant, proportional));
+    m.loads().set_load_values(load, placed_values(count, fractions, constant, proportional));
   });
 }
 
 bempd_status bempd_set_support_nodal_values(bempd_model* model, int32_t support, int64_t count, const double* constant,
                                             const double* proportional) {
   return with_model(model, __func__, [&](model::Model& m) {
-    m.set_nodal_values(true, support, pairs_from(count, constant), pairs_from(count, proportional));
+    m.loads().set_nodal_values(true, support, pairs_from(count, constant), pairs_from(count, proportional));
   });
 }
 
 bempd_status bempd_set_load_nodal_values(bempd_model* model, int32_t load, int64_t count, const double* constant,
                                          const double* proportional) {
   return with_model(model, __func__, [&](model::Model& m) {
-    m.set_nodal_values(false, load, pairs_from(count, constant), pairs_from(count, proportional));
+    m.loads().set_nodal_values(false, load, pairs_from(count, constant), pairs_from(count, proportional));
   });
 }
 

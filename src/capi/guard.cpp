@@ -69,11 +69,11 @@ bempd_status catch_all(const char* function, Message& error, bool* broken, const
 // Runs a call on a model. After a failure, what the call has prepared is discarded, so that the scene can be corrected.
 void run(model::Model& engine, const Work<model::Model&>& body) {
   const bool was_prepared = engine.prepared_or_null() != nullptr;
-  const CancellationScope cancellation = engine.hear_requests();
-  const StopScope stop(engine.stop_request());
-  const ListeningScope listening(engine.phase_listener());
-  const linalg::BlasThreads blas_threads(engine.blas_threads());
-  const linalg::SolverChoice solver = engine.solver_choice();
+  const CancellationScope cancellation = engine.host().hear();
+  const StopScope stop(engine.host().stop_request());
+  const ListeningScope listening(engine.host().phase_listener());
+  const linalg::BlasThreads blas_threads(std::max(1, engine.options().whole_number("threads")));
+  const linalg::SolverChoice solver = engine.solver().choice();
   const linalg::SolverScope solving(solver);
   try {
     body(engine);

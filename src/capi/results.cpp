@@ -3,6 +3,7 @@
 #include <limits>
 
 #include "capi/guard.hpp"
+#include "model/present_errors.hpp"
 
 using namespace bempd;
 using namespace bempd::capi;
@@ -63,7 +64,7 @@ bempd_status bempd_admissible_load_factors(bempd_model* model, double* lowest, d
   return with_model(model, __func__, [&](model::Model& m) {
     double &low = out(lowest, "lowest"), &high = out(highest, "highest");
     constexpr double largest = std::numeric_limits<double>::max();
-    const fracture::LoadInterval admissible = m.admissible_load_factors();
+    const fracture::LoadInterval admissible = m.driver().admissible_load_factors();
     low = std::clamp(admissible.lowest, -largest, largest);
     high = std::clamp(admissible.highest, -largest, largest);
   });
@@ -85,12 +86,12 @@ bempd_status bempd_node_count(bempd_model* model, int32_t region, int64_t* count
 
 bempd_status bempd_element_count(bempd_model* model, int32_t region, int64_t* count) {
   return with_model(model, __func__,
-                    [&](model::Model& m) { out(count, "count") = m.results().region(region).cell_count(); });
+                    [&](model::Model& m) { out(count, "count") = m.results().region(region).results().cell_count(); });
 }
 
 bempd_status bempd_copy_elements(bempd_model* model, int32_t region, int64_t capacity, int32_t* nodes) {
   return with_model(model, __func__, [&](model::Model& m) {
-    const std::vector<std::int32_t> elements = m.results().region(region).cells().nodes;
+    const std::vector<std::int32_t> elements = m.results().region(region).results().cells().nodes;
     require_capacity(capacity, static_cast<std::int64_t>(elements.size()), "integers");
     std::copy(elements.begin(), elements.end(), &out(nodes, "nodes"));
   });
@@ -197,6 +198,15 @@ bempd_status bempd_evaluate_in(bempd_model* model, int32_t region, int32_t face,
       if (displacement) std::copy_n(values[i].displacement.data(), 2, displacement + 2 * i);
       if (stress) std::copy_n(values[i].stress.data(), 3, stress + 3 * i);
     }
+  });
+}
+
+bempd_status bempd_evaluate_errors(bempd_model* model, int64_t count, const double* points, double* displacement,
+                                   double* stress) {
+  return with_model(model, __func__, [&](model::Model& m) {
+    const model::PlaceErrors errors = model::errors_at(m, points_from(points, count, "points"), {});
+    if (displacement) std::copy(errors.displacement.begin(), errors.displacement.end(), displacement);
+    if (stress) std::copy(errors.stress.begin(), errors.stress.end(), stress);
   });
 }
 

@@ -42,10 +42,7 @@ bempd_status add_pd_region(bempd_model* model, const char* call, int32_t materia
     const auto points = loop.points();
     require(std::abs(angle) <= most_angle, "angle is ", angle, "; it must lie between -2 pi and 2 pi");
     const int ratio = horizon_ratio == 0 ? usual_horizon_ratio : horizon_ratio;
-    const regions::PointChoice choice{m.options().text_value("test.outline_points") == "always", angle,
-                                      m.options().text_value("test.outline_balance") == "linear"
-                                          ? pd::OutlineBalance::linear_stress
-                                          : pd::OutlineBalance::constant_stress};
+    const regions::PointChoice choice{m.options().text_value("test.outline_points") == "always", angle};
     const int added =
         regions::add_peridynamic_region(m.editable_scene(), material, points, spacing, ratio, choice, loop.bends());
     if (region) *region = added;
@@ -56,7 +53,7 @@ bempd_status add_hole(bempd_model* model, const char* call, int32_t region, cons
                       int32_t* first_edge) {
   return with_model(model, call, [&](model::Model& m) {
     const auto points = loop.points();
-    const int edge = m.editable_scene().add_hole(region, points, loop.bends());
+    const int edge = m.editable_scene().shape_of(region).add_hole(points, loop.bends());
     if (first_edge) *first_edge = edge;
   });
 }
@@ -140,13 +137,15 @@ bempd_status bempd_add_hole_with_arcs(bempd_model* model, int32_t region, int64_
 bempd_status bempd_add_circular_hole(bempd_model* model, int32_t region, double x, double y, double radius,
                                      int32_t* first_edge) {
   return with_model(model, __func__, [&](model::Model& m) {
-    const int edge = m.editable_scene().add_circular_hole(region, {x, y}, radius);
+    const int edge = m.editable_scene().shape_of(region).add_circular_hole({x, y}, radius);
     if (first_edge) *first_edge = edge;
   });
 }
 
 bempd_status bempd_set_edge_arc(bempd_model* model, int32_t region, int32_t edge, double x, double y) {
-  return with_model(model, __func__, [&](model::Model& m) { m.editable_scene().set_edge_arc(region, edge, {x, y}); });
+  return with_model(model, __func__, [&](model::Model& m) {
+    m.editable_scene().shape_of(region).set_arc(edge, {x, y});
+  });
 }
 
 bempd_status bempd_set_edge_arc_about(bempd_model* model, int32_t region, int32_t edge, double x, double y,
@@ -154,19 +153,19 @@ bempd_status bempd_set_edge_arc_about(bempd_model* model, int32_t region, int32_
   return with_model(model, __func__, [&](model::Model& m) {
     require(turn == BEMPD_COUNTER_CLOCKWISE || turn == BEMPD_CLOCKWISE, "turn is ", turn,
             "; it must be BEMPD_COUNTER_CLOCKWISE (1) or BEMPD_CLOCKWISE (2)");
-    m.editable_scene().set_edge_arc_about(region, edge, {x, y}, radius, turn == BEMPD_CLOCKWISE);
+    m.editable_scene().shape_of(region).set_arc_about(edge, {x, y}, radius, turn == BEMPD_CLOCKWISE);
   });
 }
 
 bempd_status bempd_set_edges_smooth(bempd_model* model, int32_t region, int32_t first_edge, int32_t last_edge) {
   return with_model(model, __func__,
-                    [&](model::Model& m) { m.editable_scene().set_edges_smooth(region, first_edge, last_edge); });
+                    [&](model::Model& m) { m.editable_scene().shape_of(region).set_smooth(first_edge, last_edge); });
 }
 
 bempd_status bempd_set_edge_mesh(bempd_model* model, int32_t region, int32_t edge, double element_length,
                                  double grading) {
   return with_model(model, __func__, [&](model::Model& m) {
-    m.editable_scene().set_edge_mesh(region, edge, {element_length, grading});
+    m.editable_scene().shape_of(region).set_mesh(edge, {element_length, grading});
   });
 }
 

@@ -133,6 +133,6 @@ class HostSolver final : public linalg::ExternalSolver {
 
 bempd_status bempd_set_sparse_solver(bempd_model* model, bempd_sparse_function function, void* user) {
   return with_model(model, __func__, [&](model::Model& m) {
-    m.set_external_solver(function ? std::make_shared<HostSolver>(function, user) : nullptr);
+    m.solver().attach(function ? std::make_shared<HostSolver>(function, user) : nullptr);
   });
 }

@@ -6,7 +6,7 @@ using namespace bempd::capi;
 bempd_status bempd_state_save(bempd_model* model, bempd_state** state) {
   return with_model(model, __func__, [&](model::Model& m) {
     out(state, "state");
-    *state = new bempd_state{m.save()};
+    *state = new bempd_state{m.states().save()};
   });
 }
 
@@ -15,14 +15,14 @@ bempd_status bempd_state_save_with(bempd_model* model, int32_t contents, bempd_s
     out(state, "state");
     require(contents == BEMPD_STATE_BODY || contents == BEMPD_STATE_BODY_AND_VALUES, "contents is ", contents,
             "; it must be BEMPD_STATE_BODY (1) or BEMPD_STATE_BODY_AND_VALUES (2)");
-    *state = new bempd_state{m.save(contents == BEMPD_STATE_BODY_AND_VALUES)};
+    *state = new bempd_state{m.states().save(contents == BEMPD_STATE_BODY_AND_VALUES)};
   });
 }
 
 bempd_status bempd_state_restore(bempd_model* model, const bempd_state* state) {
   return with_model(model, __func__, [&](model::Model& m) {
     require(state != nullptr, "state is NULL; save one with bempd_state_save()");
-    m.restore(state->saved);
+    m.states().restore(state->saved);
   });
 }
 

@@ -68,14 +68,14 @@ void write_report(model::Model& m, const model::StepResult& result, bempd_step_r
   write_struct(report, r, "report");
 }
 
-using Step = model::StepResult (model::Model::*)(double, fracture::Goal);
+using Step = model::StepResult (model::LoadDriver::*)(double, fracture::Goal);
 
 bempd_status advance(bempd_model* handle, const char* function, const char* target_name, double target,
-                     fracture::Goal goal, bempd_step_report* report, Step step = &model::Model::advance) {
+                     fracture::Goal goal, bempd_step_report* report, Step step = &model::LoadDriver::advance) {
   return with_model(handle, function, [&](model::Model& m) {
     require_finite(target, target_name);
     if (report) struct_bytes(report, "report", sizeof(int64_t));
-    write_report(m, model::unless_stopped([&] { return (m.*step)(target, goal); }), report);
+    write_report(m, model::unless_stopped([&] { return (m.driver().*step)(target, goal); }), report);
   });
 }
 
@@ -119,9 +119,9 @@ scene::LoadTable table_of(std::int64_t row_count, const double* times, std::int6
 bempd_status bempd_set_progress(bempd_model* model, bempd_progress_function function, void* user) {
   return with_model(model, __func__, [&](model::Model& m) {
     if (!function) {
-      m.set_progress(nullptr);
+      m.host().set_progress(nullptr);
     } else {
-      m.set_progress([=](double load_factor, std::int64_t events, std::int64_t broken) {
+      m.host().set_progress([=](double load_factor, std::int64_t events, std::int64_t broken) {
         return function(load_factor, events, broken, user) == 0;
       });
     }
@@ -131,9 +131,9 @@ bempd_status bempd_set_progress(bempd_model* model, bempd_progress_function func
 bempd_status bempd_set_phase_progress(bempd_model* model, bempd_phase_function function, void* user) {
   return with_model(model, __func__, [&](model::Model& m) {
     if (!function) {
-      m.set_phase_progress(nullptr);
+      m.host().set_phase_progress(nullptr);
     } else {
-      m.set_phase_progress([=](const char* phase, double share, double seconds, double expected) {
+      m.host().set_phase_progress([=](const char* phase, double share, double seconds, double expected) {
         return function(phase, share, seconds, expected, user) == 0;
       });
     }
@@ -143,9 +143,9 @@ bempd_status bempd_set_phase_progress(bempd_model* model, bempd_phase_function f
 bempd_status bempd_set_log(bempd_model* model, bempd_log_function function, void* user) {
   return with_model(model, __func__, [&](model::Model& m) {
     if (!function) {
-      m.set_log(nullptr);
+      m.host().set_log(nullptr);
     } else {
-      m.set_log([=](int level, const std::string& message) { function(level, message.c_str(), user); });
+      m.host().set_log([=](int level, const std::string& message) { function(level, message.c_str(), user); });
     }
   });
 }
@@ -153,14 +153,14 @@ bempd_status bempd_set_log(bempd_model* model, bempd_log_function function, void
 bempd_status bempd_request_cancel(bempd_model* model) {
   // Another call may be running on the model, so this one only sets an atomic flag.
   if (!model) return with_model(model, __func__, [](model::Model&) {});
-  model->engine.request_cancel();
+  model->engine.host().request_cancel();
   return BEMPD_OK;
 }
 
 bempd_status bempd_request_stop(bempd_model* model) {
   // Another call may be running on the model, so this one only sets an atomic flag.
   if (!model) return with_model(model, __func__, [](model::Model&) {});
-  model->engine.request_stop();
+  model->engine.host().request_stop();
   return BEMPD_OK;
 }
 
@@ -188,7 +188,7 @@ bempd_status bempd_step_to_values(bempd_model* model, double load_factor, int32_
   fracture::Goal goal{};
   const bempd_status known = with_model(model, __func__, [&](model::Model&) { goal = goal_of(until); });
   if (known != BEMPD_OK) return known;
-  return advance(model, __func__, "load_factor", load_factor, goal, report, &model::Model::advance_to_values);
+  return advance(model, __func__, "load_factor", load_factor, goal, report, &model::LoadDriver::advance_to_values);
 }
 
 bempd_status bempd_run_program(bempd_model* model, int64_t row_count, const double* times, int64_t column_count,
@@ -198,6 +198,6 @@ bempd_status bempd_run_program(bempd_model* model, int64_t row_count, const doub
     const scene::LoadTable table = table_of(row_count, times, column_count, kinds, ids, factors);
     const fracture::Goal goal = goal_of(until);
     if (report) struct_bytes(report, "report", sizeof(int64_t));
-    write_report(m, model::unless_stopped([&] { return m.run_program(table, goal); }), report);
+    write_report(m, model::unless_stopped([&] { return m.driver().run_program(table, goal); }), report);
   });
 }

@@ -18,7 +18,7 @@ class CondensedOperators {
   explicit CondensedOperators(std::vector<DenseOperator> operators);
 
   bool are_condensed() const { return condensed_ != Condensed::nothing; }
-  // Makes condense() take over Schur complements that both have.
+  // Makes condense() take over the Schur complements of operators that are unchanged since `before`.
   void take_over(const CondensedOperators& before);
   // Condenses the operators; `kind` classifies all degrees of freedom. Throws Error (unsolvable) if the block of an
   // operator's private unknowns is singular.

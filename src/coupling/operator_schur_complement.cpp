@@ -37,6 +37,11 @@ void OperatorSchurComplement::condense_load(const Affine& force, const Affine& p
   const std::vector<int>&private_local = schur_->private_dofs(), &shared_local = schur_->shared_dofs();
   Affine support = prescribed(all_, Eigen::all);
   if (rest_.rows() > 0) support -= rest_;
+  if (support.isZero(0) && force(private_, Eigen::all).isZero(0)) {
+    private_load_.setZero(static_cast<Eigen::Index>(private_.size()), 2);
+    if (!active_.empty()) subtract_carried_by_closed(support, load);
+    return;
+  }
   const Affine reaction = stiffness * support;
   for (std::size_t i = 0; i < shared_.size(); ++i) load.row(shared_[i]) -= reaction.row(shared_local[i]);
   if (!private_.empty()) {
@@ -47,7 +52,10 @@ void OperatorSchurComplement::condense_load(const Affine& force, const Affine& p
         load.row(shared_[i]) -= carried.row(static_cast<Eigen::Index>(i));
     }
   }
-  if (active_.empty()) return;
+  if (!active_.empty()) subtract_carried_by_closed(support, load);
+}
+
+void OperatorSchurComplement::subtract_carried_by_closed(const Affine& support, Affine& load) {
   find_gaps_at_rest(support);
   const Affine carried =
       gaps_by_shared_(active_, Eigen::all).transpose() * active_compliance_.solve(gaps_at_rest_(active_, Eigen::all));

@@ -84,6 +84,7 @@ class OperatorSchurComplement {
   void find_switchable();
   void eliminate_constraints();
   void find_gaps_at_rest(const Affine& support);
+  void subtract_carried_by_closed(const Affine& support, Affine& load);
   Affine active_multipliers(const Affine& displacement) const;
   Eigen::VectorXd compliant_gaps(const Eigen::VectorXd& displacement, double load_factor) const;  // without multipliers
 

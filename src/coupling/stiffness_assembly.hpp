@@ -70,8 +70,8 @@ class StiffnessAssembly {
   bool symmetric_;
   Eigen::SparseMatrix<double> matrix_;
   std::vector<int> bond_places_;  // of the four entries that couple its ends, -1 for none; twice as many if unsymmetric
-  // Numbers of the terms whose entries are looked up one by one: those that pull at tied nodes, and wide terms of
-  // unsymmetric systems.
+  // Numbers of the terms whose entries in the matrix are looked up one by one at each assembly: those with a tied node,
+  // and in unsymmetric systems those that are not bonds.
   std::vector<std::size_t> general_;
 };
 

@@ -13,7 +13,8 @@ namespace bempd::coupling {
 // What a substructure consists of, and its elimination: with the blocks A of eliminated and B of other unknowns,
 // `pivots` has the Cholesky factor L of A_aa, `below` is A_ba L^-T, and `rest` the Schur complement on b.
 struct Substructure {
-  // Components with the places of their unknowns in this substructure: halves first, then parts.
+  // Components, which are halves or parts, with the places of their unknowns among those of this substructure; in
+  // `places` halves come first.
   std::vector<std::shared_ptr<const Substructure>> halves;
   std::vector<MatrixPart> parts;
   std::vector<std::vector<int>> places;
@@ -44,37 +45,51 @@ constexpr int most_iterations = 40;
 constexpr std::size_t smallest_substructure = 3;
 constexpr int most_halvings = 60;
 
-// Adds the lower triangle of a symmetric matrix to that of a sum.
-void add_lower(const Eigen::MatrixXd& matrix, const std::vector<int>& places, Eigen::MatrixXd& sum) {
-  for (Eigen::Index j = 0; j < matrix.cols(); ++j) {
-    const int column = places[static_cast<std::size_t>(j)];
-    for (Eigen::Index i = j; i < matrix.rows(); ++i) {
-      const int row = places[static_cast<std::size_t>(i)];
-      sum(std::max(row, column), std::min(row, column)) += matrix(i, j);
+// Lower triangle of a symmetric sum in three blocks: of the eliminated unknowns, of both kinds, of the others.
+struct LowerBlocks {
+  Eigen::MatrixXd eliminated, mixed, others;
+
+  LowerBlocks(Eigen::Index first, Eigen::Index rest)
+      : eliminated(Eigen::MatrixXd::Zero(first, first)),
+        mixed(Eigen::MatrixXd::Zero(rest, first)),
+        others(Eigen::MatrixXd::Zero(rest, rest)) {}
+
+  // Adds the lower triangle of a symmetric matrix, whose unknowns have these places in the sum.
+  void add(const Eigen::MatrixXd& matrix, const std::vector<int>& places) {
+    const Eigen::Index first = eliminated.cols();
+    for (Eigen::Index j = 0; j < matrix.cols(); ++j) {
+      const Eigen::Index column = places[static_cast<std::size_t>(j)];
+      for (Eigen::Index i = j; i < matrix.rows(); ++i) {
+        const Eigen::Index row = places[static_cast<std::size_t>(i)];
+        const Eigen::Index high = std::max(row, column), low = std::min(row, column);
+        (low >= first    ? others(high - first, low - first)
+         : high >= first ? mixed(high - first, low)
+                         : eliminated(high, low)) += matrix(i, j);
+      }
     }
   }
-}
+};
 
 }  // namespace
 
 // Computes the elimination; false if the matrix is not positive definite.
 bool Substructure::eliminate() {
   check_cancelled();
-  Eigen::MatrixXd sum = Eigen::MatrixXd::Zero(count, count);
+  const Eigen::Index others = count - eliminated;
+  LowerBlocks sum(eliminated, others);
   Eigen::VectorXd whole = Eigen::VectorXd::Zero(count);
   for (std::size_t k = 0; k < places.size(); ++k) {
     const bool is_half = k < halves.size();
     const Eigen::MatrixXd& matrix = is_half ? halves[k]->rest : parts[k - halves.size()].entries();
-    add_lower(matrix, places[k], sum);
+    sum.add(matrix, places[k]);
     whole(places[k]) += is_half ? halves[k]->diagonal : matrix.diagonal();
     if (is_half) smallest_pivot_ratio = std::min(smallest_pivot_ratio, halves[k]->smallest_pivot_ratio);
   }
-  const Eigen::Index others = count - eliminated;
   diagonal = whole.tail(others);
-  below = sum.bottomLeftCorner(others, eliminated);
-  rest = sum.bottomRightCorner(others, others);
+  below = std::move(sum.mixed);
+  rest = std::move(sum.others);
   if (eliminated == 0) return true;
-  pivots.compute(sum.topLeftCorner(eliminated, eliminated));
+  pivots.compute(std::move(sum.eliminated));
   if (pivots.info() != Eigen::Success) return false;
   if (others > 0) {
     linalg::solve_upper_from_right(pivots.lower(), below);
@@ -109,7 +124,8 @@ class SubstructureFactor::Builder {
   }
 
  private:
-  // Appends the steps of a substructure of these parts; false if the matrix is not positive definite.
+  // Appends the elimination steps of a substructure of these parts, those of its two halves first; false if the matrix
+  // is not positive definite.
   bool gather(std::vector<std::size_t> members, std::array<Point, 2> box, int depth) {
     if (members.size() <= smallest_substructure || depth == most_halvings) return finish({}, members);
     const int axis = (box[1] - box[0]).x() >= (box[1] - box[0]).y() ? 0 : 1;
@@ -126,7 +142,8 @@ class SubstructureFactor::Builder {
     return finish({first, made_->steps_.size() - 1}, {});
   }
 
-  // Numbers the unknowns of components, the ones that nothing else has first, and eliminates these.
+  // Makes a substructure of halves or of parts: numbers its unknowns, first those that nothing outside of it has, and
+  // eliminates these. Returns false if its matrix is not positive definite or nearly singular.
   bool finish(const std::vector<std::size_t>& halves, const std::vector<std::size_t>& members) {
     std::vector<const int*> begin, end;
     Substructure found;

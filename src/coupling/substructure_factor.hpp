@@ -24,7 +24,8 @@ struct MatrixPart {
   Point centre;
 
   const Eigen::MatrixXd& entries() const { return matrix ? *matrix : own; }
-  // Whether both are made of the same, so that their matrices are equal bit by bit.
+  // Whether both parts have the same source (or equal springs) and closed constraints, so that their matrices are equal
+  // bit by bit.
   bool is_made_as(const MatrixPart& other) const {
     return source == other.source && constraints == other.constraints && closed == other.closed &&
            own.rows() == other.own.rows() && own == other.own;
@@ -68,7 +69,7 @@ class SubstructureFactor final : public linalg::SparseFactorization {
   std::size_t taken_over_ = 0;
 };
 
-// Solver with such a factor.
+// Makes a system's solver that uses this factor.
 std::unique_ptr<SystemSolver> solver_by(std::shared_ptr<SubstructureFactor> factor);
 
 }  // namespace bempd::coupling

@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::size_t fewest_operators = 8;
 
-// Parts of a matrix with the nodes' places.
+// List of the parts of a matrix (condensed operators and holding springs), each placed by the positions of its nodes.
 class PartList {
  public:
   PartList(const Unknowns& unknowns, const std::vector<Point>& positions)

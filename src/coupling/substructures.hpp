@@ -35,7 +35,8 @@ class Substructures {
  public:
   void place(const std::vector<Point>& positions) { positions_ = positions; }  // of the nodes
   void take_over(const Substructures& before) { last_ = before.last_; }
-  // Makes solver_of() return null from now on; returns whether it has given a solver before.
+  // Makes solver_of() return null from now on, for callers that need a Cholesky factor of the whole matrix; returns
+  // whether it has given a solver before.
   bool avoid();
   // Solver with a factor of the matrix. Null if the system is of another kind, if another solver is wanted, or if the
   // matrix is not positive definite.

@@ -9,7 +9,7 @@ namespace bempd::coupling {
 
 namespace {
 
-constexpr int most_iterations = 40;
+constexpr int most_rounds = 40;
 
 class SymmetricSchurComplement final : public SchurComplement {
  public:
@@ -45,7 +45,7 @@ class SymmetricSolver final : public SystemSolver {
   linalg::KrylovResult iterate(const Apply& apply, const Eigen::VectorXd& rhs, double tolerance,
                                Eigen::VectorXd& x) const override {
     const auto precondition = [this](Eigen::VectorXd& r) { cholesky_->solve_in_place(r); };
-    return linalg::conjugate_gradient(apply, precondition, rhs, x, {tolerance, most_iterations});
+    return linalg::conjugate_gradient(apply, precondition, rhs, x, {tolerance, most_rounds});
   }
 
   Eigen::VectorXd multiply(const Eigen::SparseMatrix<double>& matrix, const Eigen::VectorXd& x) const override {

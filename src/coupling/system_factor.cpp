@@ -26,6 +26,9 @@ constexpr double suspicious_pivot_ratio = 1e-10;
 // Shifts of the matrix for inverse iteration, over its diagonal: the first is far below the stiffness of slender parts,
 // the second survives the rounding errors of any factorization.
 constexpr double small_shift = 1e-12, safe_shift = 1e-9;
+// Share of the largest entry of the diagonal below which an entry is rounding, and may be negative: a node that a piece
+// cut off has left without a bond in some direction.
+constexpr double rounding_of_diagonal = 1e-14;
 constexpr int inverse_iterations = 8;
 constexpr double no_stiffness = 1e-16;  // share of the largest entry that replaces a zero on the diagonal
 
@@ -181,15 +184,15 @@ bool SystemFactor::pivots_are_sound() const {
 std::unique_ptr<SystemSolver> shifted_solver(const SolutionMethod& method, const Eigen::SparseMatrix<double>& matrix,
                                              const Eigen::VectorXd& diagonal) {
   std::unique_ptr<SystemSolver> solver = method.make_solver();
-  const auto factorize = [&](double shift) {
+  const auto factorize = [&](double shift, double floor) {
     Eigen::SparseMatrix<double> shifted;  // assigned: Eigen's constructor keeps a part of its memory if the rest fails
     shifted = matrix;
-    for (Eigen::Index i = 0; i < shifted.rows(); ++i) shifted.coeffRef(i, i) += shift * diagonal[i];
+    for (Eigen::Index i = 0; i < shifted.rows(); ++i) shifted.coeffRef(i, i) += shift * diagonal[i] + floor;
     return solver->factorization().factorize(shifted);
   };
-  if (!factorize(small_shift) && !factorize(safe_shift)) {
+  if (!factorize(small_shift, 0) && !factorize(safe_shift, 0) &&
+      !factorize(safe_shift, rounding_of_diagonal * diagonal.maxCoeff()))
     fail(Failure::unsolvable, "the stiffness matrix is indefinite");
-  }
   return solver;
 }
 
@@ -200,6 +203,11 @@ Eigen::VectorXd stiff_diagonal(const Eigen::SparseMatrix<double>& matrix) {
 Eigen::VectorXd softest_vector(const SolutionMethod& method, const Eigen::SparseMatrix<double>& matrix,
                                double& resistance) {
   const double unit = matrix.diagonal().maxCoeff();
+  Eigen::Index bare = 0;  // unknown of a node without a bond in that direction, which moves freely
+  if (matrix.diagonal().minCoeff(&bare) < rounding_of_diagonal * unit) {
+    resistance = 0;
+    return Eigen::VectorXd::Unit(matrix.rows(), bare);
+  }
   const Eigen::VectorXd diagonal = stiff_diagonal(matrix);
   const std::unique_ptr<SystemSolver> solver = shifted_solver(method, matrix, diagonal);
   Eigen::VectorXd vector =

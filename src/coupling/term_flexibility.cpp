@@ -17,17 +17,8 @@ struct Pulls {
   Eigen::MatrixXd weights;
 };
 
-// Number of the unknown at every degree of freedom, ascending; -1 where there is no unknown.
-std::vector<int> unknown_of_dofs(const EquilibriumSystem& system) {
-  std::vector<int> unknown_of(2 * static_cast<std::size_t>(system.node_count()), -1);
-  int count = 0;
-  for (int dof = 0; dof < 2 * system.node_count(); ++dof)
-    if (system.is_unknown(dof)) unknown_of[static_cast<std::size_t>(dof)] = count++;
-  return unknown_of;
-}
-
 Pulls pulls_of(const EquilibriumSystem& system, std::span<const int> terms) {
-  const std::vector<int> unknown_of = unknown_of_dofs(system);
+  const std::vector<int>& unknown_of = system.unknowns().unknown_of;
   std::vector<std::vector<UnknownEntry>> entries(terms.size());
   Pulls pulls;
   for (std::size_t k = 0; k < terms.size(); ++k) {
@@ -56,13 +47,13 @@ Eigen::MatrixXd between(const Pulls& pulls, const linalg::SparseCholesky& choles
 }  // namespace
 
 Eigen::MatrixXd flexibility_of(EquilibriumSystem& system, std::span<const int> terms) {
-  if (!system.has_current_factor()) system.forget_factor();
+  if (!system.factor().is_current()) system.factor().forget();
   return between(pulls_of(system, terms), system.factorized().cholesky);
 }
 
 Eigen::MatrixXd flexibility_apart(const EquilibriumSystem& system, std::span<const int> terms) {
   const std::unique_ptr<linalg::SparseCholesky> cholesky = linalg::make_sparse_cholesky();
-  if (!cholesky->factorize(system.assemble())) fail(Failure::unsolvable, "a part of the body can move freely");
+  if (!cholesky->factorize(system.matrix().assemble())) fail(Failure::unsolvable, "a part of the body can move freely");
   return between(pulls_of(system, terms), *cholesky);
 }
 

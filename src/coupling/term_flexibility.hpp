@@ -11,8 +11,8 @@ namespace bempd::coupling {
 // pulls along term j. Uses the system's factor, or makes one if there is none of the present matrix.
 Eigen::MatrixXd flexibility_of(EquilibriumSystem& system, std::span<const int> terms);
 
-// Flexibility matrix of terms, as above, by a temporary factor of the present stiffness matrix. The system's own
-// factor, which may belong to another matrix, stays as it is.
+// Flexibility matrix of terms as by flexibility_of(), but by a temporary factor of the present stiffness matrix. The
+// system's own factor, which may belong to another matrix, stays as it is.
 Eigen::MatrixXd flexibility_apart(const EquilibriumSystem& system, std::span<const int> terms);
 
 }  // namespace bempd::coupling

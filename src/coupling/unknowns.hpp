@@ -16,6 +16,7 @@ struct Unknowns {
   std::vector<int> dof_of;      // unknown -> dof
 
   bool is_unknown(int dof) const { return unknown_of[dof] >= 0; }
+  bool is_prescribed(int dof) const { return kind[dof] == DofKind::prescribed; }
   bool has_unknown(int node) const { return is_unknown(2 * node) || is_unknown(2 * node + 1); }
   Eigen::Index count() const { return static_cast<Eigen::Index>(dof_of.size()); }
 };

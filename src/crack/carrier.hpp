@@ -43,7 +43,7 @@ struct Step {
   std::optional<Point> direction{};  // unit vector in which a line goes that is not driven; empty: by its criterion
 };
 
-// What has become of a step.
+// Outcome of a step that a carrier was to take.
 struct Advance {
   std::vector<Extension> extensions;  // of the tips that have grown; none if no tip can
   bool has_stopped = false;           // whether a crack has stopped, at an interface or because it cannot grow

@@ -13,8 +13,8 @@ namespace {
 // by the rule of Runge and Kutta, whose error is far below that of the step itself.
 constexpr double parts_of_a_step = 24;
 
-// Shares of the distance to the end of an overload's zone: by which a tip grows at most while its retardation is
-// integrated by one step, and by which a whole program lets it grow at most where programs are passed at once.
+// Growth in the zone of an overload, as a share of the distance to its end: the most that is integrated in one step,
+// because retardation varies, and the most by a whole program where several programs are passed at once.
 constexpr double share_of_zone = 0.04, share_of_zone_by_program = 0.002;
 
 double rate_of(const TipOnStep& tip, double grown, const Block& block, const Overload& overload) {
@@ -43,8 +43,8 @@ double share_of_critical(const TipOnStep& tip, double grown, const Block& block)
 
 double between(double first, double last, double share) { return (1 - share) * first + share * last; }
 
-// Share of a section between two lengths: the rest of the section falls about evenly as a tip grows, and the share is
-// its inverse.
+// Load on a net section, as a share of what it bears, between two lengths of the crack. What is left of the section
+// falls about evenly as the tip grows, and the load's share is the inverse of it: so inverses are interpolated.
 double section_between(double first, double last, double share) {
   return first > 0 && last > 0 ? 1 / between(1 / first, 1 / last, share) : between(first, last, share);
 }
@@ -81,7 +81,7 @@ double TipOnStep::critical_at(double grown) const {
   return between(critical[part], critical[part + 1], at - static_cast<double>(part));
 }
 
-// A step before that was much longer, or in which the tip took much more of its crack's growth, says nothing.
+// Bend by the step before; 0 if that was much longer, or if the tip took much more of its crack's growth in it.
 double TipOnStep::bend(std::size_t level) const {
   constexpr double longest = 0.7;
   const double start = own_length();
@@ -191,7 +191,7 @@ std::optional<std::vector<double>> CycleIntegration::advanced(const Growth& grow
   return moved(mean, by);
 }
 
-// Whole programs at once; false where they have to be passed block by block.
+// Passes several whole programs at once. Returns false if the blocks have to be passed one by one.
 bool CycleIntegration::pass_programs(CyclesOnStep& now, std::size_t goal, double growth, double most_cycles) const {
   if (program_.size() == 1 || now.place.block != 0 || now.place.done > 0) return false;
   const std::optional<Growth> by_one = program_growth(now.growth, now.overloads);
@@ -213,7 +213,7 @@ bool CycleIntegration::pass_programs(CyclesOnStep& now, std::size_t goal, double
   return false;
 }
 
-// A part of the present block; false where a tip reaches its critical factor in it, or the goal is reached.
+// Passes a part of the present block; false if a tip reaches its critical factor in it, or the goal is reached.
 bool CycleIntegration::pass_block(CyclesOnStep& now, const Growth& at_start, std::size_t goal, double growth,
                                   double most_cycles) const {
   const auto after = [&](double cycles) {
@@ -222,7 +222,7 @@ bool CycleIntegration::pass_block(CyclesOnStep& now, const Growth& at_start, std
   };
   const auto arrive = [&](double cycles, Growth grown) {
     now.cycles += cycles;
-    // The zone of a cycle is that of the length at which it began; a part of a cycle has met it already.
+    // The zone of an overload lies ahead of where its cycle began, so a part of a cycle adds no other one.
     Growth last_begins = now.growth;
     for (std::size_t t = 0; t < grown.size(); ++t) last_begins[t] += (1 - 1 / cycles) * (grown[t] - last_begins[t]);
     now.growth = std::move(grown);

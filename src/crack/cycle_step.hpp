@@ -16,6 +16,7 @@ struct LevelFactors {
   double net_section = 0;  // share of what the net section of the tip bears; 0 if that is not watched
   double t_stress = 0;     // T, if the law asks for it [Pa]
   double turn = 0;         // by which a line turns under this load, by the stress ahead of it [rad]
+  double felt_ahead = 0;   // where a line acts under this load, from its place; NaN: not known [m]
 };
 
 // A tip on a step of its crack: factors are known before and after it, at each load of the program. Between the two
@@ -30,10 +31,10 @@ struct TipOnStep {
   Point from{0, 0}, to{0, 0};
   std::vector<LevelFactors> before, after;  // `after` is empty where nothing is known of it: as before
 
-  // Factors at which it breaks at even shares of the step, from its beginning to its end; infinite: not known.
+  // Factors at which the tip breaks, at even shares of the step from its beginning to its end; infinite: not known.
   std::vector<double> critical{std::numeric_limits<double>::infinity()};
 
-  // What is known of the step before: the growth of the tip in it, and its factors before it; 0 without [m].
+  // Growth of the tip in the step before [m], and its factors before that step; 0 and empty if nothing is known of it.
   double past_growth = 0;
   std::vector<LevelFactors> past;
 
@@ -42,15 +43,15 @@ struct TipOnStep {
   LevelFactors at(double grown, std::size_t level) const;
   TipCycle cycle(double grown, const Block& block) const;
   double critical_at(double grown) const;
-  // Length of the tip's own part of the crack: the power law counts from its other end.
   double bend(std::size_t level) const;  // second divided difference of logarithms over those of lengths
+  // Length of the tip's own part of the crack. The factors are a power law of this length, from its other end on.
   double own_length() const { return crack_growth > 0 ? length * growth / crack_growth : length; }
 };
 
-// Why the way through a program ends.
+// Reason for which a way through a program of cycles ends.
 enum class CyclesEnd { growth, cycles, critical, net_section, none_grows };
 
-// A way through a program.
+// Result of a way through a program, by CycleIntegration::run().
 struct CyclesOnStep {
   CyclesEnd end = CyclesEnd::growth;
   std::size_t tip = 0;              // that breaks, where one does
@@ -79,17 +80,18 @@ class CycleIntegration {
 
   // Rates of all tips; none where a tip is critical.
   std::optional<Growth> rates(const Growth& grown, std::size_t block, const Overloads& overloads) const;
-  // Growth by the whole program, which has been passed before at about these lengths; likewise.
+  // Growth of all tips in one pass of the program, whose overloads are those of an earlier pass at about these lengths;
+  // none where a tip is critical.
   std::optional<Growth> program_growth(const Growth& grown, const Overloads& overloads) const;
-  // Enters the highest load of a block.
+  // Replaces the overloads of the tips by those after a cycle of a block, at the cycle's highest load.
   void meet(Overloads& overloads, const Growth& grown, std::size_t block) const;
-  // Growth of a tip in which its retardation changes little; infinite without one.
+  // Growth of a tip to the end of its overload's zone; infinite without retardation, or if the zone is behind it.
   double even_growth(std::size_t tip, double grown, const Overload& overload) const;
   template <class Rates>
   std::optional<Growth> advanced(const Growth& grown, double by, const Rates& rates) const;
   std::size_t critical_tip(const Growth& grown, std::size_t block) const;
   std::size_t most_loaded(const Growth& grown, std::size_t block) const;
-  // Ends the way at a tip that its block breaks, or nearly so.
+  // Ends the way through the program at a tip that breaks, or nearly so, under the highest load of the present block.
   void end_at(CyclesOnStep& now, std::size_t tip) const;
   bool pass_programs(CyclesOnStep& now, std::size_t goal, double growth, double most_cycles) const;
   bool pass_block(CyclesOnStep& now, const Growth& rates, std::size_t goal, double growth, double most_cycles) const;

@@ -7,8 +7,8 @@
 
 namespace bempd::crack {
 
-// Record of the growth of one tip in one event: a straight extension to (x, y), where the tip is again unless its state
-// says that it has ended. A crack that nucleates is recorded as two extensions from its middle.
+// Record of the growth of one tip in one event: a straight extension to (x, y), which is the tip's new place, or where
+// it ended if its state says so. A crack that nucleates is recorded as two extensions from its middle.
 struct Extension {
   std::int64_t event = 0;
   int crack = 0, end = 0;  // id; 1: the crack's last point, 0: its first

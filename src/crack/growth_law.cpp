@@ -9,9 +9,10 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-// Smallest slope of the equivalent factor over the size of K that counts: below it the loads press the tip shut, and
-// the tip does not grow. By the hoop stress the slope goes with the third power of K_II / K_I and has this value where
-// that ratio is 6e-4, which is about the error of the factors.
+// Smallest slope of the equivalent factor over the load factor that counts, as a share of the size of the proportional
+// (K_I, K_II): below it the loads press the tip shut, and it does not grow. By the hoop stress criterion the slope of a
+// tip pressed shut goes with the third power of K_II / K_I; it has this value where that ratio is 6e-4, which is about
+// the error of the factors.
 constexpr double share_of_rounding = 1e-9;
 
 // Load factor at which the range without growth ends in `direction` (1 or -1), by bisection from `inside`, a load

@@ -36,7 +36,7 @@ struct GrowthLaw {
   double heading = 0;
   AskingTip asking{};  // with a function, the toughness is a number to begin with only
 
-  // The law with the toughness that a function gives for these factors; itself without one.
+  // Law with the toughness that the host's function gives for these factors; the same law if there is no function.
   GrowthLaw met(const Point& factors, double t_stress) const;
   GrowthLaw met(const AffineFactors& factors, double load_factor) const {
     return asking.function ? met(factors.at(load_factor), asking.t_stress.dot(Point(1, load_factor))) : *this;
@@ -58,8 +58,8 @@ struct GrowthLaw {
     if (!(toughness > 0)) return 0;
     return kink(factors, load_factor).equivalent_factor / met(factors, load_factor).toughness;
   }
-  // Range of load factors in which that ratio is below 1; unbounded if the toughness is infinite, or is not positive
-  // (no fracture). By the hoop stress criterion the factor is a maximum of functions linear in the load factor, so the
+  // Range of load factors in which ratio() is below 1; unbounded if the toughness is infinite, or is not positive (no
+  // fracture). By the hoop stress criterion the factor is a maximum of functions linear in the load factor, so the
   // range is an interval. By the energy release rate, without kinks that close, it is the interval around the load
   // factor 0, or around the one at which the ratio is least; likewise with a function of the host.
   GrowthRange range(const AffineFactors& factors) const;

@@ -13,9 +13,9 @@ struct Kink {
   double angle, equivalent_factor;
 };
 
-// Kink of a tip with the factors (K_I, K_II): in the direction of the largest hoop stress before the crack turns
-// (Erdogan and Sih, J. Basic Eng. 85, 1963), or of the largest energy release rate after it has turned. An equivalent
-// factor <= 0 means that no kink opens.
+// Kink of a tip with the factors (K_I, K_II). Its direction is that of the largest hoop stress around the tip of the
+// straight crack (Erdogan and Sih, J. Basic Eng. 85, 1963), or the one in which an infinitesimal kink has the largest
+// energy release rate. An equivalent factor <= 0 means that no kink opens.
 Kink kink_of(const Point& factors, KinkCriterion criterion = KinkCriterion::hoop_stress);
 
 // Hoop stress around a tip in the direction `angle`, times sqrt(2 pi r); it is linear in the factors (K_I, K_II).

@@ -28,7 +28,7 @@ constexpr double scale_without_stress = 1e-5;
 
 // Least scale of forces where the constant and the proportional part of the loads cancel, relative to these parts; for
 // energies its square. All forces are then rounding, about 1e-14 of the parts, as in a load program that is at rest at
-// zero. A path of loads has larger forces unless it is 1e6 times as short as its time.
+// zero. Loads that rise from zero at some time exceed this scale after some 1e-6 of that time.
 constexpr double scale_of_parts = 1e-6;
 
 constexpr char causes_of_rounding[] =
@@ -37,21 +37,22 @@ constexpr char causes_of_rounding[] =
 
 // Largest displacement of the body by supports, and by springs that hold parts that have come free.
 double moved_by_holds(const coupling::EquilibriumSystem& system, double load_factor) {
-  double largest = std::max(system.load().support_motion(load_factor), system.rest_motion(load_factor));
+  double largest =
+      std::max(system.load().support_motion(load_factor), system.stress_free().largest_motion(load_factor));
   for (const coupling::HoldingSpring& spring : system.springs()) largest = std::max(largest, std::abs(spring.anchor));
   return largest;
 }
 
 double force_of_parts(const coupling::EquilibriumSystem& system, double load_factor) {
-  const double by_supports = system.largest_stiffness() * system.load().parts_of_support_motion(load_factor);
+  const double by_supports = system.stiffness_range().largest * system.load().parts_of_support_motion(load_factor);
   return scale_of_parts * (system.load().parts_of_force(load_factor) + by_supports);
 }
 
 }  // namespace
 
 bool is_separated(const coupling::EquilibriumSystem& system, double unit_energy, double first_unit_energy) {
-  const double moved = std::max(system.load().support_motion(), system.rest_motion());
-  const double rounding = energy_rounding * system.largest_stiffness() * moved * moved;
+  const double moved = std::max(system.load().support_motion(), system.stress_free().largest_motion());
+  const double rounding = energy_rounding * system.stiffness_range().largest * moved * moved;
   return unit_energy < std::max(separated_energy_ratio * first_unit_energy, std::min(rounding, first_unit_energy));
 }
 
@@ -67,21 +68,22 @@ void fail_out_of_range() {
 double residual(const coupling::EquilibriumSystem& system, const Eigen::VectorXd& internal_force, double load_factor,
                 double largest_force) {
   double unbalanced = 0;
-  const Eigen::VectorXd load = coupling::evaluate(system.force(), load_factor);
+  const Eigen::VectorXd load = coupling::evaluate(system.load().force(), load_factor);
   for (Eigen::Index dof = 0; dof < load.size(); ++dof) {
-    if (system.is_prescribed(static_cast<int>(dof))) continue;
+    if (system.unknowns().is_prescribed(static_cast<int>(dof))) continue;
     unbalanced = std::max(unbalanced, std::abs(internal_force[dof] - load[dof]));
   }
   return largest_force > 0 ? unbalanced / largest_force : unbalanced;
 }
 
 double least_force_scale(const coupling::EquilibriumSystem& system, double load_factor) {
-  const double of_motion = scale_without_stress * system.largest_stiffness() * moved_by_holds(system, load_factor);
+  const double of_motion =
+      scale_without_stress * system.stiffness_range().largest * moved_by_holds(system, load_factor);
   return std::max(of_motion, force_of_parts(system, load_factor));
 }
 
 double least_energy_scale(const coupling::EquilibriumSystem& system, double load_factor) {
-  const double moved = moved_by_holds(system, load_factor), stiffness = system.largest_stiffness();
+  const double moved = moved_by_holds(system, load_factor), stiffness = system.stiffness_range().largest;
   const double of_parts = force_of_parts(system, load_factor);
   return std::max(scale_without_stress * stiffness * moved * moved,
                   stiffness > 0 ? of_parts * of_parts / stiffness : 0);

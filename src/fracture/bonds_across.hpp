@@ -31,9 +31,9 @@ class BondsAcross {
 
   bool empty() const { return contraction_.empty(); }
 
-  // Strains across the bonds of a list, where `number[k]` is the k-th. Bonds in the estimates are found by `place_of`,
-  // which is -1 for bonds outside the list. An estimate counts if all its bonds count; if one of them is not in the
-  // list, the relief is unknown.
+  // Strains across the bonds `number` alone, which are numbered anew by their places in this list. `place_of` finds the
+  // place of a bond, -1 if it has none. An estimate is used if all its bonds count (`counts`); if one of them is not in
+  // the list, the bond's relief is unknown.
   BondsAcross chosen(std::span<const int> number, const std::function<int(int)>& place_of,
                      const std::function<bool(int)>& counts) const;
   // Whether the bond's relief is the same as in the whole list; otherwise it is 0.

@@ -17,13 +17,14 @@ std::vector<std::vector<int>> Connectivity::pieces() const {
   linalg::DisjointSets sets(system_.node_count());
   const coupling::Terms& terms = system_.terms();
   for (std::size_t t = 0; t < terms.size(); ++t) {
-    if (system_.intact()[t]) sets.join(terms.first[t], terms.second[t]);
+    if (system_.stages().intact()[t]) sets.join(terms.first[t], terms.second[t]);
   }
   for (int t : terms.wide.term) {
     const auto term = static_cast<std::size_t>(t);
-    if (system_.intact()[term]) terms.for_each_node(term, [&](int node) { sets.join(terms.first[term], node); });
+    if (system_.stages().intact()[term])
+      terms.for_each_node(term, [&](int node) { sets.join(terms.first[term], node); });
   }
-  for (const auto& body : system_.dense_bodies()) {
+  for (const auto& body : system_.dense_bodies().list()) {
     for (int node : body) sets.join(body.front(), node);
   }
   std::vector<int> index(system_.node_count(), -1);
@@ -44,7 +45,7 @@ bool Connectivity::are_joined(int node, int other) const {
   ++search_;
   std::vector<int> open{node};
   visited_[node] = search_;
-  std::vector<char> body_seen(system_.dense_bodies().size(), 0);
+  std::vector<char> body_seen(system_.dense_bodies().list().size(), 0);
   const auto visit = [&](int next) {
     if (visited_[next] == search_) return;
     visited_[next] = search_;
@@ -54,11 +55,11 @@ bool Connectivity::are_joined(int node, int other) const {
     const int at = open[k];
     if (at == other) return true;
     for (int t : terms_at_.of(at)) {
-      if (system_.intact()[t]) system_.terms().for_each_node(static_cast<std::size_t>(t), visit);
+      if (system_.stages().intact()[t]) system_.terms().for_each_node(static_cast<std::size_t>(t), visit);
     }
-    if (!system_.in_dense_body(at)) continue;
+    if (!system_.dense_bodies().contain(at)) continue;
     for (std::size_t body = 0; body < body_seen.size(); ++body) {
-      const std::vector<int>& nodes = system_.dense_bodies()[body];
+      const std::vector<int>& nodes = system_.dense_bodies().list()[body];
       if (body_seen[body] || std::find(nodes.begin(), nodes.end(), at) == nodes.end()) continue;
       body_seen[body] = 1;
       for (int n : nodes) visit(n);
@@ -70,7 +71,7 @@ bool Connectivity::are_joined(int node, int other) const {
 std::vector<int> Connectivity::intact_terms_at(int node) const {
   std::vector<int> result;
   for (int t : terms_at_.of(node)) {
-    if (system_.intact()[t]) result.push_back(t);
+    if (system_.stages().intact()[t]) result.push_back(t);
   }
   return result;
 }

@@ -110,7 +110,8 @@ LoadInterval AffineRatios::admissible(const std::vector<char>& intact, bool upwa
       const Span span = critical_span(b, 1);
       if (!(span.begin <= span.end)) continue;
       if (std::isinf(span.begin) && std::isinf(span.end)) return {infinity, -infinity};
-      // Critical bonds may lie between two admissible ranges; the one that the load path comes from counts.
+      // The load factors at which a bond is critical may lie between two ranges in which it is not; the range that the
+      // load path comes from counts.
       if (std::isinf(span.begin) || (!upwards && !std::isinf(span.end))) {
         result.lowest = std::max(result.lowest, span.end);
       } else {

@@ -14,7 +14,7 @@ std::vector<ChangingTerm> changing_terms(const Event& event, const coupling::Equ
   result.reserve(event.changes.size());
   for (const coupling::StageChange& change : event.changes) {
     const auto term = static_cast<std::size_t>(change.term);
-    result.push_back({change.term, system.present_stiffness()[term] - system.stiffness_after(change),
+    result.push_back({change.term, system.stages().stiffness()[term] - system.stages().stiffness_after(change),
                       body.elongation(change.term, event.load_factor)});
   }
   return result;
@@ -34,13 +34,15 @@ double released_energy(const std::vector<ChangingTerm>& terms, const BodyChange&
 
 }  // namespace
 
-std::optional<Outcome> perform_event(const Event& event, const coupling::EquilibriumSystem& system, EventBody& body) {
+std::optional<Outcome> perform_event(const Event& event, const LoadedBody& whole, EventBody& body) {
+  const coupling::EquilibriumSystem& system = whole.system();
+  const SupportForces& supports = whole.supports();
   const double f = event.load_factor;
   Outcome outcome;
   outcome.reactions_before = body.reactions(f);
-  outcome.resistance_before = body.resistance(outcome.reactions_before, f);
+  outcome.resistance_before = supports.resistance(outcome.reactions_before, f);
   outcome.stored_energy_before = body.stored_energy(f);
-  outcome.broken = system.count_broken(event.changes);
+  outcome.broken = system.stages().count_broken(event.changes);
   const std::vector<ChangingTerm> terms = changing_terms(event, system, body);
   const std::optional<BodyChange> change = body.change(event, terms, outcome);
   if (!change) return std::nullopt;
@@ -50,14 +52,14 @@ std::optional<Outcome> perform_event(const Event& event, const coupling::Equilib
   // A piece that comes free takes the energy of its loads with it.
   outcome.released_energy =
       change->takes_loads_along ? outcome.work + outcome.stored_energy_before - outcome.stored_energy : released;
-  // What is released at the critical load, so that it does not matter whether the load is held or falls.
+  // Energy is counted as released at the critical load, so that it does not matter whether the load is held or falls.
   outcome.bond_energy = released / (event.ratio * event.ratio);
   if (event.taken_energy > 0) outcome.bond_energy = std::min(outcome.bond_energy, event.taken_energy);
   outcome.critical_stored_energy = body.stored_energy(event.critical_load_factor);
   outcome.unit_energy = body.unit_energy();
   outcome.energy_scale = least_energy_scale(system, f);
   outcome.reactions = body.reactions(f);
-  outcome.resistance = body.resistance(outcome.reactions, f);
+  outcome.resistance = supports.resistance(outcome.reactions, f);
   return outcome;
 }
 

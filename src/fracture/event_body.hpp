@@ -4,8 +4,8 @@
 #include <span>
 #include <vector>
 
-#include "coupling/equilibrium_system.hpp"
 #include "fracture/event_source.hpp"
+#include "fracture/loaded_body.hpp"
 
 namespace bempd::fracture {
 
@@ -44,8 +44,6 @@ class EventBody {
   virtual double stored_energy(double load_factor) const = 0;
   virtual double unit_energy() const = 0;                               // of the proportional load alone
   virtual std::vector<double> reactions(double load_factor) const = 0;  // x and y of every support
-  // Force that the body carries: half the sum of the magnitudes of these reactions and of the nodal loads.
-  virtual double resistance(const std::vector<double>& reactions, double load_factor) const = 0;
   virtual Elongation elongation(int term, double load_factor) const = 0;
 
   // Changes the stages of terms, holds what that frees, and closes and opens faces until they agree with their gaps.
@@ -54,8 +52,8 @@ class EventBody {
                                            Outcome& outcome) = 0;
 };
 
-// Performs an event at the body's load factor; null if the body cannot. The event's source adds to the outcome the work
-// before the event, the residual, and what tips of lines do.
-std::optional<Outcome> perform_event(const Event& event, const coupling::EquilibriumSystem& system, EventBody& body);
+// Performs an event at the load factor of `body`, which is `whole` or a part of it; null if the body cannot. The
+// event's source adds to the outcome the work before the event, the residual, and what tips of lines do.
+std::optional<Outcome> perform_event(const Event& event, const LoadedBody& whole, EventBody& body);
 
 }  // namespace bempd::fracture

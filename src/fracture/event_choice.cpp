@@ -21,7 +21,7 @@ Event break_of(const BondList& bonds, std::span<const int> chosen, double load_f
   event.load_factor = event.critical_load_factor = load_factor;
   for (const int place : chosen) {
     const auto bond = static_cast<std::size_t>(place);
-    event.changes.push_back(system.after_critical(bonds.numbers ? (*bonds.numbers)[bond] : place));
+    event.changes.push_back(system.stages().after_critical(bonds.numbers ? (*bonds.numbers)[bond] : place));
     event.reach(bonds.ratios.at(bond, load_factor), bonds.ratios.critical_load_factor(bond, load_factor));
   }
   return event;

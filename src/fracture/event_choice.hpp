@@ -28,7 +28,7 @@ std::optional<double> next_critical(const BondList& bonds, const LoadWay& way);
 std::vector<int> most_critical(const BondList& bonds, double load_factor, double band, int limit);
 
 // Event at which the bonds `chosen` enter their next stage. The caller adds their followers
-// (EquilibriumSystem::with_followers).
+// (TermStages::with_followers).
 Event break_of(const BondList& bonds, std::span<const int> chosen, double load_factor,
                const coupling::EquilibriumSystem& system);
 

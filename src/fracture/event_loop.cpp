@@ -38,53 +38,54 @@ bool Turns::pass(const Event& event) {
 
 StopReason EventLoop::run() {
   CrackEvolution& first = *body_;
-  first.begin_call(options_);
-  const CrackEvolution::Start start = first.start();
+  first.events().begin(options_);
+  const RunRecords::Start start = first.records().start();
   events_before_ = start.sums.events;
   try {
-    if (!first.state_.in_equilibrium) {
-      first.sources_.mark();
+    if (!first.progress().in_equilibrium) {
+      first.sources().return_point().mark();
       const CancellationScope scope({CancellationScope::current().cancel, options_.stop});
-      first.find_equilibrium();
+      first.loads().find_equilibrium();
     }
     const StopReason reason = go_on();
-    const Sums& sums = body_->state_;
+    const Sums& sums = body_->progress();
     const bool changed = sums.events != start.sums.events || sums.contact_switches != start.sums.contact_switches;
     if (options_.leaves_fresh && changed) body_->synchronize();
     if (on_end_) on_end_();
-    body_->sources_.drop_mark();
+    body_->sources().return_point().drop();
     return reason;
   } catch (...) {
-    first.return_to(start);
+    first.events().return_to(start);
     throw;
   }
 }
 
-// Goes from event to event.
+// Performs events one after another, until a reason to stop comes up or no event is left before the target.
 StopReason EventLoop::go_on() {
   for (;;) {
-    if (!std::exchange(has_begun_, true)) body_->begin_call(options_);
-    const EvolutionState& state = body_->state_;
+    if (!std::exchange(has_begun_, true)) body_->events().begin(options_);
+    const EvolutionState& state = body_->progress();
     if (goal_ == Goal::separation && state.separated) return StopReason::separated;
     if (options_.stop && options_.stop->load(std::memory_order_relaxed)) return end_with(StopReason::requested);
     time_event();
     const Event* next = nullptr;
-    if (!done_unless_stopped([&] { next = body_->next(target_, options_); })) return end_with(StopReason::requested);
+    if (!done_unless_stopped([&] { next = body_->events().next(target_, options_); }))
+      return end_with(StopReason::requested);
     if (has_come_apart(next) && goal_ != Goal::load_factor) return StopReason::separated;
     if (const std::optional<StopReason> reason = next ? std::nullopt : why_there_is_none()) return end_with(*reason);
     const bool upwards = target_ >= state.load_factor;
     if (!next || (upwards ? next->load_factor > target_ : next->load_factor < target_)) break;
     require_fewer_events(state.events - events_before_, options_.max_events);
-    body_->sources_.mark();
+    body_->sources().return_point().mark();
     if (const std::optional<StopReason> reason = perform(*next)) return *reason;
   }
-  body_->sources_.mark();
-  body_->sources_.bring_up_to_date();
-  body_->move_to(target_);
-  return end_with(body_->state_.separated ? StopReason::separated : StopReason::load_factor);
+  body_->sources().return_point().mark();
+  body_->sources().bring_up_to_date();
+  body_->events().move_to(target_);
+  return end_with(body_->progress().separated ? StopReason::separated : StopReason::load_factor);
 }
 
-// Finds out whether the event before took long.
+// Finds out whether the event before took long: only then can the next one be given up at the host's request.
 void EventLoop::time_event() {
   const auto now = std::chrono::steady_clock::now();
   events_are_long_ = now - last_event_ > long_event;
@@ -96,7 +97,7 @@ void EventLoop::time_event() {
 // up: the body is as it was before, and the result is false. Short events come to their ends, as those from a window.
 template <class Work>
 bool EventLoop::done_unless_stopped(const Work& work) {
-  if (options_.stop && events_are_long_ && !before_event_) before_event_ = body_->before_event();
+  if (options_.stop && events_are_long_ && !before_event_) before_event_ = body_->events().before();
   if (!before_event_) {
     work();
     return true;
@@ -106,7 +107,7 @@ bool EventLoop::done_unless_stopped(const Work& work) {
     work();
     return true;
   } catch (const EventGivenUp&) {
-    body_->give_up_event(std::move(*before_event_));
+    body_->events().give_up(std::move(*before_event_));
     return false;
   }
 }
@@ -115,7 +116,7 @@ bool EventLoop::done_unless_stopped(const Work& work) {
 std::optional<StopReason> EventLoop::perform(const Event& event) {
   if (event.is_contact) {
     if (!turns_.pass(event)) return end_with(StopReason::no_admissible_load);
-    if (!done_unless_stopped([&] { body_->pass(body_->sources_.perform()); })) return end_with(StopReason::requested);
+    if (!done_unless_stopped([&] { body_->events().perform_contact(); })) return end_with(StopReason::requested);
     return std::nullopt;
   }
   turns_ = {};
@@ -124,10 +125,10 @@ std::optional<StopReason> EventLoop::perform(const Event& event) {
   if (event.tip.crack > 0 && !increments) return advance(*body_->lines(), event);
   bool is_possible = true;
   const bool is_done = done_unless_stopped([&] {
-    if (increments && body_->state_.events > events_before_)
-      is_possible = body_->perform_if_possible(event);
+    if (increments && body_->progress().events > events_before_)
+      is_possible = body_->events().perform_if_possible(event);
     else
-      body_->perform_and_book(event);
+      body_->events().perform(event);
   });
   if (!is_done) return end_with(StopReason::requested);
   return is_possible ? after_event(false) : std::optional(end_with(StopReason::no_equilibrium));
@@ -138,8 +139,8 @@ std::optional<StopReason> EventLoop::advance(crack::Carrier& carrier, const Even
   try {
     const bool is_done = done_unless_stopped([&] {
       if (event.is_growth) {
-        body_->move_to(event.load_factor);
-        body_->measure_work();
+        body_->events().move_to(event.load_factor);
+        body_->records().measure_work();
       }
       done = carrier.advance({event.tip, event.ties});
     });
@@ -154,8 +155,8 @@ std::optional<StopReason> EventLoop::advance(crack::Carrier& carrier, const Even
 
 // Tells the host of an event, and lets lines that have come to the border of boundary elements go on there.
 std::optional<StopReason> EventLoop::after_event(bool crack_has_stopped) {
-  if (on_event_) on_event_(body_->state_);
-  const bool is_separated = body_->state_.separated && goal_ != Goal::load_factor;
+  if (on_event_) on_event_(body_->progress());
+  const bool is_separated = body_->progress().separated && goal_ != Goal::load_factor;
   if (options_.elements) {
     try {
       crack_has_stopped |= options_.elements->take_over_lines(is_separated);
@@ -169,18 +170,19 @@ std::optional<StopReason> EventLoop::after_event(bool crack_has_stopped) {
   return crack_has_stopped ? std::optional(end_with(StopReason::crack_stopped)) : std::nullopt;
 }
 
-// Ends a run just before a growth that leaves no equilibrium. A step to a load factor has not arrived there.
+// Ends a run just before a growth that leaves no equilibrium. The body counts as separated; a step whose goal is a load
+// factor ends without equilibrium, because it has not reached its target.
 StopReason EventLoop::separated_before_growth() {
-  body_->state_.separated = true;
+  body_->records().set_separated();
   return end_with(goal_ == Goal::load_factor ? StopReason::no_equilibrium : StopReason::separated);
 }
 
 // Reason for the end of a step when no event is left; empty if the step goes on to a load factor.
 std::optional<StopReason> EventLoop::why_there_is_none() {
   if (options_.control == Control::path) {
-    body_->sources_.bring_up_to_date();
+    body_->sources().bring_up_to_date();
     const bool elements_rest = !options_.elements || !crack::common_range(options_.elements->tips()).is_empty();
-    if (!elements_rest || body_->body_.admissible().is_empty()) return StopReason::no_admissible_load;
+    if (!elements_rest || body_->body().response().admissible().is_empty()) return StopReason::no_admissible_load;
   }
   return goal_ == Goal::load_factor ? std::nullopt : std::optional(StopReason::no_further_event);
 }
@@ -188,28 +190,33 @@ std::optional<StopReason> EventLoop::why_there_is_none() {
 // Whether the body is found to be separated now: the connection that carried the load has lost its resistance, and the
 // remainder breaks only under larger loads, if at all.
 bool EventLoop::has_come_apart(const Event* next) {
-  EvolutionState& state = body_->state_;
+  const EvolutionState& state = body_->progress();
   if (state.separated || !is_lost(state.resistance, options_.separation_share)) return false;
   // Bonds that exceed their critical stretch after an increment break in the next one, so separation is not judged yet.
   if (options_.mode == SteppingMode::increments &&
-      !body_->body_.ratios().overstretched(body_->system_.intact(), state.load_factor).empty()) {
+      !body_->body()
+           .response()
+           .ratios()
+           .overstretched(body_->body().system().stages().intact(), state.load_factor)
+           .empty()) {
     return false;
   }
   if (next) {
     const double direction = target_ >= state.load_factor ? 1 : -1;
     double farthest = direction * state.load_factor;
-    // The load factor may have been larger before on an equilibrium path.
+    // The load factor may have been larger before on an equilibrium path, so the farthest one of the history counts.
     if (options_.control == Control::path) {
       for (const HistoryEntry& line : state.history) farthest = std::max(farthest, direction * line.load_factor);
     }
     if (direction * next->load_factor <= farthest) return false;
   }
-  state.separated = true;
+  body_->records().set_separated();
   return true;
 }
 
 StopReason EventLoop::end_with(StopReason reason) {
-  body_->end_step();
+  body_->sources().bring_up_to_date();
+  body_->records().end_step();
   return reason;
 }
 

@@ -24,9 +24,10 @@ class Turns {
   int turns_ = 0, events_ = 0;
 };
 
-// Loop of one run over its events. The event that comes first on the way is a step of a tip, which its carrier
-// advances; or bonds break by themselves, or faces of cracks close or open. Lines and tips with boundary elements
-// differ only in their carriers: elements continue in another body, in which the loop goes on.
+// Loop of one run over its events: the first one on the way to the target is performed, then the next one is sought. An
+// event is a step of a crack's tip, which its carrier advances (crack/carrier.hpp); or bonds that break by themselves;
+// or crack faces that close or open. A step of a crack with boundary elements makes another body, with the longer
+// crack, in which the loop goes on.
 class EventLoop {
  public:
   using OnEvent = std::function<void(const EvolutionState&)>;
@@ -36,8 +37,8 @@ class EventLoop {
             const OnEnd& on_end)
       : body_(&body), target_(target), goal_(goal), options_(options), on_event_(on_event), on_end_(on_end) {}
 
-  // Runs to the target or goal. After any failure the first body is as it was; so it is where the host asks for the end
-  // before the first equilibrium (EventGivenUp).
+  // Runs to the target or goal. If that fails, the body with which the run began is as it was before. The same holds if
+  // the host asks for the end before the first equilibrium is found (EventGivenUp).
   StopReason run();
 
  private:
@@ -64,7 +65,7 @@ class EventLoop {
   std::int64_t events_before_ = 0;
   // Body before the event to come. It is kept only where the event before took long (at first that is not known), and
   // not while events come from a window.
-  std::optional<CrackEvolution::BeforeEvent> before_event_;
+  std::optional<RunEvents::Before> before_event_;
   std::chrono::steady_clock::time_point last_event_;
   bool events_are_long_ = true;
   Turns turns_;

@@ -41,7 +41,7 @@ struct Event {
   }
 };
 
-// Share of the loads that only supports balance (LoadedBody::unbalanced_share), before and after a part takes its loads
+// Share of the loads that only supports balance (BodyLoads::unbalanced_share), before and after a part takes its loads
 // away.
 struct LostBalance {
   double before = 0, after = 0;
@@ -56,7 +56,7 @@ struct Outcome {
   double released_energy = 0;
   double bond_energy = 0;             // of it, what the terms take where they just reach their critical values
   double stored_energy_before = 0;    // at the same load factor
-  double within_before = 0;           // CrackEvolution::within() there
+  double within_before = 0;           // InnerWork::at() this load factor
   double stored_energy = 0;           // after it
   double critical_stored_energy = 0;  // the same at the critical load factor
   double unit_energy = 0;             // of the proportional load alone, after it

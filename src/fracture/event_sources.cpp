@@ -8,13 +8,18 @@
 namespace bempd::fracture {
 
 EventSources::EventSources(LoadedBody& body, const std::vector<int>& cut)
-    : body_(body), whole_body_(body), contact_(body), window_(body, [this] { keep_present(); }) {
+    : body_(body),
+      whole_body_(body),
+      contact_(body),
+      window_(body, [this] { return_point_.mark(), return_point_.complete(); }),
+      resumption_(body, window_, patience_),
+      return_point_(body, window_, resumption_) {
   window_.expect_cracks(cut);
 }
 
 bool EventSources::may_use_window(double target, const SteppingOptions& options) const {
   return options.window && options.mode == SteppingMode::events && has_window_form(body_.system()) &&
-         !body_.has_fluid() && target >= body_.state().load_factor;
+         !body_.loads().has_fluid() && target >= body_.state().load_factor;
 }
 
 void EventSources::grow_lines(pd::TipLaws laws, FactorsAround factors) {
@@ -46,11 +51,11 @@ const Event* EventSources::next(double target, const SteppingOptions& options) {
     const bool element_comes_first = comes_first(breaks);
     if (breaks && !element_comes_first) return breaks;
     if (window_.events_performed() >= (lines_ ? WindowSettings::worthwhile_steps : 1)) {
-      patience_ = 1;
-      if (window_.needs_whole_body()) whole_body_events_ = 1;
-      if (window_.ended_at_faces()) whole_body_events_ = WindowSettings::events_beside_faces;
+      patience_.note_useful();
+      if (window_.needs_whole_body()) patience_.wait_for(1);
+      if (window_.ended_at_faces()) patience_.wait_for(WindowSettings::events_beside_faces);
     } else {
-      be_patient();
+      patience_.note_useless();
     }
     settle();
     if (element_comes_first) break;
@@ -93,121 +98,76 @@ const Event* EventSources::first_of(EventSource& source, const Event* event, dou
 }
 
 void EventSources::open_window(double target, const SteppingOptions& options) {
-  if (body_.state().separated || whole_body_events_ > 0) return;
+  if (body_.state().separated || patience_.waits()) return;
   const std::optional<double> next = next_in_window(target, options);
   if (!next || *next > target || contact_.is_before(*next)) return;
   Event breaks;
   breaks.load_factor = *next;
   const LoadWay way{body_.state().load_factor, true, options.control};
   if (options.elements && first_with(*options.elements, &breaks, way) != &breaks) return;
-  if (!window_.open(*next, options)) be_patient();
+  if (!window_.open(*next, options)) patience_.note_useless();
 }
 
 // Load factor of the next event if a window could perform it; empty otherwise.
 std::optional<double> EventSources::next_in_window(double target, const SteppingOptions& options) {
-  if (!lines_) return body_.next_critical(body_.way_to(target, options.control));
+  if (!lines_) return body_.response().next_critical(body_.response().way_to(target, options.control));
   const Event* event = lines_->next(target, options);
   return event && lines_->tells_step() ? std::optional(event->load_factor) : std::nullopt;
 }
 
-void EventSources::be_patient() {
-  patience_ = std::min(2 * patience_, WindowSettings::most_patience);
-  whole_body_events_ = patience_;
-}
-
 Outcome EventSources::perform() {
-  if (told_ == &everywhere()) whole_body_events_ = std::max(0, whole_body_events_ - 1);
+  if (told_ == &everywhere()) patience_.note_event();
   return told_->perform();
 }
 
 void EventSources::settle() {
-  keep_way_on();
-  complete_mark();
-  close_awaited();
+  return_point_.keep();
+  resumption_.close();
   window_.close();
 }
 
 void EventSources::forget() {
-  awaited_.reset();
+  resumption_.await_nothing();
   window_.forget();
-  whole_body_events_ = 0;
-  patience_ = 1;
+  patience_ = {};
 }
 
 void EventSources::abandon() noexcept {
   window_.abandon();
-  awaited_.reset();
+  resumption_.await_nothing();
   is_stale_ = true;
 }
 
 void EventSources::refresh() {
   if (!is_stale_) return;
-  std::optional<Continuation> awaited = std::move(awaited_);
+  window_.forget();
+  patience_ = {};
+  body_.restore();
+  resumption_.recall();
+  is_stale_ = false;
+}
+
+void EventSources::go_on() {
   try {
-    forget();
-    body_.restore();
-    if (awaited) remember(*awaited);
+    if (resumption_.reopen()) return;
+    abandon();
+    refresh();
   } catch (...) {
-    awaited_ = std::move(awaited);
+    is_stale_ = true;
     throw;
   }
-  is_stale_ = false;
-  if (!awaited || !awaited->window) return;
-  awaited_ = std::move(awaited);
-  if (!body_.state().in_equilibrium) close_awaited();  // other loads act since
-}
-
-// Begins a call that can be taken back. The continuation is kept at once only if no window is open, because the first
-// search for an event may then change the system's factor. With an open window nothing changes before the first mark.
-void EventSources::begin_call() {
-  call_.emplace();
-  if (!window_.is_open()) keep_way_on();
-}
-
-void EventSources::keep_way_on() {
-  if (call_ && !call_->way_on) call_->way_on = continuation();
 }
 
 void EventSources::give_up_event(const BodyState& before) {
-  // A window that was opened meanwhile has its only mark at this state.
-  if (mark_ && mark_->place) mark_ = Mark{before, {}};
+  return_point_.replace_place(before);
   abandon();
 }
 
-void EventSources::drop_mark() {
-  mark_.reset();
-  call_.reset();
-}
-
-void EventSources::mark() {
-  if (mark_) return;
-  keep_way_on();
-  mark_ = window_.is_open() ? Mark{{}, window_.place()} : Mark{body_.state(), {}};
-}
-
-// Keeps the present state to the last bit, because displacements that are computed again later would have other
-// rounding errors.
-void EventSources::keep_present() {
-  mark();
-  complete_mark();
-}
-
-void EventSources::complete_mark() {
-  if (!mark_ || !mark_->place) return;
-  mark_->state = window_.state_at(*mark_->place);
-  mark_->place.reset();
-}
-
 void EventSources::return_to_mark() noexcept {
-  const bool has_state = mark_ && !mark_->place;
-  if (has_state) body_.state() = std::move(mark_->state);
-  if (mark_ && mark_->place) window_.return_to(*mark_->place);
-  // An open window is intact if the mark is a position in it, or if nothing was marked; all else may be half done.
-  if (has_state || !window_.is_open()) {
-    abandon();
-    if (call_ && call_->way_on) continue_with(std::move(*call_->way_on));
-  }
-  drop_mark();
+  ReturnPoint::Back back = return_point_.go_back();
+  if (back.is_in_window) return;
+  abandon();
+  if (back.way_on) resumption_.await(std::move(*back.way_on));
 }
 
 }  // namespace bempd::fracture

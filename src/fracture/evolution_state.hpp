@@ -91,6 +91,7 @@ struct EvolutionState : BodyState, Sums {
   // its nodes, NaN where a component is not prescribed [m].
   std::vector<double> reactions, reactions_before, support_displacements;
   std::vector<CrackExtension> extensions;
+  std::vector<std::int64_t> layouts;  // extensions, by their places in the list, by which lattice patches have grown
 };
 
 }  // namespace bempd::fracture

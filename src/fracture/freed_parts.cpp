@@ -30,7 +30,7 @@ FreedPartFinder::FreedPartFinder(const coupling::EquilibriumSystem& system, cons
     : system_(system), positions_(positions), connectivity_(system) {
   double largest = 0;
   for (double k : system.terms().stiffness) largest = std::max(largest, k);
-  spring_stiffness_ = largest > 0 ? largest : system.largest_stiffness();
+  spring_stiffness_ = largest > 0 ? largest : system.stiffness_range().largest;
 }
 
 HoldingSpring FreedPartFinder::spring(int node, double cosine, double sine, const Eigen::VectorXd& displacement) const {
@@ -90,24 +90,24 @@ FreedPartFinder::Resistance FreedPartFinder::resistance_of(int node) const {
   };
   for (int t : connectivity_.intact_terms_at(node)) {
     system_.terms().for_each_entry(static_cast<std::size_t>(t), [&](int at, double x, double y) {
-      if (at == node) add(x, y, system_.present_stiffness()[t]);
+      if (at == node) add(x, y, system_.stages().stiffness()[t]);
     });
   }
   const bool has_terms = !resistance.isZero(0);
-  if (system_.is_prescribed(2 * node)) add(1, 0, spring_stiffness_);
-  if (system_.is_prescribed(2 * node + 1)) add(0, 1, spring_stiffness_);
+  if (system_.unknowns().is_prescribed(2 * node)) add(1, 0, spring_stiffness_);
+  if (system_.unknowns().is_prescribed(2 * node + 1)) add(0, 1, spring_stiffness_);
   return {linalg::symmetric_modes(resistance), has_terms};
 }
 
 void FreedPartFinder::hold_loose_point(int node, const Eigen::VectorXd& displacement, FreedParts& found) const {
-  if (system_.in_dense_body(node)) return;
+  if (system_.dense_bodies().contain(node)) return;
   const Resistance resistance = resistance_of(node);
   if (!resistance.has_terms || !resistance.is_loose()) return;  // without terms it is a piece of its own
   const linalg::SymmetricModes& modes = resistance.modes;
   const Eigen::Vector2d weak = modes.vectors.col(0);
-  const Eigen::RowVector2d push = weak.transpose() * system_.force().middleRows<2>(2 * node);
+  const Eigen::RowVector2d push = weak.transpose() * system_.load().force().middleRows<2>(2 * node);
   auto& lost = found.nodes_with_lost_loads;
-  const bool pushed = push.norm() > balance_tolerance * system_.force().middleRows<2>(2 * node).norm();
+  const bool pushed = push.norm() > balance_tolerance * system_.load().force().middleRows<2>(2 * node).norm();
   if (pushed && std::find(lost.begin(), lost.end(), node) == lost.end()) {
     lost.push_back(node);
     ++found.fragments;  // it swings on its last bond
@@ -139,14 +139,14 @@ void FreedPartFinder::hold_piece(const std::vector<int>& nodes, const Eigen::Vec
   for (int node : nodes) {
     for (int component = 0; component < 2; ++component) {
       const HeldDirection direction{node, component == 0 ? 1.0 : 0.0, component == 1 ? 1.0 : 0.0};
-      if (system_.is_prescribed(2 * node + component)) held.push_back(direction);
-      if (system_.is_unknown(2 * node + component)) holdable.push_back(direction);
+      if (system_.unknowns().is_prescribed(2 * node + component)) held.push_back(direction);
+      if (system_.unknowns().is_unknown(2 * node + component)) holdable.push_back(direction);
     }
   }
   // All loads count, also those that acted before the springs were added, because springs must not carry any.
   const RigidMotion unsupported(positions_, nodes, held);
   if (unsupported.free_count() == 0) return;
-  const bool pushed = is_pushed(unsupported, positions_, nodes, system_.force());
+  const bool pushed = is_pushed(unsupported, positions_, nodes, system_.load().force());
   if (pushed) {
     found.nodes_with_lost_loads.insert(found.nodes_with_lost_loads.end(), nodes.begin(), nodes.end());
   }
@@ -169,7 +169,9 @@ FreedPartFinder::Held FreedPartFinder::held_parts() const {
   std::vector<char> has_spring(system_.node_count(), 0);
   for (const HoldingSpring& s : system_.springs()) has_spring[s.node] = 1;
   for (const std::vector<int>& nodes : connectivity_.pieces()) {
-    const auto is_supported = [&](int n) { return system_.is_prescribed(2 * n) || system_.is_prescribed(2 * n + 1); };
+    const auto is_supported = [&](int n) {
+      return system_.unknowns().is_prescribed(2 * n) || system_.unknowns().is_prescribed(2 * n + 1);
+    };
     if (std::none_of(nodes.begin(), nodes.end(), [&](int n) { return has_spring[n] != 0; })) continue;
     if (std::any_of(nodes.begin(), nodes.end(), is_supported)) continue;
     for (const int node : nodes) held.nodes[node] = 1;
@@ -180,7 +182,7 @@ FreedPartFinder::Held FreedPartFinder::held_parts() const {
     const linalg::SymmetricModes modes = resistance_of(s.node).modes;
     const Eigen::Vector2d along = modes.vectors.transpose() * Eigen::Vector2d(s.cosine, s.sine);
     const double resistance = modes.values.dot(along.cwiseAbs2());
-    if (!system_.in_dense_body(s.node) && resistance <= collinearity_tolerance * modes.values[1]) {
+    if (!system_.dense_bodies().contain(s.node) && resistance <= collinearity_tolerance * modes.values[1]) {
       loose.push_back(s.node);
     } else {
       held.others.push_back(s);
@@ -193,7 +195,7 @@ FreedPartFinder::Held FreedPartFinder::held_parts() const {
 HoldingSpring FreedPartFinder::against(const Eigen::VectorXd& motion, const Eigen::VectorXd& displacement) const {
   int largest = -1;
   for (int dof = 0; dof < motion.size(); ++dof) {
-    if (!system_.is_unknown(dof)) continue;
+    if (!system_.unknowns().is_unknown(dof)) continue;
     if (largest < 0 || std::abs(motion[dof]) > (1 + motion_rounding) * std::abs(motion[largest])) largest = dof;
   }
   return spring(largest / 2, largest % 2 == 0 ? 1 : 0, largest % 2 == 0 ? 0 : 1, displacement);

@@ -47,7 +47,7 @@ class FreedPartFinder {
   };
   Held held_parts() const;
 
-  // Spring against the largest component of a motion that met no resistance; `displacement` is where it holds.
+  // Spring that holds the largest component of a motion that met no resistance, where it is in `displacement`.
   coupling::HoldingSpring against(const Eigen::VectorXd& motion, const Eigen::VectorXd& displacement) const;
 
  private:

@@ -20,21 +20,21 @@ InterfaceBonds::InterfaceBonds(const coupling::EquilibriumSystem& system, const 
     for (std::size_t t = 0; t < terms.size(); ++t) {
       const int first = terms.first[t], second = terms.second[t];
       if (terms.is_wide(t)) continue;
-      if (!system.in_dense_body(first) && !system.in_dense_body(second)) continue;
+      if (!system.dense_bodies().contain(first) && !system.dense_bodies().contain(second)) continue;
       const double length = (positions[second] - positions[first]).norm();
       for (int node : {first, second}) {
-        if (system.in_dense_body(node)) visit(static_cast<int>(t), node, length);
+        if (system.dense_bodies().contain(node)) visit(static_cast<int>(t), node, length);
       }
     }
   };
   at_body([&](int, int node, double length) { least[node] = std::min(least[node], length); });
   at_body([&](int term, int node, double length) {
-    if (system.intact()[term] && length <= shortest * least[node]) bonds_.push_back({term, node});
+    if (system.stages().intact()[term] && length <= shortest * least[node]) bonds_.push_back({term, node});
   });
 }
 
 std::optional<int> InterfaceBonds::reached() const {
-  const auto is_broken = [&](const Bond& bond) { return !system_.intact()[bond.term]; };
+  const auto is_broken = [&](const Bond& bond) { return !system_.stages().intact()[bond.term]; };
   const auto found = std::find_if(bonds_.begin(), bonds_.end(), is_broken);
   return found == bonds_.end() ? std::nullopt : std::optional(found->node);
 }

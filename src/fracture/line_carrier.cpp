@@ -6,22 +6,27 @@
 
 namespace bempd::fracture {
 
-std::vector<crack::Tip> LineCarrier::tips() { return body_.looked_at_lines().tips(); }
-
-std::vector<crack::Candidate> LineCarrier::candidates(const crack::LoadWay& way) {
-  return body_.looked_at_lines().candidates(way);
+LineEvents& LineCarrier::source() {
+  body_.sources().look();
+  return *body_.sources().lines();
 }
 
+std::vector<crack::Tip> LineCarrier::tips() { return source().tips(); }
+
+std::vector<crack::Tip> LineCarrier::tips_without_loads() { return source().tips(false); }
+
+std::vector<crack::Candidate> LineCarrier::candidates(const crack::LoadWay& way) { return source().candidates(way); }
+
 crack::Advance LineCarrier::advance(const crack::Step& step) {
-  const auto known = static_cast<std::ptrdiff_t>(body_.state_.extensions.size());
+  const auto known = static_cast<std::ptrdiff_t>(body_.progress().extensions.size());
   if (step.is_driven) {
-    const Event* next = body_.next_;
+    const Event* next = body_.events().told();
     if (!next || next->tip != step.tip) throw std::logic_error("the step of a crack line is not the next event");
-    body_.perform_and_book(*next);
+    body_.events().perform(*next);
   } else {
-    body_.extend_line(step.tip, step.direction);
+    body_.events().extend_line(step.tip, step.direction);
   }
-  const std::vector<CrackExtension>& all = body_.state_.extensions;
+  const std::vector<CrackExtension>& all = body_.progress().extensions;
   return {{all.begin() + known, all.end()}, false};
 }
 

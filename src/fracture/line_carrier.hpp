@@ -9,6 +9,7 @@
 namespace bempd::fracture {
 
 class CrackEvolution;
+class LineEvents;
 
 // Carrier of cracks that grow as lines in the lattices of a body. A step cuts all bonds across it, in place or in an
 // open window that has computed it ahead.
@@ -19,6 +20,8 @@ class LineCarrier final : public crack::Carrier {
   LineCarrier(CrackEvolution& body, Openings openings) : body_(body), openings_(std::move(openings)) {}
 
   std::vector<crack::Tip> tips() override;
+  // Tips without their loads of growth, for which trial steps may be needed.
+  std::vector<crack::Tip> tips_without_loads();
   std::vector<crack::Candidate> candidates(const crack::LoadWay& way) override;
   // A step that the load drives has to be the event that comes next in the run. Without bonds ahead of the tip nothing
   // grows.
@@ -28,6 +31,8 @@ class LineCarrier final : public crack::Carrier {
   }
 
  private:
+  LineEvents& source();  // for the present state
+
   CrackEvolution& body_;
   Openings openings_;
 };

@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "fracture/contact/gap_rule.hpp"
-#include "fracture/free_motions.hpp"
+#include "fracture/part_holder.hpp"
 #include "stopwatch.hpp"
 
 namespace bempd::fracture {
@@ -79,40 +79,40 @@ std::optional<BodyChange> WholeBody::change(const Event& event, std::span<const 
   const std::vector<coupling::StageChange>& changes = event.changes;
   const std::vector<int> broken = system_.terms().broken_by(changes);
   const Eigen::VectorXd before = state.total_displacement;
-  const double unbalanced_before = body_.unbalanced_share();
+  const double unbalanced_before = body_.loads().unbalanced_share();
   remember_constraints();
   FreedParts freed;
   Eigen::VectorXd flow = Eigen::VectorXd::Zero(before.size());  // force of the fluid that comes in
   {
-    const Stopwatch watch(body_.seconds_search());
-    system_.mark(changes);
-    if (body_.has_fluid()) flow = body_.let_flow();
+    const Stopwatch watch(body_.response().seconds_search());
+    system_.stages().mark(changes);
+    if (body_.loads().has_fluid()) flow = body_.loads().let_flow();
     freed = body_.freed_parts().after_break(broken, before);
   }
   system_.commit(changes, freed.springs);
   body_.faces().note_broken(broken, state.faces);
-  body_.update_faces();
+  body_.contact().update_faces();
   outcome.fragments = freed.fragments;
-  if (!freed.nodes_with_lost_loads.empty()) body_.drop_loads(freed.nodes_with_lost_loads);
-  const HeldMotions held = solve_and_hold(body_, broken, before, [&] { return runs_away(terms); });
+  if (!freed.nodes_with_lost_loads.empty()) body_.loads().drop(freed.nodes_with_lost_loads);
+  const HeldMotions held = body_.holder().solve(broken, before, [&] { return runs_away(terms); });
   outcome.fragments += held.fragments;
-  const bool pushed = body_.unload_pushed_parts();
-  const LoadedBody::Settled settled = body_.settle_constraints(0);
+  const bool pushed = body_.holder().unload_pushed();
+  const BodyContact::Settled settled = body_.contact().settle(0);
   outcome.switches = settled.switched;
   outcome.fragments += settled.fragments;
-  body_.keep_held_parts_dry();
+  body_.holder().keep_dry();
   BodyChange change;
   change.takes_loads_along = held.loads_lost || pushed || settled.fragments > 0 || !freed.nodes_with_lost_loads.empty();
-  if (change.takes_loads_along) outcome.lost_balance = {unbalanced_before, body_.unbalanced_share()};
-  body_.update_ratios();
-  change.work = body_.absorb(event.load_factor);
+  if (change.takes_loads_along) outcome.lost_balance = {unbalanced_before, body_.loads().unbalanced_share()};
+  body_.response().update_ratios();
+  change.work = body_.response().absorb(event.load_factor);
   // The fluid's whole force acts while the points move, of which nodal forces before and after show only half. The
   // fluid also fills the opening that the bonds had before they broke.
   const double by_fluid = 0.5 * flow.dot(state.total_displacement + before);
   change.work += by_fluid;
   change.released_then = released_by_constraints(before);
   change.released_then.push_back(by_fluid);
-  state.stages = system_.stages();
+  state.stages = system_.stages().numbers();
   state.springs = system_.springs();
   return change;
 }

@@ -3,7 +3,6 @@
 #include <vector>
 
 #include "fracture/event_body.hpp"
-#include "fracture/loaded_body.hpp"
 
 namespace bempd::fracture {
 
@@ -13,12 +12,9 @@ class WholeBody final : public EventBody {
  public:
   explicit WholeBody(LoadedBody& body) : body_(body), system_(body.system()) {}
 
-  double stored_energy(double load_factor) const override { return body_.stored_energy_at(load_factor); }
-  double unit_energy() const override { return body_.unit_energy(); }
-  std::vector<double> reactions(double) const override { return body_.reactions(); }
-  double resistance(const std::vector<double>& reactions, double load_factor) const override {
-    return body_.resistance(reactions, load_factor);
-  }
+  double stored_energy(double load_factor) const override { return body_.response().stored_energy_at(load_factor); }
+  double unit_energy() const override { return body_.response().unit_energy(); }
+  std::vector<double> reactions(double) const override { return body_.supports().reactions(); }
   Elongation elongation(int term, double load_factor) const override;
   std::optional<BodyChange> change(const Event& event, std::span<const ChangingTerm> terms, Outcome& outcome) override;
 

@@ -26,10 +26,10 @@ const Event* WholeBodyEvents::next(double target, const SteppingOptions& options
 }
 
 std::optional<double> WholeBodyEvents::next_load_factor(double target, const SteppingOptions& options) {
-  const LoadWay way = body_.way_to(target, options.control);
-  const std::optional<double> next = body_.next_critical(way);
+  const LoadWay way = body_.response().way_to(target, options.control);
+  const std::optional<double> next = body_.response().next_critical(way);
   if (!next || way.control == Control::path || options.mode == SteppingMode::events) return next;
-  const Stopwatch watch(body_.seconds_search());
+  const Stopwatch watch(body_.response().seconds_search());
   if (const std::optional<double> increment = next_increment(target, options.increment)) return increment;
   // No break up to the target: the next one lies beyond it.
   return way.end();
@@ -42,24 +42,24 @@ std::optional<double> WholeBodyEvents::next_increment(double target, double incr
   const double first = std::floor(number(present) + increment_rounding) + 1;
   double from = present;
   for (;;) {
-    const std::optional<double> next = body_.ratios().next_break(system_.intact(), from, target);
+    const std::optional<double> next = body_.response().ratios().next_break(system_.stages().intact(), from, target);
     if (!next || (target - from) * direction <= 0) return std::nullopt;
     const double end = std::max(first, std::ceil(number(*next) - increment_rounding)) * increment;
     const double load_factor = direction * std::min(end, target * direction);
-    if (!body_.ratios().overstretched(system_.intact(), load_factor).empty()) return load_factor;
+    if (!body_.response().ratios().overstretched(system_.stages().intact(), load_factor).empty()) return load_factor;
     from = load_factor;  // what exceeded its critical stretch here has been relieved by then
   }
 }
 
 void WholeBodyEvents::choose_terms(const SteppingOptions& options) {
-  const Stopwatch watch(body_.seconds_search());
+  const Stopwatch watch(body_.response().seconds_search());
   const double f = event_.load_factor;
-  const BondList bonds = body_.bonds();
+  const BondList bonds = body_.response().bonds();
   const std::vector<int> chosen = options.mode == SteppingMode::increments
-                                      ? body_.ratios().overstretched(system_.intact(), f)
+                                      ? body_.response().ratios().overstretched(system_.stages().intact(), f)
                                       : most_critical(bonds, f, options.tie_band, options.max_breaks_per_solve);
   event_ = break_of(bonds, chosen, f, system_);
-  event_.changes = system_.with_followers(std::move(event_.changes));
+  event_.changes = system_.stages().with_followers(std::move(event_.changes));
 }
 
 Outcome WholeBodyEvents::perform(Event event) {
@@ -68,11 +68,11 @@ Outcome WholeBodyEvents::perform(Event event) {
 }
 
 Outcome WholeBodyEvents::perform() {
-  const double work_before = body_.move_to(event_.load_factor);
+  const double work_before = body_.response().move_to(event_.load_factor);
   WholeBody whole(body_);
-  Outcome outcome = *perform_event(event_, system_, whole);
+  Outcome outcome = *perform_event(event_, body_, whole);
   outcome.work_before = work_before;
-  outcome.residual = body_.residual();
+  outcome.residual = body_.response().residual();
   return outcome;
 }
 

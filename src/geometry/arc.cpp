@@ -113,6 +113,15 @@ std::optional<Arc> arc_through(const Point& start, const Point& between, const P
   return Arc{start, end, std::abs(half) < straight_enough ? 0.0 : 2 * half};
 }
 
+// The arc lies in a circle around the middle of its chord: through both ends, or through its far point if it is larger
+// than half a circle.
+double least_distance(const Arc& arc, const Point& p) {
+  const Point half = 0.5 * (arc.end - arc.start);
+  double radius = half.norm();
+  if (std::abs(arc.sweep) > std::numbers::pi) radius = std::max(radius, std::abs(arc.sagitta()));
+  return (p - arc.start - half).norm() - radius;
+}
+
 double closest_fraction(const Arc& arc, const Point& p) {
   if (arc.straight()) return closest_fraction(arc.chord(), p);
   const double length = arc.length(), curvature = arc.sweep / length;

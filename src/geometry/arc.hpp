@@ -28,6 +28,10 @@ struct Arc {
 // both outside of them).
 std::optional<Arc> arc_through(const Point& start, const Point& between, const Point& end);
 
+// Lower bound on the distance of `p`, found without trigonometric functions unless the arc is larger than half a
+// circle.
+double least_distance(const Arc& arc, const Point& p);
+
 // Fraction of the length, in [0, 1], at which the arc is closest to `p`.
 double closest_fraction(const Arc& arc, const Point& p);
 

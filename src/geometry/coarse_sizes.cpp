@@ -15,8 +15,8 @@ constexpr double share_of_outline = 1.0 / 8;
 // Longest element over its distance to a part of the boundary that it does not meet.
 constexpr double share_of_gap = 2;
 
-// Two panels that meet run beside each other, with a gap, where their distance is below this share of the distance to
-// their corner; the elements there are at least a sixteenth of the panel.
+// Two panels with a common corner count as running beside each other, with a gap, where their distance is below this
+// share of the distance to the corner; the elements there are at least a sixteenth of the panel.
 constexpr double aside = 0.3, least_beside = 1.0 / 16;
 
 // Halvings of a panel's equal elements; parts of the boundary that touch would need any number of them.

@@ -64,6 +64,11 @@ double closest_fraction(const Edge& edge, const Point& p) {
 
 double distance(const Edge& edge, const Point& p) { return (p - edge.at(closest_fraction(edge, p))).norm(); }
 
+double least_distance(const Edge& edge, const Point& p) {
+  const double first = least_distance(edge.piece(0), p);
+  return edge.piece_count() == 1 ? first : std::min(first, least_distance(edge.piece(1), p));
+}
+
 std::vector<Crossing> meeting_points(const Edge& a, const Edge& b) {
   const auto on_edge = [](const Edge& edge, int piece, double fraction) {
     if (edge.piece_count() == 1) return fraction;

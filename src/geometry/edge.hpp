@@ -45,6 +45,8 @@ class Edge {
 Box bounding_box(const Edge& edge);
 double closest_fraction(const Edge& edge, const Point& p);
 double distance(const Edge& edge, const Point& p);
+// Lower bound on that distance, found faster.
+double least_distance(const Edge& edge, const Point& p);
 std::vector<Crossing> meeting_points(const Edge& a, const Edge& b);
 std::optional<Point> find_contact(const Edge& a, const Edge& b, double tolerance);
 

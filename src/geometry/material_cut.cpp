@@ -22,7 +22,8 @@ constexpr double least_clearance = 0.3;
 constexpr std::array<double, 3> least_angles{0.8, 0.5, 0.35};
 // Corners with a larger angle inside the material have singular stresses, which a cut must not meet [rad].
 constexpr double largest_corner = 1.3 * std::numbers::pi;
-// Shares of elements before the lines that are tried, in their order; the search ends after some successes.
+// Range and steps of the lines tried for a cut: the first has half the elements on either side, the others deviate from
+// half more and more. The search ends when so many of them have given a division.
 constexpr double farthest_from_half = 0.2, step_of_share = 0.02;
 constexpr int enough_divisions = 5;
 

@@ -1,7 +1,9 @@
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 #include <map>
 #include <utility>
 
@@ -10,13 +12,14 @@
 
 namespace bempd {
 
-// Nodes by their places, which may differ by rounding.
+// Nodes by their places, which may differ by rounding. Graded elements can be shorter than the geometric tolerance.
 class PlacedNodes {
  public:
   explicit PlacedNodes(const BoundaryMesh& body) {
     Box box;
     for (const Point& place : body.nodes) box.extend(place);
-    cell_ = 1e-9 * box.diagonal().norm();
+    const double largest = std::max(box.min().cwiseAbs().maxCoeff(), box.max().cwiseAbs().maxCoeff());
+    cell_ = std::max(1e-12 * box.diagonal().norm(), 4 * std::numeric_limits<double>::epsilon() * largest);
     origin_ = box.min();
     for (const BoundaryElement& element : body.elements) add(body.nodes[element.nodes[0]], element.nodes[0]);
   }

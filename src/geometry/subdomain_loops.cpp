@@ -43,7 +43,8 @@ SubdomainLoop reversed(const SubdomainLoop& cut) {
   return back;
 }
 
-// Sides of a body and both faces of all cuts. The side that follows another one is the next at its end clockwise.
+// Sides of a body and both faces of all cuts, which are joined to loops: a side is followed by the one that comes
+// next clockwise around its end.
 class SideFaces {
  public:
   SideFaces(const SubdomainLoops& loops, const std::vector<SubdomainLoop>& cuts, const std::vector<Point>& positions)
@@ -56,16 +57,20 @@ class SideFaces {
     for (std::size_t i = 0; i < sides_.size(); ++i) leaving_[sides_[i].nodes[0]].push_back(static_cast<int>(i));
   }
 
+  // Closed loops of all sides. There are none where two sides are followed by the same one: a cut leaves the body
+  // there, or its direction is lost in the rounding of coordinates.
   SubdomainLoops loops() const {
     SubdomainLoops found;
     std::vector<char> done(sides_.size(), 0);
     for (std::size_t first = 0; first < sides_.size(); ++first) {
       if (done[first]) continue;
       found.emplace_back();
-      for (std::size_t i = first; !done[i]; i = after(i)) {
+      std::size_t i = first;
+      for (; !done[i]; i = after(i)) {
         done[i] = 1;
         found.back().push_back(sides_[i]);
       }
+      if (i != first) return {};
     }
     return found;
   }
@@ -124,6 +129,7 @@ std::vector<SubdomainLoops> split(const SubdomainLoops& loops, const std::vector
       if (!encloses(parts[i].front(), positions[hole.front().nodes[0]], positions)) continue;
       owner = i, least = areas[i];
     }
+    if (parts.empty()) return {};
     parts[owner].push_back(std::move(hole));
   }
   return parts;

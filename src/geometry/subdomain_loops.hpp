@@ -26,7 +26,7 @@ using Stations = std::vector<Point>;
 bool encloses(const SubdomainLoop& loop, const Point& place, const std::vector<Point>& positions);
 
 // Splits a subdomain along cuts. Each cut is a row of sides from one node to another, of a loop or of another cut.
-// `positions` has the places of all nodes.
+// `positions` has the places of all nodes. The result is empty if the cuts do not divide it into closed parts.
 std::vector<SubdomainLoops> split(const SubdomainLoops& loops, const std::vector<SubdomainLoop>& cuts,
                                   const std::vector<Point>& positions);
 

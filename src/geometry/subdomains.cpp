@@ -15,7 +15,8 @@ namespace {
 
 // A cut counts only if no part keeps a larger share of the elements.
 constexpr double largest_share = 0.85;
-// Largest number of elements beside cracks, over that elsewhere: there cuts would cost accuracy.
+// Limit on the elements of subdomains that cracks have changed, as a multiple of that for others: they are cut less,
+// because cuts beside cracks would cost accuracy.
 constexpr std::size_t largest_beside_cracks = 2;
 
 std::size_t count_of(const SubdomainLoops& loops) {
@@ -57,12 +58,16 @@ class Subdivider {
     std::vector<SubdomainLoops> parts;
     do parts = split(loops_of(body_), cuts_made(cuts, made), positions_);
     while (drop_slits(parts, made));
+    if (parts.empty()) {
+      cuts_made({}, {});
+      parts = {loops_of(body_)};
+    }
     divide(std::move(parts));
     return finished();
   }
 
  private:
-  // Halves the parts as long as they are too large. Of a body with cracks only parts that cracks have made so large.
+  // Halves the parts as long as they are too large; in a body with cracks, only parts that the cracks have changed.
   void divide(std::vector<SubdomainLoops> waiting) {
     while (!waiting.empty()) {
       SubdomainLoops loops = std::move(waiting.back());
@@ -133,7 +138,7 @@ class Subdivider {
     return rows;
   }
 
-  // Takes off the flags of cuts with the same part on both sides; whether there are any.
+  // Clears the flags `made` of cuts that have the same part on both sides; returns whether there are any.
   bool drop_slits(const std::vector<SubdomainLoops>& parts, std::vector<char>& made) const {
     bool found = false;
     for (const SubdomainLoops& part : parts)
@@ -144,7 +149,7 @@ class Subdivider {
     return found;
   }
 
-  // Panels of cuts that have a part on both sides.
+  // Panels of cuts with this part on both sides.
   static std::set<int> slits_in(const SubdomainLoops& part) {
     std::set<int> slits, middles;
     for (const SubdomainLoop& loop : part)
@@ -169,7 +174,7 @@ class Subdivider {
         return static_cast<double>(count_of(part)) <= largest_share * static_cast<double>(count_of(loops)) &&
                slits_in(part).empty();
       };
-      if (std::all_of(parts.begin(), parts.end(), serves)) return parts;
+      if (!parts.empty() && std::all_of(parts.begin(), parts.end(), serves)) return parts;
       positions_.resize(nodes);
       done_.cuts.resize(made);
     }

@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <array>
 #include <atomic>
+#include <thread>
 
 #include "no_memory.hpp"
 
@@ -67,6 +68,14 @@ void require_blas_buffer() {
         "process's address space (ulimit -v)");
   multiply_once();
   is_taken = true;
+}
+
+int threads_with_blas_buffers(int threads) {
+  const int wanted = threads > 0 ? threads : static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
+  // Each further thread also needs a stack and a heap of its own, less than another buffer.
+  const bool are_given = wanted == 1 || running_blas().name.rfind("OpenBLAS", 0) != 0 ||
+                         system_gives(2 * openblas_buffer * static_cast<std::size_t>(wanted - 1));
+  return are_given ? wanted : 1;
 }
 
 Blas running_blas() {

@@ -27,4 +27,8 @@ bool processor_has_avx2();
 // Without this, OpenBLAS would try forever.
 void require_blas_buffer();
 
+// Number of threads on which a loop may call the BLAS, at most `threads` (0: one per core). OpenBLAS takes a buffer for
+// each; where the system does not give them, one thread does the work with the buffer that is there.
+int threads_with_blas_buffers(int threads);
+
 }  // namespace bempd::linalg

@@ -115,6 +115,7 @@ bool factorize_in_parts(Matrix lower) {
     if (j > 0) own.selfadjointView<Eigen::Lower>().rankUpdate(lower.block(j, 0, columns, j), -1);
     const Eigen::LLT<Eigen::Ref<Eigen::MatrixXd>> factor(own);
     if (factor.info() != Eigen::Success) return false;
+    if (below == 0) break;  // the BLAS complains of empty matrices
     add_product(lower.block(j + columns, j, below, columns), lower.block(j + columns, 0, below, j),
                 lower.block(j, 0, columns, j).transpose(), -1);
     solve_upper_from_right(own, lower.block(j + columns, j, below, columns));

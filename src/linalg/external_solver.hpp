@@ -16,13 +16,13 @@ class ExternalSolver {
  public:
   using Matrix = Eigen::SparseMatrix<double>;  // a lower triangle, compressed
 
-  // What is asked of a factor, from the pattern of its matrix on.
+  // Settings of a factor, given when the pattern of its matrix is analysed.
   struct Plan {
     std::vector<int> order;  // unknown eliminated k-th; empty: the solver chooses
     int kept = 0;
     std::string scratch;  // folder for the factor; empty: in memory
   };
-  // What a factorization has found.
+  // Results of a factorization.
   struct Outcome {
     Eigen::MatrixXd schur;  // complement on the kept unknowns, both triangles
     double smallest_pivot = 1;
@@ -38,14 +38,14 @@ class ExternalSolver {
   virtual void solve(std::int64_t factor, Eigen::MatrixXd& values) = 0;
   // First half of a solution: reduces right-hand sides to the kept unknowns.
   virtual void reduce(std::int64_t factor, Eigen::MatrixXd& values, Eigen::MatrixXd& kept) = 0;
-  // Second half, right after reduce(): finds all unknowns from the kept ones.
+  // Second half of a solution, right after reduce(): finds all unknowns from the kept ones.
   virtual void expand(std::int64_t factor, const Eigen::MatrixXd& kept, Eigen::MatrixXd& values) = 0;
   virtual void forget(std::int64_t factor) noexcept = 0;
   // Ends the solver: later requests throw, whoever still refers to it.
   virtual void end() noexcept = 0;
 };
 
-// What a call uses for its sparse systems.
+// Solver that a call uses for its sparse systems, and settings of the library's own one.
 struct SolverChoice {
   std::shared_ptr<ExternalSolver> external;  // null: the library's own
   std::string scratch;                       // folder for factors; empty: in memory

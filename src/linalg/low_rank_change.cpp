@@ -11,8 +11,8 @@ namespace {
 
 constexpr double smallest_share = 1e-9;
 
-// Room for answers: so many entries in any case, or such a share of those of the factor. More columns than the last
-// number cost more than they save.
+// Room for the stored solutions A^-1 U: this number of entries, or this share of the factor's entries if that is more.
+// More than `most_columns` columns cost more than they save.
 constexpr double always_room_for = 8e6, share_of_factor = 0.25;
 constexpr Eigen::Index most_columns = 256;
 

@@ -21,7 +21,8 @@ class LowRankChange {
   bool is_empty() const { return sides_.empty(); }
   Eigen::Index size() const { return static_cast<Eigen::Index>(sides_.size()); }
 
-  // Whether so many columns more, of so many unknowns, take little memory and time beside a factor of so many entries.
+  // Whether this number of further columns, of `unknowns` rows each, takes little memory and time beside a factor with
+  // `factor_entries` entries.
   bool has_room_for(Eigen::Index columns, Eigen::Index unknowns, std::int64_t factor_entries) const;
 
   // Changes the matrix further. Returns false, with the change as it was, if some motion would keep next to nothing of
@@ -31,7 +32,7 @@ class LowRankChange {
   // Makes solutions with A those with the changed matrix.
   void correct(Eigen::Ref<Eigen::MatrixXd> solutions) const;
 
-  // Smallest share of its resistance (energy over that with A and the added columns) that any motion keeps.
+  // Smallest ratio, over all motions, of the resistance (energy) that is left to that with A and the added columns.
   double least_share() const { return least_share_; }
 
  private:

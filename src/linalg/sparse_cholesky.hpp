@@ -38,9 +38,9 @@ class SparseCholesky : public SparseFactorization {
   // Lower right corner of L: the Cholesky factor of the Schur complement on the last `size` unknowns.
   virtual Eigen::MatrixXd trailing_factor(int size) const = 0;
 
-  // Products a^T A^-1 b of right-hand sides, where the last `known` unknowns are held at 0, from what solve_forward()
-  // has made of them.
   using TwoColumns = Eigen::Matrix<double, Eigen::Dynamic, 2>;
+  // Products p^T A^-1 q of right-hand sides p and q, where the last `known` unknowns are held at 0. `a` and `b` are
+  // what solve_forward() has made of p and q.
   virtual Eigen::MatrixXd eliminated_products(const Eigen::MatrixXd& a, const TwoColumns& b, int known) const;
 };
 

@@ -1,12 +1,14 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <vector>
 
-#include "model/mesh_answers.hpp"
+#include "model/mesh_errors.hpp"
 #include "model/prepared_scene.hpp"
+#include "model/run_journal.hpp"
 #include "regions/boundary/boundary_description.hpp"
 #include "scene/scene_values.hpp"
 
@@ -22,15 +24,13 @@ struct MeshCost {
   std::int64_t material_points = 0, bonds = 0;
 };
 
-// Errors of the present results by source.
-struct ErrorSources {
-  MeshErrors boundary;
-  double model = 0;  // difference of the next load of growth between the growth criteria
-  bool has_lattices = false;
-  double halving_seconds = 0, halving_bytes = 0;  // of preparing with half as long elements
-};
+// Ratio of the times of two meshes, the second with half as long elements, within the usual limits.
+double clamped_time_ratio(double ratio);
 
-// Mesh that the library has chosen for the bodies of a scene, or a promise of it.
+// Memory that the boundary elements of a scene need while it is prepared, with so many times the elements.
+double bytes_of_elements(const PreparedScene& scene, double times);
+
+// Mesh that the library has chosen for the bodies of a scene, or that it predicts from coarser meshes to choose.
 struct MeshPlan {
   MeshCost cost;
   double seconds_spent = 0;  // on coarser meshes, which tell the errors
@@ -55,10 +55,8 @@ class Accuracy {
   void prepare();
   // Plan of the present mesh; empty without bodies or before the model is prepared.
   const std::optional<MeshPlan>& chosen() const { return chosen_; }
-  // Errors at the present loads and cracks, for which the scene is solved with its elements merged in pairs and fours.
-  ErrorSources errors_now();
-  // Error of the stress intensity factors at tips of bodies, relative to the largest; 0 without bodies.
-  double intensity_error() const { return chosen_ ? chosen_->errors.intensity : 0; }
+  // Sets the errors of the stress intensity factors of tips to those by the chosen mesh, where these are larger.
+  void tell_errors(std::vector<regions::TipValues>& tips) const;
 
   // Load factors of growth in the last plan; none without bodies.
   std::vector<TipLoad> loads_by_plan() const {
@@ -70,9 +68,27 @@ class Accuracy {
   // Load factors of growth in the scene as it is described, without the plan of its mesh.
   std::vector<TipLoad> loads_of_elements();
 
+  // Calls `read` while the scene has another mesh and is in equilibrium under `values` at `load_factor`, which is load
+  // factor 0 there (scene::moved()). The model's own prepared scene, if there is one, is set aside meanwhile; the other
+  // one is returned.
+  std::unique_ptr<PreparedScene> solve_with(const regions::Refinement& refinement, const scene::SceneValues& values,
+                                            double load_factor, const std::function<void(PreparedScene&)>& read);
+  // Results that are compared between meshes, of a prepared scene that has taken the place of the model's own.
+  MeshAnswers answers_of(PreparedScene& scene, double load_factor) const;
+
+  // Steps of the run so far, which run_errors.hpp repeats.
+  RunJournal& journal() { return journal_; }
+  const RunJournal& journal() const { return journal_; }
+  // Times that the present elements are halved.
+  regions::Refinement refinement() const { return {chosen_ ? chosen_->cost.halvings : 0, 0}; }
+  // Factor on the lengths of extensions that the library chooses: 1 but in tests, and in runs that are repeated to
+  // estimate errors (run_errors.hpp).
+  double step_share() const;
+
   void forget();  // the scene or its loads have changed
 
  private:
+  friend class TwinRun;
   struct Level {
     MeshCost cost;
     MeshAnswers answers;
@@ -81,11 +97,11 @@ class Accuracy {
   void solve_next();
   MeshCost predicted(int more) const;
   MeshErrors estimate() const;
-  std::vector<MeshErrors> differences() const;
+  std::vector<const MeshAnswers*> meshes() const;
+  double reduction() const;
+  bool stagnates() const;
   bool wants_more() const;
   bool may_refine() const;
-  MeshAnswers answers_with(const regions::Refinement& refinement, const scene::SceneValues& values, double load_factor,
-                           Level* level);
   MeshPlan plan_of(const MeshCost& cost, bool is_solved) const;
   double wanted() const;
   std::uint64_t mark() const;
@@ -96,6 +112,8 @@ class Accuracy {
   std::unique_ptr<PreparedScene> finest_;  // of the last level
   double tolerance_ = 0;
   std::optional<MeshPlan> promised_, chosen_;
+  RunJournal journal_;
+  double step_share_ = 1;
 };
 
 }  // namespace bempd::model

@@ -2,7 +2,6 @@
 #include <optional>
 #include <ranges>
 #include <span>
-#include <tuple>
 #include <utility>
 
 #include "crack/cannot_grow.hpp"
@@ -20,12 +19,13 @@ namespace {
 // Distance of a crack's first tip with elements behind the interface with the lattice, in spacings.
 constexpr double into_elements = 1.5;
 
-// Least room ahead of the first tip with elements, in spacings; with less, the line stops at the interface.
+// Least room, in spacings, that the crack's first tip with elements must have ahead of it in their region; with less,
+// the line stops at the interface.
 constexpr double room_in_elements = 0.5;
 
 // Distance from the interface, in horizons, below which the stress points ahead of a line no longer give the load on
-// its tip; the line then continues in elements at once (docs/mixed_cracks.md). On its way that is farther, but at most
-// over the smallest cosine of the angle to the interface's normal.
+// its tip; the line then continues in elements at once (docs/mixed_cracks.md). Along an oblique path it is divided by
+// the cosine of the angle to the interface's normal, or by the least cosine if that is larger.
 constexpr double near_elements = 2, least_cosine = 0.5;
 
 bool is_in(const scene::Scene& scene, int id, const Point& place, double tolerance) {
@@ -110,7 +110,8 @@ void end_at_outline(scene::Crack& crack, int end, const scene::Scene& scene, dou
   last = way.at(exit);
 }
 
-// The crack of a line with all places that the line has reached, at both ends if it has begun in the run.
+}  // namespace
+
 scene::Crack& with_line(std::vector<scene::Crack>& cracks, const crack::TipId& line,
                         std::span<const fracture::CrackExtension> extensions, const scene::Scene& scene,
                         double tolerance) {
@@ -126,8 +127,6 @@ scene::Crack& with_line(std::vector<scene::Crack>& cracks, const crack::TipId& l
     for (const int end : {0, 1}) end_at_outline(crack, end, scene, tolerance);
   return crack;
 }
-
-}  // namespace
 
 fracture::CrackExtension last_of(const crack::TipId& tip, std::span<const fracture::CrackExtension> extensions) {
   const auto found = std::find_if(extensions.rbegin(), extensions.rend(),
@@ -161,29 +160,31 @@ std::vector<crack::TipId> ElementCarrier::lines_at_border() {
   const std::vector<fracture::CrackExtension>& all = body().progress().extensions;
   for (; extensions_seen_ < all.size(); ++extensions_seen_) {
     const fracture::CrackExtension& e = all[extensions_seen_];
-    if (!e.has_ended() && leaves_lattice(e, model_.scene_, model_.prepared_->discretization)) lines.push_back(e.tip());
+    if (!e.has_ended() && leaves_lattice(e, model_.scene(), model_.prepared().discretization)) lines.push_back(e.tip());
   }
   return lines;
 }
 
 // A line that is only near the border, and cannot continue behind it, grows on in its lattice.
 bool ElementCarrier::take_over_lines(bool run_ends) {
+  if (!run_ends) follow_lines();
   std::vector<crack::TipId> lines = lines_at_border();
   if (lines.empty()) return false;
-  body().bring_up_to_date();
+  body().sources().bring_up_to_date();
   if (!run_ends)
     std::erase_if(lines, [&](const crack::TipId& tip) {
       const auto is_there = [&] {
-        return is_at_border(last_of(tip, model_.extensions()), model_.scene_, model_.prepared_->discretization);
+        return is_at_border(last_of(tip, model_.cracks().extensions()), model_.scene(),
+                            model_.prepared().discretization);
       };
       return cross_border(tip) || !is_there();
     });
   for (const crack::TipId& tip : lines) {
-    body().stop_line(tip);
-    Model::say([&] {
-      model_.log(1, text("crack ", tip.crack,
-                         " has come to the border of its lattice, where it cannot go on into a boundary "
-                         "element region; give the peridynamic region more room there if it should"));
+    body().events().stop_line(tip);
+    say([&] {
+      model_.reports().log(1, text("crack ", tip.crack,
+                                   " has come to the border of its lattice, where it cannot go on into a boundary "
+                                   "element region; give the peridynamic region more room there if it should"));
     });
   }
   return !lines.empty();
@@ -194,20 +195,20 @@ bool ElementCarrier::cross_border(const crack::TipId& tip) {
   std::optional<Grown> next = carried_on(tip, true);
   if (!next) return false;
   go_on_in(std::move(next->scene), next->growth);
-  extensions_seen_ = model_.extensions().size();
+  extensions_seen_ = model_.cracks().extensions().size();
   return true;
 }
 
 // The scene's crack is extended by the line's path, whose bonds are broken already, and by a piece behind the
 // interface.
 std::optional<Grown> ElementCarrier::carried_on(const crack::TipId& tip, bool is_driven) {
-  const std::vector<scene::Crack> before = model_.scene_.cracks();
-  const fracture::CrackExtension last = last_of(tip, model_.extensions());
-  const regions::Discretization& d = model_.prepared_->discretization;
-  const std::optional<Point> place = place_behind_border(last, model_.scene_, d);
+  const std::vector<scene::Crack> before = model_.scene().cracks();
+  const fracture::CrackExtension last = last_of(tip, model_.cracks().extensions());
+  const regions::Discretization& d = model_.prepared().discretization;
+  const std::optional<Point> place = place_behind_border(last, model_.scene(), d);
   if (!place) return std::nullopt;
   std::vector<scene::Crack> longer = before;
-  extend(with_line(longer, tip, model_.extensions(), model_.scene_, d.tolerance), tip.end, *place);
+  extend(with_line(longer, tip, model_.cracks().extensions(), model_.scene(), d.tolerance), tip.end, *place);
   try {
     return grown(before, [&] { return carried_on(last, *place, std::move(longer), is_driven); });
   } catch (const crack::CannotGrow&) {
@@ -222,68 +223,24 @@ Grown ElementCarrier::carried_on(const crack::Extension& last, const Point& plac
   const auto number = static_cast<std::size_t>(tip.crack) - 1;
   const double load_factor = model_.load_factor();
   Grown next;
-  next.scene = model_.with_cracks(std::move(longer), on_way_);
-  next.scene->evolution->stop_line(tip, crack::TipState::carried_on);
-  next.tips = model_.tips_of(*next.scene, regions::TipDetail::factors);
+  next.scene = model_.growth().with_cracks(std::move(longer), on_way_);
+  next.scene->evolution->events().stop_line(tip, crack::TipState::carried_on);
+  next.tips = model_.cracks().tips_of(*next.scene, regions::TipDetail::factors);
   next.growth = {1, load_factor, 0, 0, {last}};
   fracture::CrackExtension& e = next.growth.extensions.front();
   const Point from(last.x, last.y);
   e.from_x = from.x(), e.from_y = from.y(), e.angle = 0, e.load_factor = load_factor;
   crack::arrive(e, place, (place - from).norm(), crack::TipState::grows);
-  e.crack_length = length_of(model_.scene_.cracks()[number]);
-  e.released_energy = next.scene->evolution->released_by_growth();
+  e.crack_length = length_of(model_.scene().cracks()[number]);
+  e.released_energy = next.scene->evolution->growth().released();
   for (const regions::TipValues& found : next.tips)
     if (found.crack == tip.crack && found.end == tip.end) e.rate_after = found.energy_release_rate;
   const int region = next.scene->discretization.cracks[number].region_at(tip.end);
-  const double thickness = model_.scene_.material_of(region).elasticity.thickness;
+  const double thickness = model_.scene().material_of(region).elasticity.thickness;
   e.surface_energy = is_driven ? e.resistance * e.length * thickness : e.released_energy;
   next.growth.surface_energy = e.surface_energy;
-  next.scene->evolution->book(next.growth);
+  next.scene->evolution->growth().book(next.growth);
   return next;
-}
-
-// Scene with the growth of a saved state; null if the present scene has it already. Cracks are extended event by event
-// as in the run, so that operators get the same digits. Growth in lattices does not change the scene, unless the line
-// has continued in elements.
-std::unique_ptr<PreparedScene> Model::as_grown(const std::vector<fracture::CrackExtension>& extensions) {
-  // Crack lines may begin or end slightly outside their lattice's outline, so both ends of an extension are tested.
-  const auto lies_in_elements = [&](double x, double y) {
-    const std::vector<int> ids = scene_.region_ids();
-    return std::any_of(ids.begin(), ids.end(), [&](int id) {
-      return scene_.region(id).has_elements() &&
-             locate(scene_.region(id).outline(), {x, y}, prepared_->discretization.tolerance) == Location::inside;
-    });
-  };
-  const auto among_bonds = [&](const auto& e) {
-    const bool has_stopped = e.state == crack::TipState::at_interface;  // a line, perhaps a little behind the border
-    return !lies_in_elements(e.from_x, e.from_y) && (has_stopped || !lies_in_elements(e.x, e.y));
-  };
-  const auto place = [](const fracture::CrackExtension& e) { return std::tuple(e.crack, e.end, e.x, e.y); };
-  const auto same = [&](const auto& a, const auto& b) { return place(a) == place(b); };
-  const std::span<const fracture::CrackExtension> all = this->extensions();
-  std::vector<fracture::CrackExtension> present(all.begin(), all.end()), wanted = extensions;
-  std::erase_if(present, among_bonds), std::erase_if(wanted, among_bonds);
-  if (std::equal(present.begin(), present.end(), wanted.begin(), wanted.end(), same)) return nullptr;
-  std::vector<scene::Crack> cracks;
-  for (const scene::Crack& crack : scene_.cracks())
-    if (!crack.has_begun) cracks.push_back({{crack.given().begin(), crack.given().end()}, 0, 0});
-  const std::size_t described = cracks.size();
-  scene_.set_cracks(cracks);
-  std::unique_ptr<PreparedScene> grown = build(nullptr);
-  std::size_t left = wanted.size();
-  for (std::size_t k = 0; k < extensions.size(); ++k) {
-    const fracture::CrackExtension& e = extensions[k];
-    if (among_bonds(e)) continue;
-    const auto number = static_cast<std::size_t>(e.crack) - 1;
-    require(number < described ? !cracks[number].points.empty() : number < described + extensions.size(),
-            "the state's extensions are of crack ", e.crack, ", which the scene does not have; its bytes were altered");
-    with_line(cracks, e.tip(), std::span(extensions).first(k + 1), scene_, prepared_->discretization.tolerance);
-    --left;
-    if (left > 0 && wanted[wanted.size() - left].event == e.event) continue;
-    scene_.set_cracks(cracks);
-    grown = build(grown.get());
-  }
-  return grown;
 }
 
 }  // namespace bempd::model

@@ -1,4 +1,5 @@
-// Checks of the part of a saved state from which its run continues.
+// Checks that a run can continue from what a saved state holds for that (Continuation). Its numbers are already known
+// to be finite (state_checks.cpp).
 #include <algorithm>
 #include <cmath>
 #include <set>
@@ -26,24 +27,18 @@ bool are_below(const std::vector<std::vector<int>>& lists, std::size_t limit) {
   return std::all_of(lists.begin(), lists.end(), [&](const auto& list) { return are_below(list, limit); });
 }
 
-bool is_finite(const fracture::Zone& zone) {
-  return zone.centre.allFinite() && zone.axis.allFinite() && zone.low.allFinite() && zone.high.allFinite() &&
-         zone.inner_low.allFinite() && zone.inner_high.allFinite();
-}
-
 bool is_sound(const FactorChange& change, std::size_t unknowns) {
   const auto falls = [](int one, int next) { return next < one; };
-  return change.unknown.size() == change.weight.size() && are_below(change.unknown, unknowns) &&
-         std::all_of(change.weight.begin(), change.weight.end(), [](double w) { return std::isfinite(w); }) &&
-         !change.end.empty() && change.end.front() >= 0 &&
+  return change.unknown.size() == change.weight.size() && are_below(change.unknown, unknowns) && !change.end.empty() &&
+         change.end.front() >= 0 &&
          std::adjacent_find(change.end.begin(), change.end.end(), falls) == change.end.end() &&
          static_cast<std::size_t>(change.end.back()) == change.unknown.size();
 }
 
 bool is_sound(const coupling::Constraint& constraint, std::size_t nodes) {
-  return constraint.stiffness > 0 && std::isfinite(constraint.stiffness) &&
+  return constraint.stiffness > 0 &&
          std::all_of(constraint.pull.begin(), constraint.pull.end(), [&](const coupling::TermEntry& e) {
-           return e.node >= 0 && static_cast<std::size_t>(e.node) < nodes && std::isfinite(e.x) && std::isfinite(e.y);
+           return e.node >= 0 && static_cast<std::size_t>(e.node) < nodes;
          });
 }
 
@@ -65,14 +60,13 @@ bool is_sound(const FactorOrigin& origin, const fracture::EvolutionState& state,
 bool is_sound(const fracture::FaceState& faces, const PreparedScene& scene) {
   const std::size_t terms = scene.system->terms().size();
   std::set<int> grown;
-  const auto is_flag = [](char flag) { return flag == 0 || flag == 1; };
   return std::all_of(faces.grown.begin(), faces.grown.end(),
                      [&](const fracture::GrownFace& face) {
                        return face.term >= 0 && static_cast<std::size_t>(face.term) < terms &&
-                              grown.insert(face.term).second && scene.evolution->can_have(face);
+                              grown.insert(face.term).second && scene.evolution->faces().can_have(face);
                      }) &&
-         faces.closed.size() == scene.evolution->first_grown_constraint() + grown.size() &&
-         std::all_of(faces.closed.begin(), faces.closed.end(), is_flag) && are_below(faces.pending, terms);
+         faces.closed.size() == scene.evolution->faces().first_grown() + grown.size() &&
+         are_below(faces.pending, terms);
 }
 
 // Whether `tips` can be the earlier state of the tips `later`: in a window tips may grow or end, but none begins.
@@ -88,14 +82,12 @@ bool are_those_of(const std::vector<fracture::GrowingTip>& tips, const std::vect
 bool is_sound(const WindowOrigin& window, const fracture::EvolutionState& state, const PreparedScene& scene) {
   if (window.faces && !is_sound(*window.faces, scene)) return false;
   if (!are_those_of(window.tips, state.tips, scene.tip_laws)) return false;
-  if (window.displacement.rows() != state.displacement.rows() || !window.displacement.allFinite()) return false;
-  if (!std::isfinite(window.load_factor) || window.events_performed < 0) return false;
-  if (!(window.options.tie_band >= 0 && window.options.tie_band < 1) || !std::isfinite(window.options.ahead))
-    return false;
+  if (window.displacement.rows() != state.displacement.rows() || window.events_performed < 0) return false;
+  if (!(window.options.tie_band >= 0 && window.options.tie_band < 1)) return false;
   if (window.options.max_breaks_per_solve < 0 || window.options.control > fracture::Control::path) return false;
   std::int64_t after = 0;
   for (const WindowOrigin::Look& look : window.looks) {
-    if (look.after < after || !std::isfinite(look.load_factor) || !(look.largest_force >= 0)) return false;
+    if (look.after < after || !(look.largest_force >= 0)) return false;
     after = look.after;
   }
   return after <= window.events_performed && (window.events_performed == 0 || !window.looks.empty());
@@ -105,17 +97,13 @@ bool is_sound(const WindowOrigin& window, const fracture::EvolutionState& state,
 
 bool fits(const Continuation& continuation, const fracture::EvolutionState& state, const PreparedScene& scene) {
   const std::size_t nodes = state.unloaded.size();
-  const auto is_flag = [](char flag) { return flag == 0 || flag == 1; };
   std::vector<int> kept = continuation.place.nodes;
   std::sort(kept.begin(), kept.end());
   return continuation.whole_body_events >= 0 && continuation.whole_body_events <= WindowSettings::most_patience &&
          continuation.patience >= 1 && continuation.patience <= WindowSettings::most_patience &&
          continuation.most_events >= WindowSettings::first_events &&
          continuation.most_events <= 2 * WindowSettings::most_events_at_once && are_below(kept, nodes) &&
-         std::adjacent_find(kept.begin(), kept.end()) == kept.end() &&
-         std::all_of(continuation.place.zones.begin(), continuation.place.zones.end(), is_finite) &&
-         are_below(continuation.places_met, nodes) &&
-         std::all_of(continuation.barred.begin(), continuation.barred.end(), is_flag) &&
+         std::adjacent_find(kept.begin(), kept.end()) == kept.end() && are_below(continuation.places_met, nodes) &&
          (!continuation.factor || is_sound(*continuation.factor, state, scene)) &&
          (!continuation.window ||
           (continuation.factor && continuation.place.are_last && !kept.empty() &&

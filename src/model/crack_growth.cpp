@@ -1,3 +1,5 @@
+#include "model/crack_growth.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -54,59 +56,51 @@ std::pair<double, crack::FirstToGrow> first_growth(const std::vector<regions::Ti
 
 }  // namespace
 
-// Whether cracks with elements can grow in steps; in a material without a fracture energy they are stationary.
-bool Model::drives_elements(const fracture::SteppingOptions& stepping) const {
+bool CrackGrowth::is_driven_by(const fracture::SteppingOptions& stepping) const {
   if (stepping.mode != fracture::SteppingMode::events) return false;
-  const std::vector<regions::PartedCrack>& cracks = prepared_->discretization.cracks;
+  const std::vector<regions::PartedCrack>& cracks = model_.prepared().discretization.cracks;
   return std::any_of(cracks.begin(), cracks.end(), [&](const regions::PartedCrack& crack) {
     return std::any_of(crack.parts.begin(), crack.parts.end(), [&](const regions::CrackPart& part) {
-      return part.region > 0 && scene_.material_of(part.region).fracture_energy > 0;
+      return part.region > 0 && model_.scene().material_of(part.region).fracture_energy > 0;
     });
   });
 }
 
-void Model::set_tip_frozen(int crack, int end, bool frozen) {
-  if (crack > crack_count()) scene_.crack(crack);  // throws
+void CrackGrowth::set_frozen(int crack, int end, bool frozen) {
+  if (crack > model_.cracks().count()) model_.scene().crack(crack);  // throws
   if (frozen) {
-    frozen_tips_.insert({crack, end});
+    frozen_.insert({crack, end});
   } else {
-    frozen_tips_.erase({crack, end});
+    frozen_.erase({crack, end});
   }
-}
-
-std::span<const fracture::CrackExtension> Model::extensions() const {
-  if (!prepared_) return {};
-  return prepared_->evolution->progress().extensions;
 }
 
 // Stress intensity factors of tips with elements as affine functions of the load factor. They are computed again only
 // if the scene, the displacement or the closed faces have changed.
-const std::vector<regions::TipValues>& Model::tip_factors() {
-  const coupling::Affine& displacement = prepared_->evolution->state().displacement;
-  const std::vector<char>& closed = prepared_->system->constraints().closed();
-  const bool is_known = tip_factors_.scene == prepared_.get() && tip_factors_.closed == closed &&
-                        tip_factors_.displacement.rows() == displacement.rows() &&
-                        tip_factors_.displacement == displacement;
+const std::vector<regions::TipValues>& CrackGrowth::tip_factors() {
+  const coupling::Affine& displacement = model_.prepared().evolution->state().displacement;
+  const std::vector<char>& closed = model_.prepared().system->constraints().closed();
+  const bool is_known = factors_.scene == model_.prepared_or_null() && factors_.closed == closed &&
+                        factors_.displacement.rows() == displacement.rows() && factors_.displacement == displacement;
   if (!is_known) {
-    tip_factors_.scene = nullptr;
-    tip_factors_ = {nullptr, displacement, closed, tips_of(*prepared_, regions::TipDetail::factors)};
-    tip_factors_.scene = prepared_.get();
+    factors_.scene = nullptr;
+    factors_ = {nullptr, displacement, closed, model_.cracks().tips_of(model_.prepared(), regions::TipDetail::factors)};
+    factors_.scene = model_.prepared_or_null();
   }
-  return tip_factors_.tips;
+  return factors_.tips;
 }
 
-// Tips with elements that may grow: neither frozen by the host nor stopped before an interface.
-std::vector<regions::TipValues> Model::growing_tips() {
+std::vector<regions::TipValues> CrackGrowth::growing_tips() {
   std::vector<regions::TipValues> tips = tip_factors();
-  const fracture::EvolutionState& state = prepared_->evolution->progress();
+  const fracture::EvolutionState& state = model_.prepared().evolution->progress();
   std::erase_if(tips, [&](const regions::TipValues& tip) {
-    return frozen_tips_.count({tip.crack, tip.end}) > 0 || has_stopped({tip.crack, tip.end}, state);
+    return frozen_.count({tip.crack, tip.end}) > 0 || has_stopped({tip.crack, tip.end}, state);
   });
   return tips;
 }
 
-// Tips for bempd_grow_cracks(): throws Error (argument) if none may grow.
-std::vector<regions::TipValues> Model::free_tips() {
+// Tips for grow(): throws Error (argument) if none may grow.
+std::vector<regions::TipValues> CrackGrowth::free_tips() {
   const std::vector<regions::TipValues> tips = growing_tips();
   if (!tips.empty()) return tips;
   require(!tip_factors().empty(), no_tip_with_elements);
@@ -116,39 +110,37 @@ std::vector<regions::TipValues> Model::free_tips() {
 
 // Moves to the load factor at which the first tip becomes critical. If faces close or open or bonds break before that,
 // the tips are computed again.
-Growing Model::go_to_growth(double length) {
+Growing CrackGrowth::go_to_growth(double length) {
   for (int round = 0;; ++round) {
     const std::vector<regions::TipValues> tips = free_tips();
-    const auto [goal, first] = first_growth(tips, options_);
-    const fracture::EvolutionState& state = prepared_->evolution->progress();
+    const auto [goal, first] = first_growth(tips, model_.options());
+    const fracture::EvolutionState& state = model_.prepared().evolution->progress();
     const std::int64_t switches = state.contact_switches, events = state.events;
-    if (load_factor() != goal) {
+    if (model_.load_factor() != goal) {
       if (round == most_rounds_of_faces)
         fail(Failure::convergence, "faces of cracks close and open without an end where cracks are to grow");
       fracture::SteppingOptions stepping;
-      stepping.frozen = frozen_tips_;
-      prepared_->evolution->advance(goal, fracture::Goal::load_factor, stepping, {}, {});
-      ++generation_;
+      stepping.frozen = frozen_;
+      model_.prepared().evolution->advance(goal, fracture::Goal::load_factor, stepping, {}, {});
+      model_.preparation().has_changed();
       if (state.contact_switches != switches || state.events != events) continue;
     }
-    Growing growing = growing_with(tips, first.index, goal, options_);
+    Growing growing = growing_with(tips, first.index, goal, model_.options());
     growing.ties = first.ties;
-    set_lengths(growing, length, options_);
+    set_lengths(growing, length, model_.options());
     return growing;
   }
 }
 
-// Prepared scene with the extensions of `growing`. `on_way` are the values of loads that act; null for those of the
-// host.
-std::unique_ptr<PreparedScene> Model::extended_scene(const std::vector<scene::Crack>& before, Growing& growing,
-                                                     const scene::SceneValues* on_way) {
-  return with_cracks(extended(scene_, before, prepared_->discretization.tolerance, growing), on_way);
+std::unique_ptr<PreparedScene> CrackGrowth::extended_scene(const std::vector<scene::Crack>& before, Growing& growing,
+                                                           const scene::SceneValues* on_way) {
+  return with_cracks(extended(model_.scene(), before, model_.prepared().discretization.tolerance, growing), on_way);
 }
 
-// Prepares the scene with the extended cracks and enters the growth in its history.
-Grown Model::grown(const std::vector<scene::Crack>& before, Growing growing, Turning turning,
-                   const scene::SceneValues* on_way) {
-  constexpr double turns = 0.01, turns_too_much = 0.35;  // [rad]
+Grown CrackGrowth::grown(const std::vector<scene::Crack>& before, Growing growing, Turning turning,
+                         const scene::SceneValues* on_way) {
+  constexpr double turns = 0.01;                                        // [rad]
+  const double turns_too_much = 0.35 * model_.accuracy().step_share();  // [rad]
   constexpr int most_halvings = 4;
   const std::vector<double> angles = [&] {
     std::vector<double> all;
@@ -156,45 +148,46 @@ Grown Model::grown(const std::vector<scene::Crack>& before, Growing growing, Tur
     return all;
   }();
   const bool chosen = turning == Turning::chosen;
-  const bool chords = turning != Turning::given && options_.text_value("crack.direction") == "chord";
+  const bool chords = turning != Turning::given && model_.options().text_value("crack.direction") == "chord";
   Grown result;
   for (int halvings = 0;; ++halvings) {
     result.scene = extended_scene(before, growing, on_way);
-    result.tips = tips_of(*result.scene, regions::TipDetail::factors);
-    const double turn = largest_turn(growing, result.tips, options_);
+    result.tips = model_.cracks().tips_of(*result.scene, regions::TipDetail::factors);
+    const double turn = largest_turn(growing, result.tips, model_.options());
     const bool too_long = chosen && turn > turns_too_much && halvings < most_halvings;
     if (!too_long && (chords || (chosen && turn > turns))) {
-      turn_to_chords(growing, result.tips, options_);
+      turn_to_chords(growing, result.tips, model_.options());
       result.scene = extended_scene(before, growing, on_way);
-      result.tips = tips_of(*result.scene, regions::TipDetail::factors);
+      result.tips = model_.cracks().tips_of(*result.scene, regions::TipDetail::factors);
     }
     if (!too_long) break;
     for (std::size_t k = 0; k < angles.size(); ++k) growing.lengths[k] /= 2, growing.extensions[k].angle = angles[k];
   }
-  const std::vector<double> thickness = thickness_at(scene_, *prepared_, growing.extensions);
+  const std::vector<double> thickness = thickness_at(model_.scene(), model_.prepared(), growing.extensions);
   fracture::CrackEvolution& evolution = *result.scene->evolution;
   const bool by_other_process = !growing.is_driven && growing.is_in_equilibrium();
   std::optional<double> beyond_path;
   if (growing.is_driven)
-    if (const std::optional<double> end = end_of_path(growing, result.tips, options_))
-      beyond_path = evolution.released_beyond_path(*prepared_->evolution, *end);
-  result.growth = booked(std::move(growing), result.tips, thickness, evolution.released_by_growth(), beyond_path);
+    if (const std::optional<double> end = end_of_path(growing, result.tips, model_.options()))
+      beyond_path = evolution.growth().released_beyond_path(model_.prepared().evolution->growth(), *end);
+  result.growth = booked(std::move(growing), result.tips, thickness, evolution.growth().released(), beyond_path);
   if (by_other_process) {
-    result.growth.surface_energy = evolution.released_by_growth();
+    result.growth.surface_energy = evolution.growth().released();
     for (crack::Extension& e : result.growth.extensions) e.surface_energy = e.released_energy;
   }
-  evolution.book(result.growth);
+  evolution.growth().book(result.growth);
   return result;
 }
 
-GrowthResult Model::grow_cracks(double length) {
+GrowthResult CrackGrowth::grow(double length) {
   require(std::isfinite(length) && length > 0, "length is ", length, "; it must be > 0");
-  CrackLengthening call(*this);
+  CrackLengthening call(model_);
   try {
     const GrowthResult result = call.grown_first(go_to_growth(length));
     call.keep();
     say([&] {
-      log(2, text("load factor ", result.load_factor, ": ", result.tips, " tips have grown by ", result.length));
+      model_.reports().log(
+          2, text("load factor ", result.load_factor, ": ", result.tips, " tips have grown by ", result.length));
     });
     return result;
   } catch (...) {

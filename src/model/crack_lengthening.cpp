@@ -18,17 +18,15 @@ Model& CrackLengthening::prepared(Model& model) {
 
 CrackLengthening::CrackLengthening(Model& model, bool in_elements)
     : model_(prepared(model)), carrier_(model, nullptr, true) {
-  require(!in_elements || model_.has_crack_elements(),
+  require(!in_elements || model_.cracks().have_elements(),
           "no crack in a BEM region has a tip; add one, or let cracks in peridynamic regions grow by steps");
-  if (model_.loads_.acting != Acting::values)
-    loads_ = model_.replace_loads(regions::apply_conditions(model_.scene_, model_.prepared_->discretization),
-                                  Acting::values);
-  present_ = model_.scene_.cracks();
-  state_ = model_.prepared_->evolution->state();
-  continuation_ = model_.prepared_->evolution->continuation();
-  recorded_ = static_cast<std::ptrdiff_t>(model_.tip_history_.size());
+  if (model_.loads().present().acting != Acting::values) loads_ = model_.loads().apply_pending();
+  present_ = model_.scene().cracks();
+  state_ = model_.prepared().evolution->state();
+  continuation_ = model_.prepared().evolution->continuation();
+  recorded_ = model_.cracks().history().size();
   try {
-    model_.ensure_equilibrium();
+    model_.in_equilibrium();
   } catch (...) {
     take_back();
     throw;
@@ -36,8 +34,8 @@ CrackLengthening::CrackLengthening(Model& model, bool in_elements)
 }
 
 void CrackLengthening::go_to(double load_factor) {
-  move_load(*model_.prepared_, load_factor, model_.frozen_tips_);
-  ++model_.generation_;
+  move_load(model_.prepared(), load_factor, model_.growth().frozen());
+  model_.preparation().has_changed();
 }
 
 // The energy that the body releases is recorded with each extension. Below the toughness all of it is taken by the
@@ -49,7 +47,7 @@ LongerCracks CrackLengthening::lengthened(const std::vector<Lengthened>& tips) {
   growing.is_driven = false;
   for (const Lengthened& one : tips) {
     const regions::TipValues& tip = one.tip;
-    const crack::GrowthLaw law = law_of(tip, model_.options_).met(factors_of(tip), growing.load_factor);
+    const crack::GrowthLaw law = law_of(tip, model_.options()).met(factors_of(tip), growing.load_factor);
     crack::Extension extension = crack::begin_extension({tip.crack, tip.end}, tip.place, one.angle, growing.load_factor,
                                                         factors_of(tip), law.resistance(one.angle));
     const Kink kink = law.kink(factors_of(tip), growing.load_factor);
@@ -62,15 +60,15 @@ LongerCracks CrackLengthening::lengthened(const std::vector<Lengthened>& tips) {
   }
   LongerCracks longer;
   longer.grown = carrier_.longer(present_, growing, Turning::given);
-  longer.cracks = model_.scene_.cracks();
-  model_.scene_.set_cracks(present_);
+  longer.cracks = model_.scene().cracks();
+  model_.preparation().scene().set_cracks(present_);
   return longer;
 }
 
 GrowthResult CrackLengthening::grown_first(const Growing& growing) {
   LongerCracks longer;
   longer.grown = carrier_.longer(present_, growing, Turning::by_option);
-  longer.cracks = model_.scene_.cracks();
+  longer.cracks = model_.scene().cracks();
   GrowthResult result = result_of(longer.grown.growth);
   result.released_energy =
       longer.grown.scene->evolution->progress().released_energy - scene().evolution->progress().released_energy;
@@ -80,54 +78,54 @@ GrowthResult CrackLengthening::grown_first(const Growing& growing) {
 
 void CrackLengthening::go_on_in(LongerCracks longer) {
   present_ = longer.cracks;
-  model_.scene_.set_cracks(std::move(longer.cracks));
+  model_.preparation().scene().set_cracks(std::move(longer.cracks));
   carrier_.go_on_in(std::move(longer.grown.scene), longer.grown.growth);
-  if (model_.records_tips()) model_.record_tips();
+  if (model_.cracks().are_recorded()) model_.cracks().record();
 }
 
 void CrackLengthening::in_scene_of(LongerCracks* longer, const std::function<void()>& read) {
   if (!longer) return read();
   const auto exchange = [&] {
-    std::swap(model_.prepared_, longer->grown.scene);
-    model_.tip_factors_.scene = nullptr;
-    ++model_.generation_;
+    longer->grown.scene = model_.preparation().exchange(std::move(longer->grown.scene));
+    model_.growth().forget_factors();
+    model_.preparation().has_changed();
   };
   exchange();
-  model_.scene_.set_cracks(longer->cracks);
+  model_.preparation().scene().set_cracks(longer->cracks);
   try {
     read();
   } catch (...) {
     exchange();
-    model_.scene_.set_cracks(present_);
+    model_.preparation().scene().set_cracks(present_);
     throw;
   }
   exchange();
-  model_.scene_.set_cracks(present_);
+  model_.preparation().scene().set_cracks(present_);
 }
 
 void CrackLengthening::report_progress() {
   check_cancelled();
-  const fracture::EvolutionState& state = model_.prepared_->evolution->progress();
-  if (model_.progress_ && !model_.progress_(state.load_factor, state.events, state.broken_bonds))
+  const fracture::EvolutionState& state = model_.prepared().evolution->progress();
+  if (!model_.host().goes_on(state))
     fail(Failure::cancelled, "the progress callback asked to stop; the model is as it was before the call");
-  if (model_.cancel_requested_)
+  if (model_.host().cancel_requested())
     fail(Failure::cancelled, "cancelled on request; the model is as it was before the call");
 }
 
 void CrackLengthening::keep() noexcept {
-  Model::say([&] {
-    model_.loads_.in_force = model_.scene_.values();
-    model_.warn_of_equilibrium();
+  model_.accuracy().journal().is_known = false;
+  say([&] {
+    model_.loads().present().in_force = model_.scene().values();
+    model_.reports().warn_of_equilibrium();
   });
 }
 
 void CrackLengthening::take_back() noexcept {
   carrier_.take_back();
-  auto& tips = model_.tip_history_;
-  tips.erase(tips.begin() + recorded_, tips.end());
-  model_.prepared_->evolution->restore(std::move(state_), std::move(continuation_));
-  if (loads_) model_.go_back_to(std::move(*loads_));
-  ++model_.generation_;
+  model_.cracks().keep_records(recorded_);
+  model_.prepared().evolution->restore(std::move(state_), std::move(continuation_));
+  if (loads_) model_.loads().go_back_to(std::move(*loads_));
+  model_.preparation().has_changed();
 }
 
 }  // namespace bempd::model

@@ -37,19 +37,20 @@ class CrackLengthening {
   CrackLengthening& operator=(const CrackLengthening&) = delete;
   virtual ~CrackLengthening() = default;
 
-  // Tips that may grow: neither frozen by the host nor stopped. Their factors are functions of the load factor.
-  virtual std::vector<regions::TipValues> tips() { return model_.growing_tips(); }
+  // Tips that may grow: neither frozen by the host nor stopped. Their stress intensity factors are given as functions
+  // of the load factor.
+  virtual std::vector<regions::TipValues> tips() { return model_.growth().growing_tips(); }
   // Tips that may grow, under the loads that act at present.
   virtual std::vector<regions::TipValues> loaded_tips(regions::TipDetail detail) {
-    return model_.tips_of(*model_.prepared_, detail);
+    return model_.cracks().tips_of(model_.prepared(), detail);
   }
   // Cracks as they are now.
-  virtual std::vector<scene::Crack> cracks() const { return model_.scene_.cracks(); }
+  virtual std::vector<scene::Crack> cracks() const { return model_.scene().cracks(); }
   // Region in which the tip of a crack grows.
   virtual int region_of(const regions::TipValues& tip, const PreparedScene& scene) const {
     return scene.discretization.cracks[static_cast<std::size_t>(tip.crack) - 1].region_at(tip.end);
   }
-  PreparedScene& scene() { return *model_.prepared_; }
+  PreparedScene& scene() { return model_.prepared(); }
   // Prepared scene of longer cracks that are not accepted yet.
   virtual PreparedScene& scene_of(LongerCracks& longer) { return *longer.grown.scene; }
   // Calls `read` while the scene of longer cracks (null: the present one) is the model's.
@@ -57,15 +58,15 @@ class CrackLengthening {
   virtual bool grows_lines() { return false; }
   // Least length by which a tip can grow, of which its growth is a multiple [m]; 0 for any length.
   virtual double quantum(const regions::TipValues&) const { return 0; }
-  // Distance ahead of its place at which a tip acts [m]; `is_loaded` by the loads for which it is asked.
-  virtual double acts_ahead(const regions::TipValues&, const PreparedScene&, bool /*is_loaded*/) const { return 0; }
+  // Distance by which the effective tip, where the field of the tip begins, lies ahead of the tip's place [m].
+  virtual double acts_ahead(const regions::TipValues&, const PreparedScene&) const { return 0; }
 
   // Moves the load factor; cracks do not grow meanwhile.
   virtual void go_to(double load_factor);
   // Scene with longer cracks at the same load factor, in whose history the growth is entered; the model itself stays
   // unchanged. Throws crack::CannotGrow.
   virtual LongerCracks lengthened(const std::vector<Lengthened>& tips);
-  // Lets tips grow that the load drives, by their lengths.
+  // Extends the tips in `growing`, which the load drives, by the lengths given there, and continues with longer cracks.
   GrowthResult grown_first(const Growing& growing);
   // Continues in the scene with longer cracks, which becomes the model's.
   virtual void go_on_in(LongerCracks longer);
@@ -74,9 +75,9 @@ class CrackLengthening {
   // Calls the host's progress function; throws Error (cancelled) if that asks to stop.
   void report_progress();
   void tell(const std::string& warning) const {
-    Model::say([&] { model_.log(1, warning); });
+    say([&] { model_.reports().log(1, warning); });
   }
-  bool stop_requested() const { return model_.stop_requested_; }
+  bool stop_requested() const { return model_.host().stop_requested(); }
 
   // Ends the call: keep() keeps its result, take_back() returns the model to the start of the call.
   void keep() noexcept;
@@ -91,11 +92,11 @@ class CrackLengthening {
  private:
   static Model& prepared(Model& model);
 
-  std::optional<Model::LoadsBefore> loads_;  // at the start
+  std::optional<LoadValues::Before> loads_;  // at the start
   fracture::EvolutionState state_;           // likewise
   fracture::Continuation continuation_;      // likewise
   std::vector<scene::Crack> present_;        // cracks, but for those of lines
-  std::ptrdiff_t recorded_;                  // tips
+  std::size_t recorded_;                     // tips
 };
 
 // Moves the load factor of a scene; cracks with elements do not grow meanwhile.

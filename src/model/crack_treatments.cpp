@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "error.hpp"
 #include "model/model.hpp"
@@ -10,13 +11,13 @@
 namespace bempd::model {
 
 void CrackTreatments::set(int crack, CrackTreatment treatment) {
-  if (crack < 1 || crack > model_.crack_count()) model_.scene_.crack(crack);  // throws
+  if (crack < 1 || crack > model_.cracks().count()) model_.scene().crack(crack);  // throws
   const auto known = treatments_.find(crack);
   const CrackTreatment before = known == treatments_.end() ? CrackTreatment::automatic : known->second;
   const bool was_in_lattice = before == CrackTreatment::lattice;
   const bool is_frozen = treatment == CrackTreatment::frozen;
-  if (model_.prepared_ && !is_frozen && treatment != CrackTreatment::automatic) {
-    const bool is_carried = std::any_of(patches_.begin(), patches_.end(), [&](const regions::Patch& patch) {
+  if (model_.prepared_or_null() && !is_frozen && treatment != CrackTreatment::automatic) {
+    const bool is_carried = std::any_of(patches().begin(), patches().end(), [&](const regions::Patch& patch) {
       return std::find(patch.cracks.begin(), patch.cracks.end(), crack) != patch.cracks.end();
     });
     if (is_carried != (treatment == CrackTreatment::lattice))
@@ -25,11 +26,11 @@ void CrackTreatments::set(int crack, CrackTreatment treatment) {
                       : " has no lattice patch, which is laid when the model is prepared",
            "; choose this treatment before, or freeze and release the crack now");
   }
-  if (!model_.prepared_ && (was_in_lattice || treatment == CrackTreatment::lattice)) model_.editable_scene();
-  // A tip that is frozen alone stays so.
-  if (is_frozen || (model_.is_frozen({crack, 0}) && model_.is_frozen({crack, 1})))
-    for (const int end : {0, 1}) model_.set_tip_frozen(crack, end, is_frozen);
-  if (model_.prepared_) return;
+  if (!model_.prepared_or_null() && (was_in_lattice || treatment == CrackTreatment::lattice)) model_.editable_scene();
+  // If the crack is released while only one of its tips is frozen, the host has frozen that tip alone: it stays so.
+  if (is_frozen || (model_.growth().is_frozen({crack, 0}) && model_.growth().is_frozen({crack, 1})))
+    for (const int end : {0, 1}) model_.growth().set_frozen(crack, end, is_frozen);
+  if (model_.prepared_or_null()) return;
   if (treatment == CrackTreatment::automatic) {
     treatments_.erase(crack);
   } else {
@@ -51,9 +52,9 @@ std::vector<regions::LatticeCrack> CrackTreatments::in_lattices() const {
   std::vector<regions::LatticeCrack> cracks;
   for (const auto& [crack, treatment] : treatments_) {
     if (treatment != CrackTreatment::lattice ||
-        model_.scene_.cracks()[static_cast<std::size_t>(crack) - 1].points.empty())
+        model_.scene().cracks()[static_cast<std::size_t>(crack) - 1].points.empty())
       continue;
-    cracks.push_back({crack, {!model_.is_frozen({crack, 0}), !model_.is_frozen({crack, 1})}});
+    cracks.push_back({crack, {!model_.growth().is_frozen({crack, 0}), !model_.growth().is_frozen({crack, 1})}});
   }
   return cracks;
 }
@@ -62,7 +63,7 @@ std::vector<regions::LatticeCrack> CrackTreatments::in_lattices() const {
 void CrackTreatments::require_elements() const {
   for (const auto& [crack, treatment] : treatments_) {
     if (treatment != CrackTreatment::elements) continue;
-    const int lattice = regions::lattice_around(model_.scene_, crack);
+    const int lattice = regions::lattice_around(model_.scene(), crack);
     require(lattice == 0, "crack ", crack,
             " has the treatment BEMPD_TREATMENT_ELEMENTS and runs through the lattice of ", "region ", lattice,
             "; choose BEMPD_TREATMENT_AUTOMATIC, or add that region with bempd_add_body()");
@@ -74,38 +75,69 @@ void CrackTreatments::lay() {
   if (cracks != laid_) take_away();
   require_elements();
   if (cracks.empty()) return;
-  const scene::Options& options = model_.options_;
+  const scene::Options& options = model_.options();
   require(options.text_value("scheme") == "symmetric", "lattice patches need the option scheme = symmetric; it is ",
           options.text_value("scheme"));
   require(options.text_in_effect("crack.rule") != "bond",
           "cracks run through lattice patches as lines, and the option crack.rule is bond; choose line or tips, or the "
           "treatment BEMPD_TREATMENT_ELEMENTS");
-  if (!patches_.empty()) return;
-  std::vector<regions::Patch> patches = regions::lay_out_patches(model_.scene_, cracks, lattices_);
+  if (!patches().empty()) return;
+  std::vector<regions::Patch> patches = regions::lay_out_patches(model_.scene(), cracks, lattices_);
   loads_of_elements_.clear();
   try {
-    loads_of_elements_ = model_.accuracy_.loads_of_elements();
+    loads_of_elements_ = model_.accuracy().loads_of_elements();
   } catch (const Error& error) {  // they are only for comparison
     if (error.failure() == Failure::cancelled) throw;
   }
-  const int own = model_.scene_.region_count();
+  const int own = model_.scene().region_count();
   try {
-    regions::add_patches(model_.scene_, patches);
+    regions::add_patches(model_.preparation().scene(), patches);
   } catch (...) {
-    regions::remove_patches(model_.scene_, own);
+    regions::remove_patches(model_.preparation().scene(), own);
     throw;
   }
-  patches_ = std::move(patches);
+  laid_patches_ = {patches, patches};
   laid_ = cracks;
 }
 
 void CrackTreatments::take_away() noexcept {
-  if (patches_.empty()) return;
-  regions::remove_patches(model_.scene_, own_regions());
-  patches_.clear(), laid_.clear();
-  model_.accuracy_.forget();
+  if (patches().empty()) return;
+  regions::remove_patches(model_.preparation().scene(), own_regions());
+  laid_patches_ = {}, laid_.clear();
+  model_.accuracy().forget();
 }
 
-int CrackTreatments::own_regions() const { return model_.scene_.region_count() - static_cast<int>(patches_.size()); }
+std::optional<std::vector<regions::Patch>> CrackTreatments::followed(const crack::Extension& e) const {
+  if (patches().empty() || e.has_ended()) return std::nullopt;
+  const Point from(e.from_x, e.from_y), to(e.x, e.y);
+  return regions::followed(model_.scene(), patches(), {to, (to - from).normalized()});
+}
+
+void CrackTreatments::move(std::vector<regions::Patch> next) {
+  try {
+    regions::move_patches(model_.preparation().scene(), next, own_regions());
+  } catch (...) {
+    regions::move_patches(model_.preparation().scene(), patches(), own_regions());
+    throw;
+  }
+  laid_patches_.present = std::move(next);
+}
+
+void CrackTreatments::go_back_to(std::vector<regions::Patch> before) noexcept {
+  const auto same = [](const regions::Patch& a, const regions::Patch& b) { return a.blocks == b.blocks; };
+  if (!std::ranges::equal(before, patches(), same)) move(std::move(before));
+}
+
+CrackTreatments::Laid CrackTreatments::set_aside() {
+  if (!patches().empty()) regions::remove_patches(model_.preparation().scene(), own_regions());
+  return std::exchange(laid_patches_, {});
+}
+
+void CrackTreatments::bring_back(Laid aside) {
+  if (!aside.present.empty()) regions::add_patches(model_.preparation().scene(), aside.present);
+  laid_patches_ = std::move(aside);
+}
+
+int CrackTreatments::own_regions() const { return model_.scene().region_count() - static_cast<int>(patches().size()); }
 
 }  // namespace bempd::model

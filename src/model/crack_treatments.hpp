@@ -1,8 +1,10 @@
 #pragma once
 
 #include <map>
+#include <optional>
 #include <vector>
 
+#include "crack/extension.hpp"
 #include "model/mesh_answers.hpp"
 #include "regions/patches.hpp"
 
@@ -24,11 +26,26 @@ class CrackTreatments {
 
   // Adds the patches to the scene, if they are not there.
   void lay();
-  // Takes them out again, so that the scene is the host's.
+  // Takes the patches out of the scene again, so that it is the one of the host.
   void take_away() noexcept;
   // Number of the host's own regions; the patches are behind them.
   int own_regions() const;
-  const std::vector<regions::Patch>& patches() const { return patches_; }
+  const std::vector<regions::Patch>& patches() const { return laid_patches_.present; }
+  // Patches as they were before tips have grown in them.
+  const std::vector<regions::Patch>& first_patches() const { return laid_patches_.first; }
+  // Patches that have more blocks around a line after an extension; empty if none needs or can have more.
+  std::optional<std::vector<regions::Patch>> followed(const crack::Extension& extension) const;
+  // Gives the patches in the scene other blocks. The prepared scene stays as it is.
+  void move(std::vector<regions::Patch> next);
+  void go_back_to(std::vector<regions::Patch> before) noexcept;
+
+  // Patches in the scene.
+  struct Laid {
+    std::vector<regions::Patch> present, first;
+  };
+  // Takes the patches out of the scene for a while; bring_back() adds them again.
+  Laid set_aside();
+  void bring_back(Laid aside);
   // Load factors of growth with elements in place of the patches; none if the scene cannot be solved so.
   const std::vector<TipLoad>& loads_of_elements() const { return loads_of_elements_; }
 
@@ -39,7 +56,7 @@ class CrackTreatments {
   Model& model_;
   std::map<int, CrackTreatment> treatments_;  // by crack; without automatic ones
   std::map<int, regions::BodyLattice> lattices_;
-  std::vector<regions::Patch> patches_;
+  Laid laid_patches_;
   std::vector<regions::LatticeCrack> laid_;  // for which they are
   std::vector<TipLoad> loads_of_elements_;
 };

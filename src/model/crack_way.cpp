@@ -143,7 +143,7 @@ constexpr double near_a_lattice = 2, into_a_lattice = 4.5, least_into_a_lattice 
 
 // Smallest cosine of the angle between a path and the interface's normal for which into_a_lattice is divided by the
 // cosine.
-constexpr double least_cosine = 1.0 / 3;
+constexpr double least_cosine_to_border = 1.0 / 3;
 
 // First straight edge of a lattice of the same material on the path of a tip.
 struct LatticeAhead {
@@ -151,7 +151,9 @@ struct LatticeAhead {
   double way, spacing, width;  // width: of the lattice on the way
   double cosine;               // of the angle between the way and the normal of the edge
 
-  double into() const { return std::min(into_a_lattice * spacing / std::max(cosine, least_cosine), 0.5 * width); }
+  double into() const {
+    return std::min(into_a_lattice * spacing / std::max(cosine, least_cosine_to_border), 0.5 * width);
+  }
 };
 
 std::optional<LatticeAhead> lattice_ahead(const scene::Scene& scene, const Point& from, const Point& direction,
@@ -179,7 +181,7 @@ std::optional<LatticeAhead> lattice_ahead(const scene::Scene& scene, const Point
     if (!first || first->width > 0) continue;
     first->width = std::numeric_limits<double>::infinity();
     const Point begin = first->place + 0.1 * spacing * direction;
-    const double most = 2 * into_a_lattice / least_cosine * spacing;
+    const double most = 2 * into_a_lattice / least_cosine_to_border * spacing;
     for (const Edge& edge : edges_of(region.outline()))
       for (const Crossing& meeting : meeting_points(Edge(begin, begin + most * direction), edge))
         first->width = std::min(first->width, meeting.fraction_a * most);
@@ -201,7 +203,8 @@ double distance_without_crossable(const scene::Scene& scene, const Edge& edge, c
   std::vector<double> ends{0.0, edge.joint(), 1.0};
   for (const int id : scene.region_ids())
     for (const Edge& other : edges_of(scene.region(id).outline()))
-      if (distance(edge, other.start) <= 10 * tolerance) ends.push_back(closest_fraction(edge, other.start));
+      if (least_distance(edge, other.start) <= 10 * tolerance && distance(edge, other.start) <= 10 * tolerance)
+        ends.push_back(closest_fraction(edge, other.start));
   std::sort(ends.begin(), ends.end());
   double least = std::numeric_limits<double>::infinity();
   bool crossable = false;
@@ -260,10 +263,16 @@ double length_of(const scene::Crack& crack) {
 double clearance_of_tip(const scene::Scene& scene, const std::vector<scene::Crack>& cracks, int crack, int end) {
   const double tolerance = geometric_tolerance(scene.bounding_box());
   const Point& tip = tip_of(cracks[static_cast<std::size_t>(crack) - 1], end);
-  double least = std::numeric_limits<double>::infinity();
+  std::vector<std::pair<double, Edge>> nearest_first;  // with a lower bound on the distance
   for (const int region : scene.region_ids())
     for (const Edge& edge : edges_of(scene.region(region).outline()))
-      least = std::min(least, distance_without_crossable(scene, edge, tip, tolerance));
+      nearest_first.emplace_back(least_distance(edge, tip), edge);
+  std::sort(nearest_first.begin(), nearest_first.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+  double least = std::numeric_limits<double>::infinity();
+  for (const auto& [bound, edge] : nearest_first) {
+    if (bound > least + tolerance) break;
+    least = std::min(least, distance_without_crossable(scene, edge, tip, tolerance));
+  }
   for (std::size_t c = 0; c < cracks.size(); ++c) {
     const std::vector<Point>& points = cracks[c].points;
     if (static_cast<int>(c) + 1 == crack) continue;

@@ -43,10 +43,14 @@ bool leaves_lattice(const fracture::CrackExtension& extension, const scene::Scen
 // Place of its first tip in boundary elements; empty if it cannot continue there.
 std::optional<Point> place_behind_border(const fracture::CrackExtension& extension, const scene::Scene& scene,
                                          const regions::Discretization& discretization);
-// Whether it is at the border itself, where it stops if it cannot continue.
+// Whether a crack line is at the border itself, where it stops if it cannot continue in boundary elements.
 bool is_at_border(const fracture::CrackExtension& extension, const scene::Scene& scene,
                   const regions::Discretization& discretization);
 // Last extension of one end of a crack; empty (default values) if it has not grown.
 fracture::CrackExtension last_of(const crack::TipId& tip, std::span<const fracture::CrackExtension> extensions);
+// The crack of a line with all places that the line has reached, at both ends if it has begun in the run.
+scene::Crack& with_line(std::vector<scene::Crack>& cracks, const crack::TipId& line,
+                        std::span<const fracture::CrackExtension> extensions, const scene::Scene& scene,
+                        double tolerance);
 
 }  // namespace bempd::model

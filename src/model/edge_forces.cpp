@@ -44,22 +44,26 @@ Eigen::VectorXd EdgeResults::forces_from_outside(const std::vector<int>& body) {
   std::vector<int> terms;
   Eigen::VectorXd force = Eigen::VectorXd::Zero(state.total_displacement.size());
   for (const int id : body) {
-    const std::vector<int> own = d.region(id).terms();
-    terms.insert(terms.end(), own.begin(), own.end());
-    for (const regions::OperatorNodes& one : d.region(id).nodes_of_operators())
+    if (const regions::RegionBonds* bonds = d.region(id).bonds()) {
+      const std::vector<int> own = bonds->terms();
+      terms.insert(terms.end(), own.begin(), own.end());
+    }
+    const regions::RegionOperators* operators = d.region(id).operators();
+    if (!operators) continue;
+    for (const regions::OperatorNodes& one : operators->nodes_of_operators())
       force += system.operators().force_on(one.nodes, state.total_displacement, state.load_factor);
   }
   if (body.size() > 1) {  // regions share terms
     std::sort(terms.begin(), terms.end());
     terms.erase(std::unique(terms.begin(), terms.end()), terms.end());
   }
-  force += system.force_of_terms(terms, state.total_displacement, state.load_factor);
-  coupling::Affine loads = model_.loads_in_force_on(body);
+  force += system.response().force_of_terms(terms, state.total_displacement, state.load_factor);
+  coupling::Affine loads = model_.loads().loads_in_force_on(body);
   // Loads are corrected for two things: fragments lose their loads, and the fluid pressure in broken bonds is a load
   // that the conditions do not contain.
   coupling::Affine given = prepared.conditions.force;
   system.ties().collect(given);
-  const coupling::Affine beside = system.force() - given;
+  const coupling::Affine beside = system.load().force() - given;
   const std::vector<char> others = nodes_of_bonded_regions_before(d, body);
   const bool has_fluid = d.region(body.front()).bonds() && !prepared.conditions.crack_pressures.empty();
   for (Eigen::Index node = 0; 2 * node < loads.rows(); ++node) {

@@ -40,7 +40,7 @@ Holders holders_of(const scene::Scene& scene, const regions::DofConditions& cond
 std::vector<Point> EdgeResults::traction_forces(int id, int edge, const std::vector<int>& nodes) {
   Results& results = model_.results();
   const auto fields = [&results, id](Field which) -> const FieldValues& { return results.field(id, which); };
-  return results.region(id).forces_on_edge({edge, model_.scene().region(id).edge(edge), 0, 1}, nodes, fields);
+  return results.region(id).loads().forces_on_edge({edge, model_.scene().region(id).edge(edge), 0, 1}, nodes, fields);
 }
 
 std::map<int, double> EdgeResults::forces_of_supports(int region_id, int edge) {
@@ -61,7 +61,7 @@ std::map<int, double> EdgeResults::forces_of_supports(int region_id, int edge) {
   std::map<int, double> parts;
   for (const auto& [dof, edges] : holders) {
     const int node = dof / 2, component = dof % 2;
-    double force = prepared.evolution->reaction_at(dof);
+    double force = prepared.evolution->body().supports().reaction_at(dof);
     if (edges.size() > 1) {
       double rest = force;
       for (const EdgeName& name : edges) rest -= tractions[name][node][component];

@@ -5,8 +5,10 @@
 
 #include "cancellation.hpp"
 #include "crack/cannot_grow.hpp"
+#include "error.hpp"
 #include "model/element_growth.hpp"
 #include "model/model.hpp"
+#include "regions/memory_limit.hpp"
 
 namespace bempd::model {
 
@@ -19,19 +21,20 @@ ElementCarrier::ElementCarrier(Model& model, const scene::SceneValues* on_way, b
     : model_(model),
       on_way_(on_way),
       grows_(grows),
-      cracks_(model.scene_.cracks()),
-      extensions_seen_(model.extensions().size()) {}
+      cracks_(model.scene().cracks()),
+      patches_(model.treatments().patches()),
+      extensions_seen_(model.cracks().extensions().size()) {}
 
 ElementCarrier::~ElementCarrier() = default;
 
-fracture::CrackEvolution& ElementCarrier::body() { return *model_.prepared_->evolution; }
+fracture::CrackEvolution& ElementCarrier::body() { return *model_.prepared().evolution; }
 
 void ElementCarrier::update() {
   const fracture::EvolutionState& state = body().progress();
   if (is_known_ && state.events == events_ && state.contact_switches == switches_) return;
-  values_ = model_.growing_tips();
+  values_ = model_.growth().growing_tips();
   tips_.clear();
-  for (const regions::TipValues& tip : values_) tips_.push_back(carried(tip, model_.options_));
+  for (const regions::TipValues& tip : values_) tips_.push_back(carried(tip, model_.options()));
   events_ = state.events;
   switches_ = state.contact_switches;
   is_known_ = true;
@@ -68,22 +71,23 @@ Grown ElementCarrier::grown(const std::vector<scene::Crack>& before, const std::
   try {
     return grow();
   } catch (const crack::CannotGrow& error) {
-    model_.scene_.set_cracks(before);
-    Model::say([&] { model_.log(1, error.what()); });
+    model_.preparation().scene().set_cracks(before);
+    say([&] { model_.reports().log(1, error.what()); });
     throw;
   } catch (const crack::FreesLoadedPart& error) {
-    model_.scene_.set_cracks(before);
-    Model::say(
-        [&] { model_.log(1, text(error.what(), "; without it the body is separated, and the run ends just before")); });
+    model_.preparation().scene().set_cracks(before);
+    say([&] {
+      model_.reports().log(1, text(error.what(), "; without it the body is separated, and the run ends just before"));
+    });
     throw;
   }
 }
 
 Grown ElementCarrier::longer(const std::vector<scene::Crack>& before, const Growing& growing, Turning turning) {
   try {
-    return model_.grown(before, growing, turning, on_way_);
+    return model_.growth().grown(before, growing, turning, on_way_);
   } catch (...) {
-    model_.scene_.set_cracks(before);
+    model_.preparation().scene().set_cracks(before);
     throw;
   }
 }
@@ -93,11 +97,13 @@ Grown ElementCarrier::longer(const std::vector<scene::Crack>& before, const Grow
 crack::Advance ElementCarrier::advance(const crack::Step& step) {
   check_cancelled();
   update();
-  Growing growing = growing_with(values_, number_of(step.tip), model_.load_factor(), model_.options_);
+  Growing growing = growing_with(values_, number_of(step.tip), model_.load_factor(), model_.options());
   growing.ties = step.ties;
   const bool chosen = step.length == 0;
-  set_lengths(growing, chosen ? chosen_length(model_.scene_, growing, model_.options_) : step.length, model_.options_);
-  const std::vector<scene::Crack> before = model_.scene_.cracks();
+  const double length =
+      chosen ? chosen_length(model_.scene(), growing, model_.options()) * model_.accuracy().step_share() : step.length;
+  set_lengths(growing, length, model_.options());
+  const std::vector<scene::Crack> before = model_.scene().cracks();
   try {
     const Turning turning = chosen ? Turning::chosen : Turning::by_option;
     Grown next = grown(before, [&] { return longer(before, growing, turning); });
@@ -108,15 +114,15 @@ crack::Advance ElementCarrier::advance(const crack::Step& step) {
   } catch (const crack::CannotGrow&) {
     std::vector<crack::TipId> stopped = tips_that_cannot_grow(growing, before);
     if (stopped.empty()) stopped.push_back(step.tip);
-    body().stop(stopped);
+    body().events().stop(stopped);
     return {{}, true};
   } catch (const EventGivenUp&) {
-    model_.scene_.set_cracks(before);
+    model_.preparation().scene().set_cracks(before);
     throw;
   }
 }
 
-// Finds the tips that cannot grow alone either, out of several that were to grow together.
+// Tips that cannot grow alone either, out of several that cannot grow together; none if only one was to grow.
 std::vector<crack::TipId> ElementCarrier::tips_that_cannot_grow(const Growing& growing,
                                                                 const std::vector<scene::Crack>& before) {
   std::vector<crack::TipId> stopped;
@@ -124,29 +130,66 @@ std::vector<crack::TipId> ElementCarrier::tips_that_cannot_grow(const Growing& g
     Growing one = growing;
     one.tips = {growing.tips[k]}, one.extensions = {growing.extensions[k]}, one.lengths = {growing.lengths[k]};
     try {
-      model_.extended_scene(before, one, on_way_);
+      model_.growth().extended_scene(before, one, on_way_);
     } catch (const crack::CannotGrow&) {
       stopped.push_back({growing.tips[k].crack, growing.tips[k].end});
     }
-    model_.scene_.set_cracks(before);
+    model_.preparation().scene().set_cracks(before);
   }
   return stopped;
 }
 
 void ElementCarrier::go_on_in(std::unique_ptr<PreparedScene> next, const fracture::Growth& growth) {
-  spent_.add(seconds_of(*model_.prepared_));
-  model_.prepared_.swap(next);
-  ++model_.generation_;
-  is_known_ = false;
   grows_ = true;
-  Model::say([&] { model_.tell_of_growth(growth, *next); });
+  change_scene(std::move(next), [&](const PreparedScene& before) { model_.reports().tell_of_growth(growth, before); });
+}
+
+void ElementCarrier::change_scene(std::unique_ptr<PreparedScene> next,
+                                  const std::function<void(const PreparedScene&)>& tell) {
+  spent_.add(seconds_of(model_.prepared()));
+  next = model_.preparation().exchange(std::move(next));
+  model_.preparation().has_changed();
+  is_known_ = false;
+  say([&] { tell(*next); });
   if (!start_) start_ = std::move(next);
 }
 
+// Gives patches more blocks around lines that have grown since the last call.
+void ElementCarrier::follow_lines() {
+  if (model_.treatments().patches().empty()) return;
+  const std::size_t count = body().progress().extensions.size();
+  for (std::size_t k = extensions_seen_; k < count; ++k) follow(k);
+}
+
+// If the larger patch cannot be, for lack of memory as well, the patch stays, and the line goes on in elements.
+void ElementCarrier::follow(std::size_t extension) {
+  std::optional<std::vector<regions::Patch>> larger =
+      model_.treatments().followed(body().progress().extensions[extension]);
+  if (!larger) return;
+  std::vector<regions::Patch> before = model_.treatments().patches();
+  body().sources().bring_up_to_date();
+  std::unique_ptr<PreparedScene> next;
+  try {
+    model_.treatments().move(std::move(*larger));
+    regions::require_memory(model_.scene(), model_.options());
+    next = model_.growth().with_patches(on_way_, static_cast<std::int64_t>(extension));
+  } catch (const Error& error) {
+    model_.treatments().go_back_to(std::move(before));
+    if (error.failure() != Failure::argument && error.failure() != Failure::unsolvable) throw;
+    say([&] { model_.reports().warn_of_patch(error.what()); });
+    return;
+  } catch (...) {
+    model_.treatments().go_back_to(std::move(before));
+    throw;
+  }
+  change_scene(std::move(next), [&](const PreparedScene&) { model_.reports().tell_of_layout(); });
+}
+
 void ElementCarrier::take_back() noexcept {
-  model_.scene_.set_cracks(std::move(cracks_));
-  if (start_) model_.prepared_ = std::move(start_);
-  ++model_.generation_;
+  model_.preparation().scene().set_cracks(std::move(cracks_));
+  model_.treatments().go_back_to(std::move(patches_));
+  if (start_) model_.preparation().exchange(std::move(start_));
+  model_.preparation().has_changed();
 }
 
 }  // namespace bempd::model

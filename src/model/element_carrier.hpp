@@ -10,6 +10,7 @@
 #include "fracture/body_carrier.hpp"
 #include "fracture/crack_evolution.hpp"
 #include "model/driven_growth.hpp"
+#include "regions/patches.hpp"
 #include "regions/region.hpp"
 #include "scene/scene.hpp"
 #include "scene/scene_values.hpp"
@@ -20,7 +21,7 @@ class Model;
 struct Growing;
 
 // Carrier of cracks with boundary elements, for one call of a host. When a tip grows, the scene is prepared anew beside
-// the one before, and the run goes on there.
+// the one before, and the run goes on there. The same is done where a lattice patch gets more blocks around a line.
 class ElementCarrier final : public fracture::BodyCarrier {
  public:
   // `on_way` are the values of loads that act; null for those that the host has set. Tips grow if `grows`; a line that
@@ -34,7 +35,7 @@ class ElementCarrier final : public fracture::BodyCarrier {
   std::vector<Point> openings(int crack, const std::vector<double>& fractions) override;
 
   // Scene in which tips have grown at the present load factor; the model itself stays as it is, but for the cracks of
-  // its scene. Throws crack::CannotGrow and crack::FreesLoadedPart, with the cracks `before`.
+  // its scene, which are those `before` again after a failure. Throws crack::CannotGrow and crack::FreesLoadedPart.
   Grown longer(const std::vector<scene::Crack>& before, const Growing& growing, Turning turning);
   // Scene in which a line has come to boundary elements behind its border, with the cracks of the model's scene; empty
   // if it cannot. If no load drives it, another process takes all energy that is released.
@@ -57,12 +58,16 @@ class ElementCarrier final : public fracture::BodyCarrier {
   bool cross_border(const crack::TipId& tip);
   Grown carried_on(const crack::Extension& last, const Point& place, std::vector<scene::Crack> longer, bool is_driven);
   std::vector<crack::TipId> lines_at_border();
+  void follow_lines();
+  void follow(std::size_t extension);
+  void change_scene(std::unique_ptr<PreparedScene> next, const std::function<void(const PreparedScene&)>& tell);
   Grown grown(const std::vector<scene::Crack>& before, const std::function<Grown()>& grow);
 
   Model& model_;
   const scene::SceneValues* on_way_;
   bool grows_;
   std::vector<scene::Crack> cracks_;      // at the start
+  std::vector<regions::Patch> patches_;   // likewise
   std::unique_ptr<PreparedScene> start_;  // null: no crack has grown yet
   Seconds spent_;
   std::size_t extensions_seen_;

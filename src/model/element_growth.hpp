@@ -19,8 +19,8 @@ struct Growing {
   double ratio = 1;                 // of the first tip: equivalent factor over toughness
   double critical_load_factor = 0;  // at which that tip just reaches its toughness
   int ties = 0;                     // others that would have grown as soon
-  // Whether the load makes the tips grow. If not, the process that does takes all energy that is released below the
-  // toughness.
+  // Whether the tips grow because the load brings them to their toughness. If not, another process (as fatigue) makes
+  // them grow below it, and all energy that is released counts as taken by that process.
   bool is_driven = true;
   std::vector<regions::TipValues> tips;
   std::vector<fracture::CrackExtension> extensions;

@@ -63,7 +63,7 @@ class Explainer {
     Reasons reasons;
     reasons.add(what_is_next());
     tell_of_body(reasons);
-    for (const regions::TipValues& tip : model_.tips()) tell_of_tip(tip, reasons);
+    for (const regions::TipValues& tip : model_.cracks().tips()) tell_of_tip(tip, reasons);
     tell_of_ended(reasons);
     tell_of_cycles(reasons);
     found_.text = reasons.text();
@@ -83,11 +83,11 @@ class Explainer {
   // Finds the tip that grows next. An overloaded tip grows at the present load factor if that is held constant.
   void find_tip() {
     const bool is_held = stepping_.control == fracture::Control::load;
-    for (const regions::TipValues& tip : model_.tips()) {
+    for (const regions::TipValues& tip : model_.cracks().tips()) {
       if (!grows(tip)) continue;
       const crack::TipId id{tip.crack, tip.end};
       const double critical = critical_load_factor(tip, upwards_);
-      if (!std::isfinite(critical) || model_.is_frozen(id)) continue;
+      if (!std::isfinite(critical) || model_.growth().is_frozen(id)) continue;
       const double present = model_.load_factor();
       const double at = is_held && is_before(critical, present) ? present : critical;
       if (found_.next == Explanation::Next::tip && !is_before(at, found_.load_factor)) continue;
@@ -144,7 +144,7 @@ class Explainer {
         reasons.add(text("Region ", id, " does not break: material ", scene_.region(id).material(),
                          " has neither a fracture energy nor a critical stretch."));
     }
-    if (!has_bonds && model_.crack_count() == 0)
+    if (!has_bonds && model_.cracks().count() == 0)
       reasons.add("The body is of boundary elements alone and has no crack: such a body does not break.");
     const coupling::Affine& displacement = evolution_.state().displacement;
     if (displacement.col(1).isZero(0))
@@ -155,7 +155,7 @@ class Explainer {
     if (!grows(tip)) return;
     const crack::TipId id{tip.crack, tip.end};
     const std::string which = "The tip of " + name_of(id);
-    if (model_.is_frozen(id)) return reasons.add(which + " is frozen by bempd_set_tip_frozen().");
+    if (model_.growth().is_frozen(id)) return reasons.add(which + " is frozen by bempd_set_tip_frozen().");
     const double critical = critical_load_factor(tip, upwards_);
     if (std::isfinite(critical)) return;
     if (has_stopped(id, evolution_.progress())) return reasons.add(which + " has stopped before an interface.");
@@ -169,9 +169,9 @@ class Explainer {
     reasons.add(which + " does not reach its toughness on this way of the load factor.");
   }
 
-  // Tips that have ended are no longer among the model's tips, so extensions are searched for them.
+  // Tips that have ended are no longer among the model's tips; they are found by the extensions with which they ended.
   void tell_of_ended(Reasons& reasons) const {
-    for (const fracture::CrackExtension& e : model_.extensions()) {
+    for (const fracture::CrackExtension& e : model_.cracks().extensions()) {
       const char* where = nullptr;
       switch (e.state) {
         case crack::TipState::at_edge:
@@ -199,8 +199,8 @@ class Explainer {
     }
     const std::vector<FatigueRecord> all = last;
     const auto is_there = [&](const FatigueRecord& record) {
-      if (record.tip.crack > model_.crack_count()) return false;
-      const std::vector<crack::PathVertex> path = model_.crack_path(record.tip.crack);
+      if (record.tip.crack > model_.cracks().count()) return false;
+      const std::vector<crack::PathVertex> path = model_.cracks().path(record.tip.crack);
       const Point& end = record.tip.end == 0 ? path.front().place : path.back().place;
       return (end - record.place).norm() <= 1e-9 * record.length;
     };

@@ -81,7 +81,7 @@ class Fatigue {
   const std::vector<FatigueRecord>& records() const { return records_; }
   // Overloads that tips have met by the end of that call; a call that goes on from there takes them up.
   const std::vector<RememberedOverload>& overloads() const { return overloads_; }
-  // Takes over those of a saved state.
+  // Takes over the overloads of a saved state.
   void set_overloads(std::vector<RememberedOverload> overloads) { overloads_ = std::move(overloads); }
 
   // Extends tips by the given lengths at the present load factor, as one event.

@@ -44,11 +44,11 @@ void FrontReader::set_direction(FrontTip& tip) const {
   const KinkCriterion criterion = growth_criterion(model_.options());
   crack::GrowthLaw law = law_of(tip.values, model_.options());
   tip.high = levels_.highest(), tip.low = levels_.lowest();
-  // A line goes by the stress ahead of it, also under load cases.
-  const bool is_line = tip.values.method != regions::TipMethod::elements && levels_.combine_cases();
+  // A line without room for a contour (ring) around its tip turns by the stress ahead of it, also under load cases.
+  const bool by_stress = tip.values.method == regions::TipMethod::stress_ahead && levels_.combine_cases();
   const auto kink_at = [&](std::size_t level) {
     Kink kink = law.kink(tip.levels[level].factors);
-    if (is_line) kink.angle = tip.levels[level].turn;
+    if (by_stress) kink.angle = tip.levels[level].turn;
     return kink;
   };
   Kink most = kink_at(tip.high);
@@ -78,7 +78,7 @@ Front FrontReader::front(const std::vector<regions::TipValues>& tips, LongerCrac
   for (const regions::TipValues& values : tips) {
     FrontTip tip;
     tip.values = values, tip.region = lengthening_.region_of(values, scene);
-    tip.law = law_in(tip.region), tip.acts_ahead = lengthening_.acts_ahead(values, scene, !levels_.combine_cases());
+    tip.law = law_in(tip.region);
     if (!tip.law) continue;
     const crack::RateParameters& parameters = *parameters_of(tip.region);
     with_t_stress |= parameters.kind == crack::RateParameters::Kind::host || values.asking.function;
@@ -91,6 +91,9 @@ Front FrontReader::front(const std::vector<regions::TipValues>& tips, LongerCrac
   for (std::size_t t = 0; t < front.size(); ++t) {
     front[t].levels = std::move(factors[t]);
     set_direction(front[t]);
+    // The tips were read under the present loads. Under load cases a tip acts where its highest combination says.
+    if (levels_.combine_cases()) front[t].values.felt_ahead = front[t].levels[front[t].high].felt_ahead;
+    front[t].acts_ahead = lengthening_.acts_ahead(front[t].values, scene);
   }
   if (with_sections) add_net_sections(front, longer);
   return front;
@@ -114,7 +117,8 @@ void FrontReader::add_net_sections(Front& front, LongerCracks* longer) {
   });
 }
 
-// The factor changes evenly along a step, but for what varies from place to place, which is read along it.
+// Factors at which a tip breaks, at even shares of a step. They change evenly from its beginning to its end, but for a
+// fracture energy that varies from place to place, which is read along the step.
 std::vector<double> FrontReader::critical_along(const FrontTip& before, const FrontTip* after, const Point& to) const {
   const pd::VariedEnergy* energies = lengthening_.scene().discretization.region(before.region).toughness().if_any();
   const bool is_stated = parameters_of(before.region)->critical > 0;

@@ -34,7 +34,13 @@ class FrontReader {
 
   // Front of a scene with longer cracks; null: of the model's.
   Front front(const std::vector<regions::TipValues>& tips, LongerCracks* longer);
-  // Factors at which a tip breaks at even shares of a step, from its beginning to its end; `after`: null if it ended.
+  // Whether a tip turns spacing by spacing, by the stress ahead of it: the tip of a line around which no contour gives
+  // factors. Not if load cases are combined.
+  bool turns_by_itself(const FrontTip& tip) const {
+    return tip.values.method == regions::TipMethod::stress_ahead && !levels_.combine_cases();
+  }
+  // Stress intensity factors at which a tip breaks, at even shares of a step from its beginning to its end. `after` is
+  // the tip behind the step; null if it has ended.
   std::vector<double> critical_along(const FrontTip& before, const FrontTip* after, const Point& to) const;
 
  private:

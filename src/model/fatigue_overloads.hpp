@@ -21,7 +21,7 @@ class WaitingGrowth {
     return found == of_tips_.end() ? 0 : found->second;
   }
   std::vector<double> of(const Front& front) const;
-  // The growth of tips of lines alone, which is remembered from call to call.
+  // Waiting growth of the tips of crack lines alone, which is remembered from call to call.
   std::map<crack::TipId, double> of_lines(const Front& front, const CrackLengthening& lengthening) const;
   void take_up(const std::vector<RememberedOverload>& known, const Front& front,
                const std::vector<scene::Crack>& cracks, const CrackLengthening& lengthening);
@@ -33,8 +33,8 @@ class WaitingGrowth {
 // Overloads that tips have met in a call of growth by cycles, counted from the tips' present places.
 class MetOverloads {
  public:
-  // Takes up what the tips had met when the call that this one goes on from ended. Throws Error (argument) if that is
-  // not known.
+  // Takes over the overloads that the tips had met at the end of the earlier call that this one continues. Throws Error
+  // (argument) if they are not known.
   void take_up(const std::vector<RememberedOverload>& known, const Front& front,
                const std::vector<scene::Crack>& cracks, double first_cycle);
   void set(const crack::TipId& tip, const crack::Overload& overload) { met_[tip] = overload; }

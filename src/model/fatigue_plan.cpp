@@ -9,9 +9,9 @@ namespace bempd::model {
 
 namespace {
 
-// Length of a step towards an edge, a hole or another crack: a share of the distance, and at least a share of the tip's
-// size, so that the last step ends there.
-constexpr double step_over_clearance = 0.25, least_step = 0.02;
+// Length of a step towards an edge, a hole or another crack: a share of the distance that is left, but no less than a
+// share of the tip's size (size_of()), so that the last of these ever shorter steps arrives there.
+constexpr double length_over_clearance = 0.25, least_step = 0.02;
 
 }  // namespace
 
@@ -41,7 +41,7 @@ double FatigueRun::length_of_crack(std::size_t tip) const {
   return length;
 }
 
-// Growth of lines that waits for a whole spacing counts.
+// Length of a tip's crack by the cycles so far, including growth of lines that waits until it fills a whole spacing.
 double FatigueRun::length_by_cycles(std::size_t tip) const {
   double length = length_of_crack(tip);
   for (const auto& [id, growth] : ahead_.of_lines(front_, lengthening_))
@@ -62,7 +62,7 @@ double FatigueRun::longest(std::size_t tip) const {
   const regions::TipValues& at = front_[tip].values;
   const double size = size_of(tip);
   const double clearance = clearance_of_tip(model_.scene(), cracks_, at.crack, at.end);
-  const double length = std::min(step_.share() * size, std::max(step_over_clearance * clearance, least_step * size));
+  const double length = std::min(step_.share() * size, std::max(length_over_clearance * clearance, least_step * size));
   return std::max(length, lengthening_.quantum(at));
 }
 

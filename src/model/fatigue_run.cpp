@@ -19,8 +19,8 @@ constexpr double least_growth = 0.005, slow = 0.05;
 // it is halved.
 constexpr double turns = 0.01, turns_too_much = 0.35;
 
-// Shares of the lengths by which they may differ from those that belong to the cycles: at first, and after the step has
-// been repeated.
+// Largest difference of the length by which a tip is extended from its growth in the cycles of the step, as a share of
+// the length: at first (for the leader always), and after the step has been repeated.
 constexpr double off_at_first = 0.005, off_later = 0.03;
 
 constexpr int most_trials = 5;
@@ -103,7 +103,8 @@ bool FatigueRun::step() {
   }
 }
 
-// Computes a step whose lengths belong to one number of cycles, by repeated trials.
+// Computes a step by repeated trials, until its lengths belong to one number of cycles. If tips turn much in the first
+// trial, the second one begins with directions turned by half of that.
 FatigueRun::Trial FatigueRun::made(const Plan& plan) {
   std::vector<double> angles;
   for (const FrontTip& tip : front_) angles.push_back(tip.angle);
@@ -131,7 +132,7 @@ FatigueRun::Trial FatigueRun::trial(std::vector<double> lengths, std::vector<dou
   for (std::size_t t = 0; t < front_.size(); ++t)
     if (t == leader || trial.lengths[t] > std::max(std::min(least_growth * size_of(t), slow * trial.lengths[leader]),
                                                    0.5 * lengthening_.quantum(front_[t].values)))
-      grow.push_back({front_[t].values, trial.lengths[t], trial.angles[t], !levels_.combine_cases()});
+      grow.push_back({front_[t].values, trial.lengths[t], trial.angles[t], reader_.turns_by_itself(front_[t])});
   trial.longer = lengthening_.lengthened(grow);
   std::vector<regions::TipValues> tips = trial.longer.grown.tips;
   std::erase_if(tips, [&](const auto& tip) { return tip_in(front_, {tip.crack, tip.end}) == nullptr; });
@@ -175,8 +176,8 @@ double FatigueRun::largest_turn(const Trial& trial) const {
   return largest;
 }
 
-// Whether the lengths of a step differ by more than a share from those that belong to its cycles. A tip that has ended
-// cannot grow further.
+// Whether the growth of any tip in the cycles of a trial differs by more than a share from the growth for which the
+// trial was made. A tip that has ended cannot grow further.
 bool FatigueRun::is_off(const Trial& trial, std::size_t leader, double share) const {
   for (std::size_t t = 0; t < front_.size(); ++t) {
     const crack::TipOnStep& tip = trial.on_step[t];
@@ -189,7 +190,7 @@ bool FatigueRun::is_off(const Trial& trial, std::size_t leader, double share) co
 }
 
 bool FatigueRun::choose_step(const Trial& trial, std::size_t leader, bool must_stand) {
-  // Factors of lines are rough from one step to the next, which says nothing of the error of cycles.
+  // Factors in lattices are rough from step to step: their changes do not tell the error of the cycles.
   if (lengthening_.quantum(front_[leader].values) > 0) return true;
   const crack::TipOnStep& tip = trial.on_step[leader];
   const double so_far = report_.cycles - options_.first_cycle + trial.cycles.cycles;

@@ -17,9 +17,10 @@ class FatigueStepLength {
 
   double share() const { return share_; }  // of the size of the tip that leads
   void halve() { share_ *= 0.5; }
-  // Chooses the length of the next step, from the rates of the leading tip before and after one. Returns false if the
-  // error of that step is much more than the tolerance, which is wider for steps with few of the cycles `so_far`; a
-  // step that must stand counts with its error. A tip's first step takes the change of the power to its second one.
+  // Chooses the length of the next step, from the rates of the leading tip before and after one. Returns false if that
+  // step must be repeated, because its error is much more than the tolerance, which is wider for steps with few of the
+  // cycles `so_far`. A step that must stand is kept, and its error counts. A tip's first step has no error of its own:
+  // the change of the power in the tip's second step counts for both.
   bool choose(const crack::TipOnStep& tip, double before, double after, double cycles, double so_far, bool must_stand);
   // Estimated error of the cycles that have passed, as a share of them; NaN if none is known although steps were made.
   double error(double passed, bool steps_were_made) const;

@@ -3,6 +3,7 @@
 #include <array>
 
 #include "hash.hpp"
+#include "model/state_members.hpp"
 #include "regions/boundary/boundary_description.hpp"
 #include "regions/scheme.hpp"
 
@@ -48,16 +49,12 @@ void add_place(Hash& hash, const scene::Condition& condition) {
 // Adds the values of a condition to a hash; returns false if the host gave a function, whose values cannot be hashed
 // here.
 bool add_values(Hash& hash, const scene::Condition& condition) {
-  const auto add_parts = [&](const auto& values) {
-    add(hash, values.constant);
-    add(hash, values.proportional);
-    return true;
-  };
-  if (const auto* samples = std::get_if<scene::SampledValues>(&condition.values)) return add_parts(*samples);
+  const auto add_list = [&](const std::vector<double>& values) { add(hash, values); };
+  const auto* samples = std::get_if<scene::SampledValues>(&condition.values);
   const auto* placed = std::get_if<scene::PlacedValues>(&condition.values);
-  if (!placed) return false;
-  add(hash, placed->fractions);
-  return add_parts(*placed);
+  if (samples) visit_members(*samples, add_list);
+  if (placed) visit_members(*placed, add_list);
+  return samples || placed;
 }
 
 void add_option(Hash& hash, const scene::OptionDescription& option, const scene::Options& options) {
@@ -84,7 +81,7 @@ constexpr std::array options_of_format_14 = {
     "scheme",  "critical_stretch",         "pd.crack_tip", "pd.criterion", "crack.rule",
     "contact", "bem.quadrature_tolerance", "bem.grading"};
 
-// Adds what chooses the elements of bodies.
+// Adds the options by which the library chooses the boundary elements of bodies: wanted error, time and memory.
 void hash_wish(Hash& hash, const scene::Options& options) {
   for (const char* name : {"error.wanted", "budget.seconds", "memory.limit"}) hash.add(options.number(name));
 }

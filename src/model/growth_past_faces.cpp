@@ -5,11 +5,11 @@ namespace bempd::model {
 
 // Takes the growth of tips from a state a little ahead if faces open or close as soon as the load factor moves, as in a
 // body at rest. If there is no such equilibrium, nothing is known of the growth.
-void Model::look_past_switches(std::vector<regions::TipValues>& tips) {
+void CrackResults::look_past_switches(std::vector<regions::TipValues>& tips) {
   for (const bool upwards : {true, false}) {
     std::vector<regions::TipValues> ahead(tips.size());
     try {
-      if (!prepared_->evolution->look_past_switch(upwards, [&] { ahead = compute_tips(); })) continue;
+      if (!model_.prepared().evolution->look_past_switch(upwards, [&] { ahead = present_tips(); })) continue;
     } catch (const Error& error) {
       if (error.failure() != Failure::unsolvable && error.failure() != Failure::convergence) throw;
     }

@@ -14,7 +14,8 @@ const regions::TipValues* tip_like(const regions::TipValues& tip, const std::vec
   return found == tips.end() ? nullptr : &*found;
 }
 
-// Stress intensity factors by load factor, moving the scene where faces close or open between two of them.
+// Stress intensity factors of tips by load factor. They are affine functions of it as long as the same faces are
+// closed; where faces close or open in between, the scene is moved to the load factors beyond.
 class FactorsByLoadFactor {
  public:
   FactorsByLoadFactor(PreparedScene& scene, const std::vector<regions::TipValues>& tips, const LoadLevels& levels,
@@ -63,9 +64,12 @@ class FactorsByLoadFactor {
   void go_to(std::size_t level) { move_load(scene_, levels_.factor(level), {}); }
   std::vector<regions::TipValues> tips() {
     std::vector<regions::TipValues> found;
-    for (const auto& region : scene_.discretization.regions)
-      for (const regions::TipValues& tip : region->tips(solution_of(scene_), regions::TipDetail::factors))
+    for (const auto& region : scene_.discretization.regions) {
+      const regions::CrackElements* cracks = region->crack_elements();
+      if (!cracks) continue;
+      for (const regions::TipValues& tip : cracks->tips(solution_of(scene_), regions::TipDetail::factors))
         found.push_back(tip);
+    }
     return found;
   }
 
@@ -121,7 +125,8 @@ void LevelSolver::take_solved(const std::vector<regions::TipValues>& tips, const
       if (!tip) continue;
       if (with_t_stress) found[t][level].t_stress = tip->stress_along;
       if (with_factors[level]) found[t][level].factors = tip->closed ? Point(0, tip->factors.y()) : tip->factors;
-      if (tip->method != regions::TipMethod::elements) found[t][level].turn = tip->kink_angle;
+      if (tip->method == regions::TipMethod::elements) continue;
+      found[t][level].turn = tip->kink_angle, found[t][level].felt_ahead = tip->felt_ahead;
     }
   };
   under_each(read, with_t_stress ? std::vector<char>{} : with_factors);

@@ -13,8 +13,8 @@ regions::BondedBody bonded_body(const scene::Scene& scene, const PreparedScene& 
   return {scene,
           prepared.discretization,
           system.terms(),
-          system.present_stiffness(),
-          system.intact(),
+          system.stages().stiffness(),
+          system.stages().intact(),
           prepared.cut_bonds,
           prepared.in_lattices.cracks,
           system.constraints(),
@@ -48,13 +48,14 @@ std::optional<fracture::TipFactors> factors_around(const scene::Scene& scene, co
   std::vector<Point> path = places_of(path_in(scene, prepared, tip.id.crack));
   if (tip.id.end == 0) std::reverse(path.begin(), path.end());
   if (path.size() < 2) return std::nullopt;
-  // The field of a unit load factor tells the error and where the tip acts if there is no load.
+  // If nothing loads the body now, the field of the load factor 1 tells the relative error of the factors and where the
+  // tip acts.
   const double present = prepared.evolution->progress().load_factor;
   const double load_factor = present == 0 && displacement.col(0).isZero(0) ? 1 : present;
   const Eigen::VectorXd total = coupling::evaluate(displacement, load_factor);
   const regions::Solution solution{.displacement = total,
                                    .bonds = prepared.system->terms(),
-                                   .intact = prepared.system->intact(),
+                                   .intact = prepared.system->stages().intact(),
                                    .body_forces = {},
                                    .parts = &displacement,
                                    .load_factor = load_factor};

@@ -24,31 +24,35 @@ void LineLengthening::return_to_accepted() {
   if (!in_trial_) return;
   scene().evolution->restore(accepted_, way_on_);
   in_trial_ = false;
-  ++model_.generation_;
+  model_.preparation().has_changed();
 }
 
 namespace {
 
-// Scales the factors of a grown tip to the mean of those by contours and by the energy of its next step, if that gives
-// its load. Contours of two horizons do not see a turn within them, so they give up to 9 % too little behind a kink;
-// the energy gives up to 4 % too much there.
+// Scales the stress intensity factors of a grown tip without room for a contour to the geometric mean of those by the
+// stress ahead and those by the energy of its next step, if this energy gives its load.
 void take_energy(regions::TipValues& tip, const scene::Options& options, double load_factor) {
   const bool is_told = tip.grown && tip.load_rule == crack::LoadRule::energy && tip.constant_factors.isZero(0) &&
                        load_factor > 0 && tip.critical_load_factor > 0;
   if (!is_told) return;
-  const double by_contours = law_of(tip, options).kink(tip.factors).equivalent_factor;
-  const double share = tip.toughness * load_factor / tip.critical_load_factor / by_contours;
-  if (!(by_contours > 0) || !std::isfinite(share)) return;
+  const double by_stress = law_of(tip, options).kink(tip.factors).equivalent_factor;
+  const double share = tip.toughness * load_factor / tip.critical_load_factor / by_stress;
+  if (!(by_stress > 0) || !std::isfinite(share)) return;
   tip.factors *= std::sqrt(share), tip.proportional_factors *= std::sqrt(share);
 }
 
 }  // namespace
 
 std::vector<regions::TipValues> LineLengthening::tips_of_lines() {
-  std::vector<regions::TipValues> found = model_.tips_of_lines();
-  for (regions::TipValues& tip : found) take_energy(tip, model_.options(), model_.load_factor());
+  std::vector<regions::TipValues> found = model_.cracks().tips_of_lines(false);
+  const auto needs_energy = [](const regions::TipValues& tip) {
+    return tip.method == regions::TipMethod::stress_ahead && tip.grown;
+  };
+  if (std::ranges::any_of(found, needs_energy)) found = model_.cracks().tips_of_lines();
+  for (regions::TipValues& tip : found)
+    if (needs_energy(tip)) take_energy(tip, model_.options(), model_.load_factor());
   std::erase_if(found, [&](const regions::TipValues& tip) {
-    return model_.is_frozen({tip.crack, tip.end}) || !tip.factors.allFinite();
+    return model_.growth().is_frozen({tip.crack, tip.end}) || !tip.factors.allFinite();
   });
   return found;
 }
@@ -78,7 +82,7 @@ bool LineLengthening::grows_lines() {
 
 std::vector<scene::Crack> LineLengthening::cracks() const {
   std::vector<scene::Crack> all;
-  for (int id = 1; id <= model_.crack_count(); ++id) all.push_back({places_of(model_.crack_path(id)), 0, 0});
+  for (int id = 1; id <= model_.cracks().count(); ++id) all.push_back({places_of(model_.cracks().path(id)), 0, 0});
   return all;
 }
 
@@ -94,8 +98,8 @@ int LineLengthening::region_of(const regions::TipValues& tip, const PreparedScen
 
 // Place in boundary elements at which the next step of a line ends; empty if it goes on in its lattice.
 std::optional<Point> LineLengthening::behind_border(const regions::TipValues& tip) const {
-  const crack::Extension last = last_of({tip.crack, tip.end}, model_.extensions());
-  const regions::Discretization& discretization = model_.prepared_->discretization;
+  const crack::Extension last = last_of({tip.crack, tip.end}, model_.cracks().extensions());
+  const regions::Discretization& discretization = model_.prepared().discretization;
   const bool is_here = last.crack > 0 && (Point(last.x, last.y) - tip.place).norm() <= discretization.tolerance;
   if (!is_here || !leaves_lattice(last, model_.scene(), discretization)) return std::nullopt;
   return place_behind_border(last, model_.scene(), discretization);
@@ -104,32 +108,33 @@ std::optional<Point> LineLengthening::behind_border(const regions::TipValues& ti
 double LineLengthening::quantum(const regions::TipValues& tip) const {
   if (tip.method == regions::TipMethod::elements) return 0;
   if (const std::optional<Point> behind = behind_border(tip)) return (*behind - tip.place).norm();
-  return spacing_at(tip, *model_.prepared_);
+  return spacing_at(tip, model_.prepared());
 }
 
 double LineLengthening::spacing_at(const regions::TipValues& tip, const PreparedScene& scene) const {
   const int region = region_of(tip, scene);
-  const auto law = region == 0 ? std::nullopt : scene.discretization.region(region).tip_law(model_.options());
+  const regions::RegionBonds* bonds = region == 0 ? nullptr : scene.discretization.region(region).bonds();
+  const auto law = bonds ? bonds->tip_law(model_.options()) : std::nullopt;
   return law ? law->spacing : 0;
 }
 
-// The cut of an initial crack ends so that its tip acts where it was described. A line that has grown acts ahead of its
-// cut, as the field tells if its loads act. Fields behind turns do not tell: then by what straight lines have in the
-// mean.
-double LineLengthening::acts_ahead(const regions::TipValues& tip, const PreparedScene& scene, bool is_loaded) const {
-  constexpr double in_the_mean = 0.1, farthest = 0.25;  // in spacings
+// Distance ahead of its place at which a tip acts: 0 for an initial crack, whose cut ends so that it acts where it was
+// described. For a line that has grown the field tells it, or if it does not, the mean of straight lines counts.
+double LineLengthening::acts_ahead(const regions::TipValues& tip, const PreparedScene& scene) const {
+  constexpr double in_the_mean = 0.1, farthest = 1;  // in spacings
   if (tip.method == regions::TipMethod::elements || !tip.grown) return 0;
   const double spacing = spacing_at(tip, scene);
-  return is_loaded && std::abs(tip.felt_ahead) < farthest * spacing ? tip.felt_ahead : in_the_mean * spacing;
+  return std::abs(tip.felt_ahead) < farthest * spacing ? tip.felt_ahead : in_the_mean * spacing;
 }
 
-// No tip grows while the load factor moves. If bonds break away from tips, the body fails at the load itself.
+// All tips are frozen while the load factor moves. Bonds that break then are away from tips: the body does not bear the
+// load, which is an error.
 void LineLengthening::go_to(double load_factor) {
   std::set<crack::TipId> all;
-  for (const regions::TipValues& tip : model_.tips_of_lines()) all.insert({tip.crack, tip.end});
+  for (const regions::TipValues& tip : model_.cracks().tips_of_lines(false)) all.insert({tip.crack, tip.end});
   const std::int64_t events = scene().evolution->progress().events;
   move_load(scene(), load_factor, all);
-  ++model_.generation_;
+  model_.preparation().has_changed();
   if (scene().evolution->progress().events != events || scene().evolution->progress().load_factor != load_factor)
     fail(Failure::unsolvable, "bonds break away from the tips on the way to the load factor ", load_factor,
          ", the highest of the blocks: the body does not bear it; choose lower blocks, or crack.rule = tips");
@@ -141,7 +146,7 @@ crack::Extension LineLengthening::extend(const Lengthened& one) {
   const crack::TipId id{one.tip.crack, one.tip.end};
   const double spacing = quantum(one.tip);
   const auto steps = std::max<std::int64_t>(1, std::llround(one.length / spacing));
-  const double before = model_.crack_length(id.crack);
+  const double before = model_.cracks().length(id.crack);
   std::optional<Point> direction;
   if (!one.turns_by_itself) direction = turned(one.tip.direction, one.angle);
   crack::Extension whole;
@@ -161,14 +166,14 @@ crack::Extension LineLengthening::extend(const Lengthened& one) {
     if (!leaves_lattice(last, model_.scene(), discretization)) continue;
     if (place_behind_border(last, model_.scene(), discretization)) break;
     if (!is_at_border(last, model_.scene(), discretization)) continue;
-    evolution.stop_line(id);
+    evolution.events().stop_line(id);
     whole.state = crack::TipState::at_interface;
     break;
   }
-  // The crack's own length counts: an initial crack acts ahead of where its cut ends, from which its first step goes
-  // on.
+  // The length is that by which the crack's path becomes longer, not the sum of the steps: the tip of an initial crack
+  // acts ahead of where its cut ends, and its first step goes on from the cut's end.
   whole.from_x = one.tip.place.x(), whole.from_y = one.tip.place.y();
-  whole.length = model_.crack_length(id.crack) - before;
+  whole.length = model_.cracks().length(id.crack) - before;
   return whole;
 }
 
@@ -178,11 +183,11 @@ bool LineLengthening::carry_on(const Lengthened& one, LongerCracks& longer) {
   std::vector<scene::Crack> cracks;
   in_scene_of(&longer, [&] {
     if (one.tip.method == regions::TipMethod::elements || !behind_border(one.tip)) return;
-    const std::vector<scene::Crack> present = model_.scene_.cracks();
-    scene().evolution->bring_up_to_date();
+    const std::vector<scene::Crack> present = model_.scene().cracks();
+    scene().evolution->sources().bring_up_to_date();
     next = carrier_.carried_on({one.tip.crack, one.tip.end}, false);
-    cracks = model_.scene_.cracks();
-    model_.scene_.set_cracks(present);
+    cracks = model_.scene().cracks();
+    model_.preparation().scene().set_cracks(present);
     if (!next)
       throw crack::CannotGrow(text("crack ", one.tip.crack, " has come to boundary elements in which it cannot go on"));
   });
@@ -203,7 +208,7 @@ LongerCracks LineLengthening::lengthened(const std::vector<Lengthened>& tips) {
     if (!in_elements.empty()) longer = CrackLengthening::lengthened(in_elements);
     for (const Lengthened& one : lines)
       if (!carry_on(one, longer)) in_scene_of(&longer, [&] { longer.grown.growth.extensions.push_back(extend(one)); });
-    ++model_.generation_;
+    model_.preparation().has_changed();
     in_scene_of(&longer, [&] { longer.grown.tips = this->tips(); });
   } catch (...) {
     return_to_accepted();
@@ -216,8 +221,8 @@ void LineLengthening::go_on_in(LongerCracks longer) {
   if (longer.grown.scene) {
     CrackLengthening::go_on_in(std::move(longer));
   } else {
-    ++model_.generation_;
-    if (model_.records_tips()) model_.record_tips();
+    model_.preparation().has_changed();
+    if (model_.cracks().are_recorded()) model_.cracks().record();
   }
   remember();
 }

@@ -24,7 +24,7 @@ class LineLengthening final : public CrackLengthening {
   void in_scene_of(LongerCracks* longer, const std::function<void()>& read) override;
   bool grows_lines() override;
   double quantum(const regions::TipValues& tip) const override;
-  double acts_ahead(const regions::TipValues& tip, const PreparedScene& scene, bool is_loaded) const override;
+  double acts_ahead(const regions::TipValues& tip, const PreparedScene& scene) const override;
   void go_to(double load_factor) override;
   LongerCracks lengthened(const std::vector<Lengthened>& tips) override;
   void go_on_in(LongerCracks longer) override;

@@ -15,14 +15,16 @@ struct Factors {
   double constant = 0, proportional = 0;
 };
 
-// Adds values to a sum of constant parts. Both have the same samples or places.
+// Adds the constant and the proportional part of values, each times its factor, to the constant part of a sum. Both
+// have the same samples or places.
 template <class Kind>
 void add(Kind& sum, const Kind& values, const Factors& by) {
   for (std::size_t k = 0; k < sum.constant.size(); ++k)
     sum.constant[k] += by.constant * values.constant[k] + by.proportional * values.proportional[k];
 }
 
-// Sum of values of one condition, each times a factor; the first one says the kind if there is any.
+// Sum of values of one condition, each times a factor. It is of the same kind as `zero` (samples or places) if all
+// values are, else a function.
 class Sum {
  public:
   explicit Sum(scene::Values zero) : sum_(std::move(zero)) {}
@@ -80,7 +82,7 @@ std::vector<scene::Values> combined_of(const std::vector<scene::Values>& zeros, 
   return all;
 }
 
-// Values at a load factor as constant ones.
+// Values at a load factor, turned into values with a constant part only.
 std::vector<scene::Values> at_load_factor(const std::vector<scene::Values>& zeros,
                                           const std::vector<scene::Values>& values, double load_factor) {
   std::vector<scene::Values> all;
@@ -152,18 +154,19 @@ void LoadCases::at(double load_factor, const std::function<void(PreparedScene&)>
 
 void LoadCases::with(const scene::SceneValues& values, const std::function<void(PreparedScene&)>& read) {
   model_.prepare();
-  model_.under(values, read);
+  model_.loads().under(values, read);
 }
 
 const LoadCases::Solved& LoadCases::under(const std::vector<double>& factors) {
   if (known_generation_ == model_.generation() && known_factors_ == factors) return known_;
   Solved solved;
   with(factors, [&](PreparedScene& scene) {
-    for (const regions::TipValues& tip : model_.compute_tips())
+    for (const regions::TipValues& tip : model_.cracks().present_tips())
       solved.tips.push_back(in_proportion(tip, model_.options()));
     for (std::size_t s = 0; s < model_.scene().supports().size(); ++s)
-      solved.reactions.push_back(model_.scene().supports()[s].removed() ? Eigen::Vector2d::Zero()
-                                                                        : scene.evolution->reaction(s));
+      solved.reactions.push_back(model_.scene().supports()[s].removed()
+                                     ? Eigen::Vector2d::Zero()
+                                     : scene.evolution->body().supports().reaction(s));
     const std::vector<char>& closed = scene.system->constraints().closed();
     solved.pressed = std::count(closed.begin(), closed.end(), 1);
   });

@@ -26,7 +26,7 @@ class LoadCases {
   int add(const std::vector<int>& loads, const std::vector<int>& supports);
   int count() const { return static_cast<int>(cases_.size()); }
 
-  // Body under a combination.
+  // Results of the body in equilibrium under a combination of load cases.
   struct Solved {
     std::vector<regions::TipValues> tips;
     std::vector<Eigen::Vector2d> reactions;  // of each support [N]

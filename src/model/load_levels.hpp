@@ -32,7 +32,8 @@ class LoadLevels {
   const std::vector<crack::Block>& blocks() const { return blocks_; }
 
   bool combine_cases() const { return !levels_.front().cases.empty(); }
-  // Numbers of the lowest load factor and of the highest one of an upper end, without load cases.
+  // Numbers of the lowest load, and of the highest one that is an upper end of cycles; only if no load cases are
+  // combined.
   std::size_t lowest() const { return 0; }
   std::size_t highest() const { return highest_; }
   double factor(std::size_t number) const { return levels_[number].load_factor; }

@@ -75,7 +75,7 @@ NetSection::NetSection(const Outline& outline, const std::vector<scene::Crack>& 
   std::erase_if(pieces_, [&](const Piece& piece) { return piece.to - piece.from <= 1e3 * tolerance; });
 }
 
-void NetSection::take_out(const scene::Crack& crack, double reach) {
+void NetSection::take_out(const scene::Crack& crack, double half_width) {
   const Point across(-direction_.y(), direction_.x());
   for (std::size_t k = 0; k + 1 < crack.points.size(); ++k) {
     const Point from = crack.points[k] - place_, way = crack.points[k + 1] - crack.points[k];
@@ -83,9 +83,9 @@ void NetSection::take_out(const scene::Crack& crack, double reach) {
     // Shares of the segment between which it is near to the line.
     double first = 0, last = 1;
     if (std::abs(turn) > 1e-12 * way.norm()) {
-      const double a = (-reach - beside) / turn, b = (reach - beside) / turn;
+      const double a = (-half_width - beside) / turn, b = (half_width - beside) / turn;
       first = std::max(first, std::min(a, b)), last = std::min(last, std::max(a, b));
-    } else if (std::abs(beside) > reach) {
+    } else if (std::abs(beside) > half_width) {
       continue;
     }
     if (first >= last) continue;
@@ -144,8 +144,8 @@ double NetSection::share(const std::vector<regions::PointValue>& stresses, doubl
   }
   if (!(length > 0)) return 0;
   const double size = std::max(pieces_.back().to, -pieces_.front().from);
-  // A rotation about a place at the tangent of an angle: it opens the tip if the place lies behind it, and if it lies
-  // ahead of it with the other sense.
+  // Ratio of works for a rotation about the place at size * tan(angle) from the tip. The sense in which the rotation
+  // opens the tip depends on whether the place lies behind the tip (angle < 0) or ahead of it.
   const auto ratio = [&](double angle) {
     const double centre = size * std::tan(angle);
     const double work = (angle < 0 ? 1 : -1) * (moment - centre * force);

@@ -28,7 +28,7 @@ class NetSection {
     double from, to;  // along the line, from the tip [m]
   };
 
-  void take_out(const scene::Crack& crack, double reach);
+  void take_out(const scene::Crack& crack, double half_width);
   void take_out(const Piece& part);
   // Integral of the distance from a place over the section.
   double opening_about(double centre) const;

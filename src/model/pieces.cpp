@@ -21,7 +21,7 @@ std::vector<coupling::HeldDirection> held_directions(const PreparedScene& p, con
 const PieceNodes& Pieces::all() {
   const PreparedScene& prepared = model_.prepared();
   if (generation_ == model_.generation()) return found_;
-  prepared.evolution->bring_terms_up_to_date();
+  prepared.evolution->sources().refresh();
   PieceNodes found;
   found.nodes = fracture::Connectivity(*prepared.system).pieces();
   std::stable_sort(found.nodes.begin(), found.nodes.end(),
@@ -36,8 +36,9 @@ const PieceNodes& Pieces::all() {
 
 void check_loads_inside_free_pieces(const PreparedScene& p) {
   const auto is_loaded_inside = [&](const regions::Region& region) {
-    if (!region.is_cut()) return false;
-    const auto of_crack = [&](const regions::CrackLoad& load) { return region.has_inner_crack(load.crack); };
+    const regions::CrackElements* cracks = region.crack_elements();
+    if (!cracks || !cracks->cut_the_region()) return false;
+    const auto of_crack = [&](const regions::CrackLoad& load) { return cracks->lie_inside(load.crack); };
     const std::vector<regions::CrackLoad>& loads = p.conditions.crack_loads;
     return !p.conditions.body_force.middleRows<3>(3 * static_cast<Eigen::Index>(region.id() - 1)).isZero(0) ||
            std::any_of(loads.begin(), loads.end(), of_crack);
@@ -99,7 +100,7 @@ std::vector<int> Pieces::loaded_nodes(int load) {
       return {Point::Ones(), Point::Zero()};
     });
   }
-  const Eigen::VectorXd force = model_.conditions_under(std::move(values)).force.col(0);
+  const Eigen::VectorXd force = model_.loads().conditions_under(std::move(values)).force.col(0);
   std::vector<int> nodes;
   for (Eigen::Index dof = 0; dof < force.size(); ++dof)
     if (force[dof] != 0) nodes.push_back(static_cast<int>(dof / 2));
@@ -113,7 +114,7 @@ std::vector<int> Pieces::of_load(int load) {
 }
 
 std::vector<int> Pieces::of_nodes_in(int region) {
-  const std::vector<int> nodes = model_.results().region(region).nodes_of_entries();
+  const std::vector<int> nodes = model_.results().region(region).results().nodes_of_entries();
   const PieceNodes& all = this->all();
   std::vector<int> numbers;
   numbers.reserve(nodes.size());

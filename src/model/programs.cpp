@@ -26,51 +26,54 @@ void add(StepResult& sum, const StepResult& step) {
 }  // namespace
 
 // Runs to the time of one row of a table, with values that change linearly from those of the previous row.
-StepResult Model::run_to_row(const scene::LoadTable& table, std::size_t row, const scene::SceneValues& given,
-                             fracture::Goal goal) {
-  const double present = load_factor(), end = table.times[row];
+StepResult LoadDriver::run_to_row(const scene::LoadTable& table, std::size_t row, const scene::SceneValues& given,
+                                  fracture::Goal goal) {
+  LoadValues& loads = model_.loads();
+  const double present = model_.load_factor(), end = table.times[row];
   const scene::SceneValues at_end = table.at(row, given);
   std::optional<scene::SceneValues> way;
   if (end == present) {
     way = at_end;
   } else if (row == 0) {
-    way = scene::line_between(loads_.in_force ? *loads_.in_force : scene::at_rest(given), present, at_end, end);
+    way = scene::line_between(loads.present().in_force ? *loads.present().in_force : scene::at_rest(given), present,
+                              at_end, end);
   } else {
     way = scene::line_between(table.at(row - 1, given), table.times[row - 1], at_end, end);
   }
-  LoadsBefore before = replace_loads(conditions_under(*way), Acting::on_a_way);
+  LoadValues::Before before = loads.replace(loads.conditions_under(*way), Acting::on_a_way);
   StepResult result;
   try {
     result = run(end, goal, &*way);
+    model_.accuracy().journal().is_known = false;
   } catch (const EventGivenUp&) {  // before the first equilibrium of this row: those before it stay
-    go_back_to(std::move(before));
+    loads.go_back_to(std::move(before));
     return {fracture::StopReason::requested};
   }
   // If nothing can break any more before the row's time, the run still moves on to it.
-  if (result.reason == fracture::StopReason::no_further_event && load_factor() != end) {
+  if (result.reason == fracture::StopReason::no_further_event && model_.load_factor() != end) {
     add(result, run(end, fracture::Goal::load_factor, &*way));
   }
   if (result.reason == fracture::StopReason::no_further_event) result.reason = fracture::StopReason::load_factor;
-  loads_.in_force.swap(way);
-  loads_.end_of_way = end;
+  loads.present().in_force.swap(way);
+  loads.present().end_of_way = end;
   return result;
 }
 
-StepResult Model::run_program(const scene::LoadTable& table, fracture::Goal goal) {
-  table.check(scene_);
+StepResult LoadDriver::run_program(const scene::LoadTable& table, fracture::Goal goal) {
+  table.check(model_.scene());
   require(
-      options_.text_value("stepping.control") == "load",
+      model_.options().text_value("stepping.control") == "load",
       "stepping.control is path, by which the load factor falls where growth is unstable; a program goes on in time: "
       "set it to load");
-  prepare_for_step(*this);
-  const double present = load_factor(), end = table.times.back();
-  const bool has_begun =
-      prepared_->evolution->progress().in_equilibrium || !prepared_->evolution->progress().history.empty();
+  prepare_for_step(model_);
+  const double present = model_.load_factor(), end = table.times.back();
+  const fracture::EvolutionState& state = model_.prepared().evolution->progress();
+  const bool has_begun = state.in_equilibrium || !state.history.empty();
   require(end > present || (end == present && !has_begun), "the last time of the program is ", end,
           ", and the load factor is ", present, " already; times go on from there");
-  const SavedState start = save();
+  const SavedState start = model_.states().save();
   try {
-    const scene::SceneValues given = scene_.values();
+    const scene::SceneValues given = model_.scene().values();
     StepResult sum{fracture::StopReason::load_factor};
     auto row = static_cast<std::size_t>(std::lower_bound(table.times.begin(), table.times.end(), present) -
                                         table.times.begin());
@@ -84,7 +87,7 @@ StepResult Model::run_program(const scene::LoadTable& table, fracture::Goal goal
     }
     return sum;
   } catch (...) {
-    restore(start);
+    model_.states().restore(start);
     throw;
   }
 }

@@ -5,31 +5,35 @@
 
 namespace bempd::model {
 
-void Model::record_tips() {
-  const fracture::HistoryEntry& line = prepared_->evolution->state().history.back();
-  for (const regions::TipValues& tip : compute_tips())
-    tip_history_.push_back({line.event, line.total_broken_bonds, line.load_factor, tip});
+namespace {
+
+// Whether the body counts as separated although bonds still connect the held part and the loaded part, like a hinge.
+bool hangs(Model& model) {
+  const PreparedScene& prepared = model.prepared();
+  return prepared.evolution->progress().separated && model.pieces().anchored_count() <= prepared.anchored_pieces;
 }
 
-void Model::run_recording(double target, fracture::Goal goal, const fracture::SteppingOptions& stepping,
-                          ElementCarrier& elements, StepResult& result) {
-  const auto recorded = static_cast<std::ptrdiff_t>(tip_history_.size());
-  const auto every = static_cast<std::int64_t>(options_.number("tips.record"));
+}  // namespace
+
+void LoadDriver::run_recording(double target, fracture::Goal goal, const fracture::SteppingOptions& stepping,
+                               ElementCarrier& elements, StepResult& result) {
+  const std::size_t recorded = model_.cracks().history().size();
+  const auto every = static_cast<std::int64_t>(model_.options().number("tips.record"));
   const auto on_event = [&](const fracture::EvolutionState& state) {
-    if (every > 0 && state.events % every == 0) record_tips();
-    const bool go_on = !progress_ || progress_(state.load_factor, state.events, state.broken_bonds);
-    if (!go_on)
+    if (every > 0 && state.events % every == 0) model_.cracks().record();
+    if (!model_.host().goes_on(state))
       fail(Failure::cancelled, "the progress callback asked to stop; the model is back at the start of the step");
-    if (cancel_requested_) fail(Failure::cancelled, "cancelled on request; the model is back at the start of the step");
+    if (model_.host().cancel_requested())
+      fail(Failure::cancelled, "cancelled on request; the model is back at the start of the step");
   };
   const auto on_end = [&] {
-    if (every > 0 && prepared_->evolution->progress().history.back().event == 0) record_tips();
-    result.hanging = hangs();
+    if (every > 0 && model_.prepared().evolution->progress().history.back().event == 0) model_.cracks().record();
+    result.hanging = hangs(model_);
   };
   try {
-    result.reason = prepared_->evolution->advance(target, goal, stepping, on_event, on_end);
+    result.reason = model_.prepared().evolution->advance(target, goal, stepping, on_event, on_end);
   } catch (...) {
-    tip_history_.erase(tip_history_.begin() + recorded, tip_history_.end());
+    model_.cracks().keep_records(recorded);
     elements.take_back();
     throw;
   }

@@ -24,7 +24,8 @@ regions::Solution solution_of(const PreparedScene& prepared) {
   if (prepared.system->constraints().closed_exact_count() > 0)
     for (const auto& region : prepared.discretization.regions) {
       std::vector<char>& own = closed[static_cast<std::size_t>(region->id()) - 1];
-      for (const regions::OperatorNodes& one : region->nodes_of_operators()) {
+      if (!region->operators()) continue;
+      for (const regions::OperatorNodes& one : region->operators()->nodes_of_operators()) {
         const std::vector<char> flags = prepared.system->operators().closed_on(one.nodes);
         own.insert(own.end(), flags.begin(), flags.end());
       }
@@ -32,12 +33,12 @@ regions::Solution solution_of(const PreparedScene& prepared) {
   return {
       .displacement = state.total_displacement,
       .bonds = prepared.system->terms(),
-      .intact = prepared.system->intact(),
+      .intact = prepared.system->stages().intact(),
       .body_forces = prepared.conditions.body_forces(state.load_factor),
       .parts = &state.displacement,
       .crack_loads = &prepared.conditions.crack_loads,
       .load_factor = state.load_factor,
-      .stages = &prepared.system->stages(),
+      .stages = &prepared.system->stages().numbers(),
       .closed_faces = std::move(closed),
       .body_force_parts = &prepared.conditions.body_force,
   };
@@ -49,26 +50,26 @@ const regions::Region& Results::region(int id) {
 }
 
 std::span<const pd::Bond> Results::bonds(int id) {
-  const auto bonds = region(id).bonds();
-  require(bonds.has_value(), "region ", id, " is a ", model_.scene().region(id).adjective(),
+  const regions::RegionBonds* bonds = region(id).bonds();
+  require(bonds != nullptr, "region ", id, " is a ", model_.scene().region(id).adjective(),
           " region and has no bonds; ask a peridynamic region");
-  return *bonds;
+  return bonds->list();
 }
 
 std::vector<regions::BondState> Results::bond_states(int id) {
   bonds(id);
   const PreparedScene& prepared = model_.prepared();
-  prepared.evolution->bring_terms_up_to_date();
-  return results::bond_states(region(id), prepared.system->intact(), prepared.cut_bonds);
+  prepared.evolution->sources().refresh();
+  return results::bond_states(region(id), prepared.system->stages().intact(), prepared.cut_bonds);
 }
 
 const FieldValues& Results::field(int id, Field which) {
-  region(id).field_size(which);
+  region(id).results().field_size(which);
   const PreparedScene& prepared = model_.in_equilibrium();
   const FieldValues& field = fields_.of({id, which}, model_.generation(), [&] {
-    if (which != Field::stress_order) return region(id).field(which, solution_of(prepared));
+    if (which != Field::stress_order) return region(id).results().field(which, solution_of(prepared));
     const results::StressOrders orders(singular_places(), prepared.discretization.tolerance);
-    return orders.at_nodes(region(id).field(Field::position, solution_of(prepared)));
+    return orders.at_nodes(region(id).results().field(Field::position, solution_of(prepared)));
   });
   require_numbers(
       Eigen::Map<const Eigen::VectorXd>(field.values.data(), static_cast<Eigen::Index>(field.values.size())));
@@ -81,14 +82,16 @@ results::FieldsOfScene Results::fields() {
 
 Eigen::Vector2d Results::reaction(int support) {
   model_.scene().support(support);  // throws without it
-  const Eigen::Vector2d sum = model_.in_equilibrium().evolution->reaction(static_cast<std::size_t>(support - 1));
+  const Eigen::Vector2d sum =
+      model_.in_equilibrium().evolution->body().supports().reaction(static_cast<std::size_t>(support - 1));
   require_numbers(sum);
   return sum;
 }
 
 double Results::reaction_moment(int support, const Point& about) {
   model_.scene().support(support);  // throws without it
-  return model_.in_equilibrium().evolution->reaction_moment(static_cast<std::size_t>(support - 1), about);
+  return model_.in_equilibrium().evolution->body().supports().reaction_moment(static_cast<std::size_t>(support - 1),
+                                                                              about);
 }
 
 const std::vector<regions::SingularPlace>& Results::singular_places() {

@@ -29,7 +29,9 @@ class Results {
 
   // Field of a region; computed once for each generation.
   const regions::FieldValues& field(int region, regions::Field field);
-  regions::FieldSize field_size(int region, regions::Field field) { return this->region(region).field_size(field); }
+  regions::FieldSize field_size(int region, regions::Field field) {
+    return this->region(region).results().field_size(field);
+  }
   results::FieldsOfScene fields();
 
   // Reaction of a support: sum of its nodal forces [N], and of their moments about a place [N m].

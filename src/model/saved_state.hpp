@@ -8,6 +8,7 @@
 #include "fracture/continuation.hpp"
 #include "fracture/evolution_state.hpp"
 #include "model/fingerprint.hpp"
+#include "model/run_journal.hpp"
 #include "results/tip_record.hpp"
 #include "scene/scene_values.hpp"
 
@@ -32,6 +33,7 @@ struct SavedState {
   fracture::EvolutionState evolution;
   fracture::Continuation continuation;
   std::vector<results::TipRecord> tips;  // not among its bytes
+  std::optional<RunJournal> journal;     // likewise
   // Values at the end of the last step; empty before the first one. Functions are not written to bytes.
   std::optional<scene::SceneValues> in_force;
   Acting acting = Acting::values;

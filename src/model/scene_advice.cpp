@@ -12,12 +12,13 @@
 #include "geometry/outline.hpp"
 #include "geometry/segment.hpp"
 #include "pd/critical_stretch.hpp"
+#include "regions/edge_nodes.hpp"
 
 namespace bempd::model {
 
 namespace {
 
-constexpr double infinite = std::numeric_limits<double>::infinity();
+constexpr double unbounded = std::numeric_limits<double>::infinity();
 constexpr double fewest_cells = 10;          // across a lattice that breaks
 constexpr double fewest_horizons = 2;        // of ligament ahead of a tip in a lattice
 constexpr double share_before_edge = 0.01;   // of a crack's length, below which its tip counts as right before an edge
@@ -42,7 +43,7 @@ struct FreeEdge {
 };
 
 struct Ahead {
-  double distance = infinite;
+  double distance = unbounded;
   std::string what;
 };
 
@@ -55,7 +56,10 @@ class Adviser {
   }
 
   Advice run() {
-    for (const auto& region : d_.regions) tell_of_cells(*region);
+    for (const auto& region : d_.regions) {
+      tell_of_cells(*region);
+      tell_of_body(*region);
+    }
     for (std::size_t c = 0; c < scene_.cracks().size(); ++c) tell_of_crack(static_cast<int>(c) + 1);
     std::vector<int> materials;
     for (const int id : scene_.region_ids()) materials.push_back(scene_.region(id).material());
@@ -87,6 +91,20 @@ class Adviser {
     return material.fracture_energy > 0 || material.critical_stretch > 0;
   }
 
+  // Tells which regions with bonds across their common edges are one body, and where its lattice lies.
+  void tell_of_body(const regions::Region& region) {
+    const std::optional<regions::LatticeGrid> grid = region.lattice_grid();
+    if (!grid || std::none_of(d_.arrangement.contacts.begin(), d_.arrangement.contacts.end(),
+                              [&](const Contact& c) { return c.region + 1 == region.id(); }))
+      return;
+    const std::vector<int> body = regions::regions_of_body(d_, region.id());
+    if (body.size() < 2 || body.front() != region.id()) return;
+    std::string names;
+    for (const int id : body) names += text(names.empty() ? "regions " : ", ", id);
+    advice_.facts.push_back(names + text(" are one body; its lattice has a point at (", about(grid->origin.x()), ", ",
+                                         about(grid->origin.y()), ")"));
+  }
+
   // --- Cells
 
   // Warns of a lattice with few cells across its narrower direction. A direction in which another region continues the
@@ -94,11 +112,11 @@ class Adviser {
   void tell_of_cells(const regions::Region& region) {
     const std::optional<regions::LatticeGrid> grid = region.lattice_grid();
     if (!grid || !breaks(region.id())) return;
-    double narrowest = infinite;
+    double narrowest = unbounded;
     for (const double angle : {grid->angle, grid->angle + std::numbers::pi / 2}) {
       const Point axis(std::cos(angle), std::sin(angle));
       if (goes_on_along(region.id(), axis)) continue;
-      double low = infinite, high = -infinite;
+      double low = unbounded, high = -unbounded;
       for (const Edge& edge : edges_of(scene_.region(region.id()).outline())) {
         for (const double fraction : {0.0, 0.5}) {
           const double along = axis.dot(edge.at(fraction));
@@ -216,7 +234,7 @@ class Adviser {
   void tell_of_material(int id) {
     const scene::Material& material = scene_.material(id);
     int lattice = 0, longest = 0;
-    double horizon = infinite, length = 0;
+    double horizon = unbounded, length = 0;
     for (const auto& region : d_.regions) {
       if (scene_.region(region->id()).material() != id) continue;
       if (const auto grid = region->lattice_grid(); grid && grid->horizon < horizon)
@@ -233,7 +251,7 @@ class Adviser {
     if (lattice > 0 && material.critical_stretch > 0)
       energy = pd::fracture_energy(material.critical_stretch, material.elasticity, horizon);
     if (!(energy > 0) || (lattice == 0 && longest == 0)) return;
-    double strain = infinite;
+    double strain = unbounded;
     std::string fact = text("material ", id, ": K_IC = sqrt(E' G0) = ", about(std::sqrt(modulus * energy)));
     if (lattice > 0) {
       strain = initiation_number * std::sqrt(energy / modulus / horizon);

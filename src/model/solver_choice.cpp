@@ -23,21 +23,22 @@ const scene::OptionGroup solver_hooks(scene::OptionPlace::test_hooks, [] {
 
 }  // namespace
 
-linalg::SolverChoice Model::solver_choice() const {
-  return {external_solver_, options_.text_value("linalg.scratch"), options_.text_value("test.indices") == "wide"};
+linalg::SolverChoice AttachedSolver::choice() const {
+  const scene::Options& options = model_.options();
+  return {solver_, options.text_value("linalg.scratch"), options.text_value("test.indices") == "wide"};
 }
 
-void Model::set_external_solver(std::shared_ptr<linalg::ExternalSolver> solver) {
-  if (solver && prepared_)
+void AttachedSolver::attach(std::shared_ptr<linalg::ExternalSolver> solver) {
+  const PreparedScene* const prepared = model_.prepared_or_null();
+  if (solver && prepared)
     fail(Failure::order, "the model is prepared already; attach a solver before the first step or result");
-  if (solver && external_solver_)
-    fail(Failure::order, "the model has an attached solver already; detach that one first");
-  if (prepared_ && external_solver_) {
-    prepared_->evolution->synchronize();
-    prepared_->system->release_solver();
+  if (solver && solver_) fail(Failure::order, "the model has an attached solver already; detach that one first");
+  if (prepared && solver_) {
+    prepared->evolution->synchronize();
+    prepared->system->factor().release();
   }
-  if (external_solver_) external_solver_->end();
-  external_solver_ = std::move(solver);
+  if (solver_) solver_->end();
+  solver_ = std::move(solver);
 }
 
 }  // namespace bempd::model

@@ -1,11 +1,17 @@
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <set>
+#include <span>
+#include <tuple>
 
 #include "error.hpp"
+#include "geometry/outline.hpp"
+#include "model/driven_growth.hpp"
 #include "model/fingerprint.hpp"
 #include "model/model.hpp"
 #include "model/state_checks.hpp"
+#include "model/states.hpp"
 
 namespace bempd::model {
 
@@ -55,9 +61,9 @@ void require_fit(const SavedState& saved, const PreparedScene& scene) {
   std::set<int> grown;
   for (const fracture::GrownFace& face : state.faces.grown) {
     must(face.term >= 0 && face.term < static_cast<int>(terms.size()) && grown.insert(face.term).second &&
-         is_broken(static_cast<std::size_t>(face.term)) && scene.evolution->can_have(face));
+         is_broken(static_cast<std::size_t>(face.term)) && scene.evolution->faces().can_have(face));
   }
-  must(state.faces.closed.size() == scene.evolution->first_grown_constraint() + grown.size());
+  must(state.faces.closed.size() == scene.evolution->faces().first_grown() + grown.size());
   for (const std::vector<int>& terms_of_event : state.faces.pending)
     for (const int term : terms_of_event)
       must(term >= 0 && term < static_cast<int>(terms.size()) && is_broken(static_cast<std::size_t>(term)));
@@ -72,8 +78,8 @@ void require_fit(const SavedState& saved, const PreparedScene& scene) {
   must(fits(saved.continuation, state, scene));
 }
 
-// Values of a state, for conditions of the scene that are given in the same form. Present values replace those that the
-// state lacks: functions are not written to bytes, and the scene may have other loads.
+// Values of a saved state, as far as they are alike (are_alike()) to the present ones of the scene's conditions; else
+// the present ones. Functions are not written to bytes, and the scene may have other loads.
 scene::SceneValues fitted(const scene::SceneValues& values, const scene::SceneValues& present) {
   const auto fit = [](const std::vector<scene::Values>& of_state, const std::vector<scene::Values>& of_scene) {
     std::vector<scene::Values> all = of_scene;
@@ -92,110 +98,199 @@ bool are_known(const scene::SceneValues& values, const scene::SceneValues& prese
                     scene::are_alike);
 }
 
-}  // namespace
-
-scene::SceneValues Model::acting_values() const {
-  switch (loads_.acting) {
-    case Acting::others:
-      return *loads_.others;
-    case Acting::on_a_way:
-      return *loads_.in_force;
-    case Acting::values:
-      break;
-  }
-  return scene_.values();
+// Whether an extension is the step of a line in a lattice. Lines may begin or end slightly outside their lattice's
+// outline, so both ends of an extension are tested.
+bool is_among_bonds(const Model& model, const crack::Extension& e) {
+  const scene::Scene& scene = model.scene();
+  const double tolerance = model.prepared_or_null()->discretization.tolerance;
+  const std::vector<int> ids = scene.region_ids();
+  const auto lies_in_elements = [&](double x, double y) {
+    return std::any_of(ids.begin(), ids.end(), [&](int id) {
+      return scene.region(id).has_elements() &&
+             locate(scene.region(id).outline(), {x, y}, tolerance) == Location::inside;
+    });
+  };
+  const bool has_stopped = e.state == crack::TipState::at_interface;  // a line, perhaps a little behind the border
+  return !lies_in_elements(e.from_x, e.from_y) && (has_stopped || !lies_in_elements(e.x, e.y));
 }
 
-SavedState Model::save(bool with_values) const {
-  if (!prepared_) fail(Failure::order, "there is no state yet; call bempd_prepare() or step first");
+// Whether two extensions, or lists of them, are the same up to loads and energies.
+bool are_same(const crack::Extension& a, const crack::Extension& b) {
+  const auto place = [](const crack::Extension& e) { return std::tuple(e.crack, e.end, e.x, e.y, e.from_x, e.from_y); };
+  return place(a) == place(b);
+}
+
+}  // namespace
+
+SavedState States::save(bool with_values) const {
+  if (!model_.prepared_or_null()) fail(Failure::order, "there is no state yet; call bempd_prepare() or step first");
+  const PreparedScene& prepared = model_.prepared();
+  const LoadValues::Present& loads = model_.loads().present();
   const std::uint64_t said =
-      loads_.acting == Acting::values
-          ? load_fingerprint(scene_, prepared_->conditions)
-          : load_fingerprint(scene_, regions::apply_conditions(scene_, prepared_->discretization));
+      loads.acting == Acting::values
+          ? load_fingerprint(model_.scene(), prepared.conditions)
+          : load_fingerprint(model_.scene(), regions::apply_conditions(model_.scene(), prepared.discretization));
   std::vector<int> frozen;
   if (with_values)
-    for (const auto& [crack, end] : frozen_tips_) frozen.insert(frozen.end(), {crack, end});
+    for (const auto& [crack, end] : model_.growth().frozen()) frozen.insert(frozen.end(), {crack, end});
   return {
-      .scene = prepared_->fingerprint,
+      .scene = prepared.fingerprint,
       .load_fingerprint = said,
-      .evolution = prepared_->evolution->state(),
-      .continuation = prepared_->evolution->continuation(),
-      .tips = tip_history_,
-      .in_force = loads_.in_force,
-      .acting = loads_.acting,
-      .end_of_way = loads_.acting == Acting::on_a_way ? loads_.end_of_way : 0,
-      .acting_values = acting_values(),
-      .said = with_values ? std::optional(scene_.values()) : std::nullopt,
+      .evolution = prepared.evolution->state(),
+      .continuation = prepared.evolution->continuation(),
+      .tips = model_.cracks().history(),
+      .journal = model_.accuracy().journal(),
+      .in_force = loads.in_force,
+      .acting = loads.acting,
+      .end_of_way = loads.acting == Acting::on_a_way ? loads.end_of_way : 0,
+      .acting_values = model_.loads().acting_values(),
+      .said = with_values ? std::optional(model_.scene().values()) : std::nullopt,
       .frozen = std::move(frozen),
-      .overloads = numbers_of(fatigue_.overloads()),
+      .overloads = numbers_of(model_.fatigue().overloads()),
   };
 }
 
-void Model::restore(const SavedState& state) {
-  prepare();
-  require(!state.said || state.scene.loads == prepared_->fingerprint.loads,
+void States::restore(const SavedState& state) {
+  model_.prepare();
+  require(!state.said || state.scene.loads == model_.prepared().fingerprint.loads,
           "the state has the values of other loads, or of the same ones in another order; add those of the model that "
           "was saved, in its order");
-  scene::SceneValues said = state.said ? fitted(*state.said, scene_.values()) : scene_.values();
-  scene_.exchange_values(said);
+  scene::SceneValues said = state.said ? fitted(*state.said, model_.scene().values()) : model_.scene().values();
+  model_.preparation().scene().exchange_values(said);
   try {
     restore_body(state);
   } catch (...) {
-    scene_.exchange_values(said);
+    model_.preparation().scene().exchange_values(said);
     throw;
   }
   if (!state.said) return;
-  frozen_tips_.clear();
-  for (std::size_t k = 1; k < state.frozen.size(); k += 2) frozen_tips_.insert({state.frozen[k - 1], state.frozen[k]});
+  std::set<crack::TipId> frozen;
+  for (std::size_t k = 1; k < state.frozen.size(); k += 2) frozen.insert({state.frozen[k - 1], state.frozen[k]});
+  model_.growth().set_all_frozen(std::move(frozen));
 }
 
-void Model::restore_body(const SavedState& state) {
-  const SceneFingerprint& present = prepared_->fingerprint;
+// Whether the cracks in elements and the patches of the present scene are those of a state.
+bool States::has_grown_as(const fracture::EvolutionState& state) const {
+  const fracture::EvolutionState& present = model_.prepared_or_null()->evolution->progress();
+  const auto has_same = [&](std::int64_t number) {
+    const auto k = static_cast<std::size_t>(number);
+    return k < state.extensions.size() && k < present.extensions.size() &&
+           are_same(state.extensions[k], present.extensions[k]);
+  };
+  if (state.layouts != present.layouts || !std::ranges::all_of(state.layouts, has_same)) return false;
+  const auto in_elements = [&](std::vector<crack::Extension> extensions) {
+    std::erase_if(extensions, [&](const crack::Extension& e) { return is_among_bonds(model_, e); });
+    return extensions;
+  };
+  return std::ranges::equal(in_elements(state.extensions), in_elements(present.extensions), are_same);
+}
+
+// Cracks are extended event by event as in the run, so that operators get the same digits. Growth in lattices changes
+// the scene only where the line has continued in elements, or its patch has got more blocks.
+std::unique_ptr<PreparedScene> States::as_grown(const fracture::EvolutionState& state) {
+  if (has_grown_as(state)) return nullptr;
+  const std::vector<crack::Extension>& extensions = state.extensions;
+  std::vector<scene::Crack> cracks;
+  for (const scene::Crack& crack : model_.scene().cracks())
+    if (!crack.has_begun) cracks.push_back({{crack.given().begin(), crack.given().end()}, 0, 0});
+  const std::size_t described = cracks.size();
+  const double tolerance = model_.prepared().discretization.tolerance;
+  Preparation& preparation = model_.preparation();
+  preparation.scene().set_cracks(cracks);
+  model_.treatments().go_back_to(model_.treatments().first_patches());
+  std::unique_ptr<PreparedScene> grown;
+  bool is_built = false;
+  const auto build_anew = [&] {
+    if (!is_built) grown = preparation.build(grown.get(), Preparation::Operators::anew);
+    is_built = true;
+  };
+  const auto among_bonds = [&](const crack::Extension& e) { return is_among_bonds(model_, e); };
+  std::span<const std::int64_t> layouts = state.layouts;
+  for (std::size_t k = 0; k < extensions.size(); ++k) {
+    const crack::Extension& e = extensions[k];
+    if (!among_bonds(e)) {
+      const auto number = static_cast<std::size_t>(e.crack) - 1;
+      require(number < described ? !cracks[number].points.empty() : number < described + extensions.size(),
+              "the state's extensions are of crack ", e.crack,
+              ", which the scene does not have; its bytes were altered");
+      with_line(cracks, e.tip(), std::span(extensions).first(k + 1), model_.scene(), tolerance);
+      const auto next =
+          std::find_if_not(extensions.begin() + static_cast<std::ptrdiff_t>(k) + 1, extensions.end(), among_bonds);
+      if (next == extensions.end() || next->event != e.event) {
+        build_anew();
+        preparation.scene().set_cracks(cracks);
+        grown = preparation.build(grown.get());
+      }
+    }
+    if (layouts.empty() || layouts.front() != static_cast<std::int64_t>(k)) continue;
+    layouts = layouts.subspan(1);
+    std::optional<std::vector<regions::Patch>> larger = model_.treatments().followed(e);
+    require(larger.has_value(), "the state has other lattice patches; its bytes were altered");
+    model_.treatments().move(std::move(*larger));
+    is_built = false;
+  }
+  require(layouts.empty(), "the state has more lattice patches than growth; its bytes were altered");
+  build_anew();
+  grown->fingerprint = model_.prepared().fingerprint;
+  return grown;
+}
+
+void States::grow_as(const SavedState& state) {
+  const std::vector<scene::Crack> cracks = model_.scene().cracks();
+  const std::vector<regions::Patch> patches = model_.treatments().patches();
+  try {
+    std::unique_ptr<PreparedScene> grown = as_grown(state.evolution);
+    require_fit(state, grown ? *grown : model_.prepared());
+    if (grown) model_.preparation().exchange(std::move(grown));
+  } catch (...) {
+    model_.preparation().scene().set_cracks(cracks);
+    model_.treatments().go_back_to(patches);
+    throw;
+  }
+}
+
+void States::restore_body(const SavedState& state) {
+  const SceneFingerprint& present = model_.prepared().fingerprint;
   std::vector<RememberedOverload> overloads = overloads_of(state.overloads);
   require(state.scene.body == (state.format == 14 ? present.body_of_format_14 : present.body),
           "the state belongs to another scene; restore it into the model that was saved or one built in the same way");
-  require_same_ends(state, prepared_->in_lattices);
+  require_same_ends(state, model_.prepared().in_lattices);
   require(state.scene.supports == present.supports,
           "the state was saved with other supports, or with the same ones in another order; add those of the model "
           "that was saved, in its order");
-  const std::vector<scene::Crack> cracks = scene_.cracks();
-  try {
-    std::unique_ptr<PreparedScene> grown = as_grown(state.evolution.extensions);
-    require_fit(state, grown ? *grown : *prepared_);
-    if (grown) prepared_ = std::move(grown);
-  } catch (...) {
-    scene_.set_cracks(cracks);
-    throw;
-  }
+  grow_as(state);
   fracture::EvolutionState copy = state.evolution;
   fracture::Continuation continuation = state.continuation;
-  Loads loads;
-  if (state.in_force) loads.in_force = fitted(*state.in_force, scene_.values());
-  regions::DofConditions conditions = conditions_under(scene_.values());
-  const bool same_loads = state.load_fingerprint == load_fingerprint(scene_, conditions);
+  std::vector<results::TipRecord> tips = state.tips;
+  RunJournal journal = RunJournal::continued(state.journal);
+  LoadValues::Present loads;
+  if (state.in_force) loads.in_force = fitted(*state.in_force, model_.scene().values());
+  regions::DofConditions conditions = model_.loads().conditions_under(model_.scene().values());
+  const bool same_loads = state.load_fingerprint == load_fingerprint(model_.scene(), conditions);
   // If the saved loads differ from the present ones, they act until the next step, so that the change does work.
   loads.acting = same_loads ? state.acting : Acting::others;
-  const bool known = loads.acting == Acting::values || are_known(state.acting_values, scene_.values());
+  const bool known = loads.acting == Acting::values || are_known(state.acting_values, model_.scene().values());
   if (!known) {  // functions that its bytes do not have, or other loads: the present ones act at once
     if (loads.acting == Acting::others) loads.acting = Acting::values;
     copy.in_equilibrium = false;
     copy.first_unit_energy = -1;
   }
   if (loads.acting != Acting::values) {
-    scene::SceneValues acting = fitted(state.acting_values, scene_.values());
-    conditions = conditions_under(acting);
+    scene::SceneValues acting = fitted(state.acting_values, model_.scene().values());
+    conditions = model_.loads().conditions_under(acting);
     if (loads.acting == Acting::on_a_way) {
       loads.end_of_way = state.end_of_way;
     } else {
       loads.others = std::move(acting);
     }
   }
-  replace_loads(std::move(conditions), loads.acting);
-  prepared_->evolution->restore(std::move(copy), std::move(continuation));
-  loads_ = std::move(loads);
-  tip_history_ = state.tips;
-  fatigue_.set_overloads(std::move(overloads));
-  ++generation_;
+  model_.loads().replace(std::move(conditions), loads.acting);
+  model_.prepared().evolution->restore(std::move(copy), std::move(continuation));
+  model_.loads().present() = std::move(loads);
+  model_.cracks().set_history(std::move(tips));
+  model_.accuracy().journal() = std::move(journal);
+  model_.fatigue().set_overloads(std::move(overloads));
+  model_.preparation().has_changed();
 }
 
 }  // namespace bempd::model

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "model/model.hpp"
+#include "model/prepared_scene.hpp"
 #include "model/saved_state.hpp"
 
 namespace bempd::model {

@@ -8,7 +8,7 @@ namespace bempd::model {
 // Prepares the scene of a step. A request to stop is heard meanwhile: EventGivenUp, and the scene is not prepared.
 inline void prepare_for_step(Model& model) {
   if (model.prepared_or_null()) return;
-  const CancellationScope scope({CancellationScope::current().cancel, model.stop_request()});
+  const CancellationScope scope({CancellationScope::current().cancel, model.host().stop_request()});
   try {
     model.prepare();
   } catch (const EventGivenUp&) {

@@ -12,7 +12,8 @@ namespace bempd::mpi {
 
 namespace {
 
-// Calls until it returns true, without using the processor in between: rank 0 may work alone for a long time.
+// Calls happened() until it returns true, and sleeps in between: rank 0 may work alone for a long time, in which the
+// other ranks should not use their processors.
 template <class Happened>
 void wait_for(const Happened& happened) {
   using namespace std::chrono_literals;

@@ -43,7 +43,8 @@ bempd_status guarded(const char* function, const Body& body) noexcept {
   }
 }
 
-// Solver function of the core, which says when it needs no more of the connection.
+// Function that the core calls as its sparse solver. By the request BEMPD_SPARSE_DETACH the core says that no more will
+// come, which ends the connection.
 int32_t answer(bempd_sparse_task* task, void* user) {
   auto* const connection = static_cast<Connection*>(user);
   if (task->request == BEMPD_SPARSE_DETACH) {

@@ -52,7 +52,7 @@ void receive(T* values, std::int64_t count, int rank, MPI_Comm comm) {
              tag_of_arrays, comm, MPI_STATUS_IGNORE);
 }
 
-// Whether something is so on all ranks.
+// Whether `here` is true on all ranks.
 inline bool on_all(bool here, MPI_Comm comm) {
   int mine = here ? 1 : 0, all = 0;
   MPI_Allreduce(&mine, &all, 1, MPI_INT, MPI_MIN, comm);

@@ -22,7 +22,9 @@ CellCentredLattice::CellCentredLattice(int id, const PeridynamicDescription& des
 void CellCentredLattice::place_points(const Preparation& preparation) {
   const auto first = static_cast<std::ptrdiff_t>(points_.size());
   for (const auto& other : preparation.regions) {
-    for (const Point& place : other->places_facing(id())) {
+    const ElementBorders* borders = other->element_borders();
+    if (!borders) continue;
+    for (const Point& place : borders->places_facing(id())) {
       const Point p = to_grid(place);
       // A place where two pieces of interface meet gets one point only.
       const auto is_there = [&](const Point& q) { return (p - q).norm() < same_place; };

@@ -12,6 +12,7 @@ class CellCentredLattice final : public UncorrectedLattice {
 
   // Rank 0, that of boundary elements: the points of the cells do not lie on interfaces.
   int rank_at_interfaces() const override { return 0; }
+  std::vector<double> cell_shares() const override;
 
  protected:
   void place_points(const regions::Preparation& preparation) override;
@@ -20,7 +21,6 @@ class CellCentredLattice final : public UncorrectedLattice {
   std::vector<EdgePoint> edge_points(int edge) const override;
   void add_edge_forces(const Point& a, const Point& b, const std::function<Point(const Point&)>& traction,
                        Eigen::Ref<Eigen::VectorXd> forces) const override;
-  std::vector<double> cell_shares() const override;
   // Cracks may pass through material points, because a crack at 45 degrees cannot miss all centres of cells.
   bool cracks_may_meet_points() const override { return true; }
   double reach_beyond_cells() const override { return 0.5; }

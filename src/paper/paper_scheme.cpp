@@ -1,8 +1,9 @@
 // Scheme of Yang and Liu, Int. J. Solids Struct. 2021: collocation, uncorrected bonds, and coupling by shared nodes.
 #include "error.hpp"
 #include "paper/cell_centred_lattice.hpp"
-#include "paper/collocation_region.hpp"
+#include "paper/collocation_method.hpp"
 #include "pd/cell_squares.hpp"
+#include "regions/boundary/boundary_region.hpp"
 #include "regions/scheme.hpp"
 
 namespace bempd::paper {
@@ -16,9 +17,8 @@ class PaperScheme final : public regions::Scheme {
         rules_{options.text_value("paper.interface") == "traction",
                options.text_value("paper.corner_tractions") == "one"} {}
 
-  std::unique_ptr<regions::Region> boundary_region(int id, const regions::BoundaryDescription& described,
-                                                   const scene::Material& material) const override {
-    return std::make_unique<CollocationRegion>(id, described, material, rules_);
+  std::unique_ptr<regions::Region> boundary_region(int id, const scene::Material& material) const override {
+    return std::make_unique<regions::BoundaryRegion>(id, material, std::make_unique<CollocationMethod>(rules_));
   }
 
   std::unique_ptr<regions::Region> lattice_region(int id, const regions::PeridynamicDescription& described,

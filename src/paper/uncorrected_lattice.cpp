@@ -31,7 +31,7 @@ pd::Network UncorrectedLattice::make_network(const pd::CellLattice&, int) const 
 }
 
 FieldValues UncorrectedLattice::damage(const std::vector<char>& intact) const {
-  return {volume_damage(*network(), volumes(), horizon_ratio(), broken_bonds(intact)), 1};
+  return {volume_damage(*network(), volumes(), horizon_ratio(), bonds_.broken(intact)), 1};
 }
 
 }  // namespace bempd::paper

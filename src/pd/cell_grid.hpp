@@ -10,7 +10,7 @@
 namespace bempd::pd {
 
 // Copy of the cells of a lattice on a grid with a margin of empty cells, so that neighbours need no range checks. It
-// answers the questions that arise when bonds are made.
+// tells what bonds depend on: the depth of points below faces, visibility between points, and surface vectors.
 class CellGrid {
  public:
   CellGrid(const CellLattice& lattice, int margin);

@@ -23,10 +23,11 @@ namespace bempd::pd {
 //
 // Docs: materials.md.
 
-// Whether bonds alone make the material: Poisson's ratio is that of lambda = mu up to 1e-6, so that six digits suffice.
+// Whether bonds alone make the material, without squares: Poisson's ratio is that of lambda = mu up to 1e-6, so that
+// six digits suffice.
 bool is_bond_based(const PlaneElasticity& elasticity);
 
-// Modulus beta of the bonds, their lambda and mu [Pa].
+// Modulus beta of the bonds: Lame's constants lambda and mu of a material of the bonds alone, which are equal [Pa].
 double bond_modulus(const PlaneElasticity& elasticity);
 
 // Elastic constant C1111 of the bonds alone [Pa].

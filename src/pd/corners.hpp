@@ -1,35 +1,17 @@
 #pragma once
 
-#include <cstdint>
-#include <vector>
-
+#include "pd/bond_draft.hpp"
 #include "pd/cell_grid.hpp"
-#include "pd/face_template.hpp"
 
 namespace bempd::pd {
 
-// Bonds while the network is made, for C1111 = thickness = 1.
-struct DraftBonds {
-  std::vector<int> first, second;  // sorted
-  std::vector<int> start;          // of a point's bonds to points with larger numbers, and the end of the last ones
-  std::vector<std::uint16_t> offset;
-  std::vector<double> stiffness;
-  std::vector<std::uint8_t> adjustable;  // 0: not a bond of the thick part
-};
+// Surface vectors of the material points of a lattice with these cells.
+std::vector<Point> surface_vectors(const CellLattice& lattice, const CellGrid& cells);
 
-// Missing third moments 111, 112, 122, 222 of every material point: what its bonds lack for balance with the tractions
-// of every constant stress on the faces there.
-std::vector<Eigen::Vector4d> missing_moments(const CellLattice& lattice, const CellGrid& cells,
-                                             const std::vector<BondOffset>& family, const DraftBonds& bonds);
-
-struct CornerReport {
-  double residual = 0;
-  bool positive = true;
-};
-
-// Changes stiffnesses around corners by the least amounts after which no point has missing moments. The result does not
-// depend on the number of `threads` (0: one per core).
-CornerReport close_corners(const CellLattice& lattice, const CellGrid& cells, const LatticeTemplates& templates,
-                           DraftBonds& bonds, int threads);
+// Changes stiffnesses around corners by the least amounts after which no point has missing moments (layer_balance.hpp).
+// Bonds with `in_layer` may change. Returns false if no such stiffnesses were found. The result does not depend on
+// the number of `threads` (0: one per core).
+bool close_corners(const CellLattice& lattice, const CellGrid& cells, int horizon_ratio, int threads,
+                   DraftBonds& draft);
 
 }  // namespace bempd::pd

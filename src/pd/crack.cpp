@@ -120,8 +120,8 @@ std::vector<LineCrossing> crossings_of_line(const std::vector<Point>& points, co
   return found;
 }
 
-// Coefficients of a straight line a + b s, fitted to the stiffness of all crossings up to s; the fit is closest in the
-// middle of the reach.
+// Coefficients of the straight line a + b s that best fits the stiffness of all crossings before the place s along the
+// crack's line, as if crossings were spread evenly. Places in the middle of the reach, near the tip, weigh most.
 Eigen::Vector2d even_growth(const std::vector<LineCrossing>& crossings, double reach) {
   constexpr int samples = 400;
   Eigen::Matrix2d normal = Eigen::Matrix2d::Zero();

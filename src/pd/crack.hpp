@@ -22,13 +22,14 @@ enum class Touching {
 std::vector<int> bonds_cut_by(const std::vector<Point>& points, const std::vector<Bond>& bonds,
                               const std::vector<Point>& vertices, Touching touching = Touching::cuts);
 
-// End of a cut for which the effective tip of the crack lies where it was described.
+// End up to which the bonds of a crack are cut, so that its effective tip lies at the place that was described as its
+// end.
 struct FeltEnd {
   Point end;
   std::vector<int> weakened;  // bonds that meet no crack and have a share of their stiffness only
   double share = 1;
-  // Distance ahead of the end at which evenly spread bonds would end, of which as much stiffness is lost; none where
-  // the end is the tip.
+  // Distance ahead of `end` of the place up to which evenly spread bonds would be cut for the same loss of stiffness;
+  // none where the end is the tip.
   std::optional<double> even_ahead{};
 };
 

@@ -114,7 +114,8 @@ std::vector<PointBonds> collect(int point_count, const ShownStretches& bonds) {
   return points;
 }
 
-// Replaces the strains of points whose bonds lie on one side, as at faces, by those of the linear fit.
+// Replaces the strains of points whose bonds lie on one side, as at faces, by those of a fit in which the strain varies
+// linearly around the point.
 void refine_at_faces(const std::vector<PointBonds>& points, const ShownStretches& bonds,
                      std::vector<Vector3d>& strains) {
   std::vector<int> fit_of(points.size(), -1);

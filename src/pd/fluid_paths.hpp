@@ -22,9 +22,10 @@ struct FluidPaths {
   std::vector<CrackFacet> facets;  // of all bonds one spacing long, whole or not
   // Force along each term due to a unit pressure on all sides of the body [N/Pa]. As in any constant stress, the forces
   // of the terms across a line have the resultant of the pressure on it. So the pressure in a crack is applied as these
-  // forces, with the opposite sign, at the broken terms. They are those of whole terms.
+  // forces, with the opposite sign, at the broken terms. Terms count with their whole stiffness, also weakened ones.
   std::vector<double> push;
-  // Terms in whose place the fluid acts by what they have lost.
+  // Weakened terms ahead of crack ends. In a pressurised crack the fluid acts there too, by `push` times the share of
+  // stiffness that they have lost.
   std::vector<WeakenedTerm> weakened;
 };
 

@@ -2,11 +2,10 @@
 
 #include <algorithm>
 #include <cassert>
-#include <cmath>
+#include <utility>
 
 #include "cancellation.hpp"
 #include "pd/cell_grid.hpp"
-#include "pd/cell_squares.hpp"
 #include "pd/corners.hpp"
 #include "pd/face_template.hpp"
 #include "phase.hpp"
@@ -64,23 +63,13 @@ double template_ratio(const LatticeTemplates& templates, const CellGrid& cells, 
   return templates.ratio(below, above, a, b) + (templates.ratio(before, behind, b, a) - 1);
 }
 
-void append(DraftBonds& bonds, int first, int second, std::size_t offset, double stiffness, bool adjustable) {
-  bonds.first.push_back(first);
-  bonds.second.push_back(second);
-  bonds.offset.push_back(static_cast<std::uint16_t>(offset));
-  bonds.stiffness.push_back(stiffness);
-  bonds.adjustable.push_back(adjustable);
-}
-
 // Makes all bonds between points of the thick part that see each other, with template stiffnesses, and the bonds of
 // thin cells, still with the stiffness 0.
 DraftBonds draft_bonds(const CellLattice& lattice, const CellGrid& cells, const LatticeTemplates& templates) {
   const int m = templates.horizon_ratio;
   const auto thin = [&](const Vector2i& c) { return lattice.has_cell(c) && !cells.has(c); };
-  DraftBonds bonds;
-  const std::size_t expected = templates.family.size() * lattice.point_count();
-  bonds.first.reserve(expected), bonds.second.reserve(expected), bonds.offset.reserve(expected);
-  bonds.stiffness.reserve(expected), bonds.adjustable.reserve(expected);
+  DraftBonds draft{templates.family, {}};
+  draft.bonds.reserve(templates.family.size() * static_cast<std::size_t>(lattice.point_count()));
   const Phase phase("bonds of a lattice", lattice.point_count());
   for (int i = 0; i < lattice.point_count(); ++i) {
     check_cancelled();
@@ -88,7 +77,6 @@ DraftBonds draft_bonds(const CellLattice& lattice, const CellGrid& cells, const 
     const Vector2i& p = lattice.point(i);
     const Vector2i deep(2 * m, 2 * m), near(m - 1, m - 1);
     const bool bulk = cells.filled(p - deep, p + deep);
-    bonds.start.push_back(static_cast<int>(bonds.first.size()));
     const bool clear = bulk || cells.filled(p - near, p + near);
     for (std::size_t o = 0; o < templates.family.size(); ++o) {
       const BondOffset& offset = templates.family[o];
@@ -97,58 +85,38 @@ DraftBonds draft_bonds(const CellLattice& lattice, const CellGrid& cells, const 
       if (j < 0) continue;
       if (clear || cells.in_sight(p, step)) {
         const double ratio = bulk ? 1 : template_ratio(templates, cells, p, step);
-        append(bonds, i, j, o, offset.bulk_stiffness * ratio, true);
+        draft.bonds.push_back({i, j, static_cast<int>(o), true, false, offset.bulk_stiffness * ratio});
       } else if (cell_network_stiffness(p, step, thin) > 0) {
-        append(bonds, i, j, o, 0, false);
+        draft.bonds.push_back({i, j, static_cast<int>(o), false, false, 0});
       }
     }
   }
-  bonds.start.push_back(static_cast<int>(bonds.first.size()));
-  return bonds;
+  return draft;
 }
 
 // Adds the network of nearest neighbours of the thin cells, those that are not in `thick`.
-void add_thin_cells(const CellLattice& lattice, const CellGrid& thick, const std::vector<BondOffset>& family,
-                    DraftBonds& bonds) {
+void add_thin_cells(const CellLattice& lattice, const CellGrid& thick, DraftBonds& draft) {
   const auto thin = [&](const Vector2i& c) { return lattice.has_cell(c) && !thick.has(c); };
-  for (std::size_t b = 0; b < bonds.first.size(); ++b) {
-    const Vector2i step = family[bonds.offset[b]].step.cast<int>();
-    bonds.stiffness[b] += cell_network_stiffness(lattice.point(bonds.first[b]), step, thin);
+  for (DraftBond& b : draft.bonds) {
+    const Vector2i step = draft.offsets[b.offset].step.cast<int>();
+    b.stiffness += cell_network_stiffness(lattice.point(b.first), step, thin);
   }
 }
 
-DraftBonds nearest_neighbours(const CellLattice& lattice, const std::vector<BondOffset>& family) {
+DraftBonds nearest_neighbours(const CellLattice& lattice, const BondKernel& kernel) {
   const auto in = [&](const Vector2i& c) { return lattice.has_cell(c); };
-  DraftBonds bonds;
+  DraftBonds draft{bond_family(2, kernel), {}};
   for (int i = 0; i < lattice.point_count(); ++i) {
     check_cancelled();
-    for (std::size_t o = 0; o < family.size(); ++o) {
-      const Vector2i step = family[o].step.cast<int>();
+    for (std::size_t o = 0; o < draft.offsets.size(); ++o) {
+      const Vector2i step = draft.offsets[o].step.cast<int>();
       const double stiffness = cell_network_stiffness(lattice.point(i), step, in);
-      if (stiffness > 0) append(bonds, i, lattice.find_point(lattice.point(i) + step), o, stiffness, false);
+      if (stiffness > 0)
+        draft.bonds.push_back(
+            {i, lattice.find_point(lattice.point(i) + step), static_cast<int>(o), false, false, stiffness});
     }
   }
-  return bonds;
-}
-
-Network finish(const CellLattice& lattice, const std::vector<BondOffset>& family, const DraftBonds& draft,
-               const PlaneElasticity& elasticity) {
-  Network network;
-  network.offsets = family;
-  network.offset_of.assign(draft.offset.begin(), draft.offset.end());
-  network.bonds.reserve(draft.first.size());
-  network.min_weight_ratio = draft.first.empty() ? 1 : HUGE_VAL;
-  const double unit = elasticity.thickness * bond_c1111(elasticity);
-  for (std::size_t b = 0; b < draft.first.size(); ++b) {
-    network.bonds.push_back({draft.first[b], draft.second[b], unit * draft.stiffness[b]});
-    const double ratio = draft.stiffness[b] / family[draft.offset[b]].bulk_stiffness;
-    network.min_weight_ratio = std::min(network.min_weight_ratio, ratio);
-  }
-  const CellGrid whole(lattice, 1);
-  for (const Eigen::Vector4d& r : missing_moments(lattice, whole, family, draft)) {
-    network.max_residual = std::max(network.max_residual, r.lpNorm<Eigen::Infinity>());
-  }
-  return network;
+  return draft;
 }
 
 }  // namespace
@@ -156,20 +124,20 @@ Network finish(const CellLattice& lattice, const std::vector<BondOffset>& family
 Network build_network(const CellLattice& lattice, int horizon_ratio, const PlaneElasticity& elasticity, int threads,
                       const BondKernel& kernel) {
   assert(horizon_ratio >= 2 && horizon_ratio <= 8);
+  const std::vector<Point> surface = surface_vectors(lattice, CellGrid(lattice, 1));
   if (horizon_ratio > 2) {
     const LatticeTemplates& templates = lattice_templates(horizon_ratio, kernel);
     CellGrid thick(lattice, 2 * horizon_ratio);
     remove_thin_cells(lattice, thick);
     thick.finish(3 * horizon_ratio);
-    DraftBonds bonds = draft_bonds(lattice, thick, templates);
-    const CornerReport corners = close_corners(lattice, thick, templates, bonds, threads);
-    if (corners.positive && corners.residual < 1e-10) {
-      add_thin_cells(lattice, thick, templates.family, bonds);
-      return finish(lattice, templates.family, bonds, elasticity);
+    DraftBonds draft = draft_bonds(lattice, thick, templates);
+    if (close_corners(lattice, thick, horizon_ratio, threads, draft)) {
+      add_thin_cells(lattice, thick, draft);
+      Network network = finish_network(surface, std::move(draft), elasticity);
+      if (network.max_residual < 1e-10 && network.min_weight_ratio > 0) return network;
     }
   }
-  const std::vector<BondOffset> family = bond_family(2, kernel);
-  Network network = finish(lattice, family, nearest_neighbours(lattice, family), elasticity);
+  Network network = finish_network(surface, nearest_neighbours(lattice, kernel), elasticity);
   network.reduced = horizon_ratio > 2;
   return network;
 }

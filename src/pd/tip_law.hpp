@@ -42,8 +42,8 @@ struct TipLaw {
   }
 };
 
-// Length of a crack whose ends act where they are described, and by how much it becomes longer when an end grows, which
-// it does from where the cut ends [m].
+// Length of a crack between its ends as they are described, and by how much its cut reaches beyond each end [m]: growth
+// begins where the cut ends.
 struct CrackLength {
   double length = 0;
   std::array<double, 2> to_cut{};

@@ -87,9 +87,11 @@ DofConditions apply_conditions(const scene::Scene& scene, const Discretization& 
   const auto body_forces = [&](int id) -> std::array<BodyForce, 2> {
     return {body_force_of(c.body_force, id, {1, 0}), body_force_of(c.body_force, id, {0, 1})};
   };
-  for (int id : scene.region_ids()) c.work_within += d.region(id).work_within(body_forces(id), c.crack_loads);
+  for (int id : scene.region_ids()) c.work_within += d.region(id).loads().work_within(body_forces(id), c.crack_loads);
   for (const auto& region : d.regions) {
-    const Affine own = region->face_offsets(body_forces(region->id()), c.crack_loads);
+    const CrackElements* cracks = region->crack_elements();
+    if (!cracks) continue;
+    const Affine own = cracks->face_offsets(body_forces(region->id()), c.crack_loads);
     const Eigen::Index before = c.face_offsets.rows();
     c.face_offsets.conservativeResize(before + own.rows(), 2);
     c.face_offsets.bottomRows(own.rows()) = own;

@@ -35,8 +35,8 @@ Middle nearest_middle(const Preparation& p, int crack, int boundary, const Crack
     if (contact.other_region != boundary - 1) continue;
     const auto lattice = std::find_if(p.regions.begin(), p.regions.end(),
                                       [&](const auto& region) { return region->id() == contact.region + 1; });
-    if (!(*lattice)->takes_cracks()) continue;
-    const std::vector<Point> points = (*lattice)->interface_points(p, contact);
+    if (!(*lattice)->bonds()) continue;
+    const std::vector<Point> points = (*lattice)->point_borders()->interface_points(p, contact);
     for (std::size_t i = 0; i + 1 < points.size(); ++i) {
       const Point middle = 0.5 * (points[i] + points[i + 1]);
       const double spacing = (points[i + 1] - points[i]).norm(), gap = (middle - crossing.place).norm();
@@ -126,9 +126,9 @@ void require_one_body(const Preparation& p, int crack, const CrackCrossing& c) {
           ", which are of two materials; cracks go on in boundary elements of one material only: let it end before the "
           "interface");
   for (const auto& region : p.regions)
-    require(!region->takes_cracks() ||
-                locate(p.scene.region(region->id()).outline(), c.place, p.tolerance) == Location::outside,
-            about(), ", where the peridynamic region ", region->id(), " has a corner; let it pass that corner by");
+    require(
+        !region->bonds() || locate(p.scene.region(region->id()).outline(), c.place, p.tolerance) == Location::outside,
+        about(), ", where the peridynamic region ", region->id(), " has a corner; let it pass that corner by");
 }
 
 }  // namespace

@@ -36,8 +36,8 @@ int region_of_piece(const Preparation& p, int crack, const Point& middle) {
   int other = 0;
   for (const auto& region : p.regions) {
     if (locate(p.scene.region(region->id()).outline(), middle, p.tolerance) == Location::outside) continue;
-    if (region->takes_cracks()) return 0;
-    if (region->has_crack_elements()) with_elements.push_back(region->id());
+    if (region->bonds()) return 0;
+    if (region->crack_elements()) with_elements.push_back(region->id());
     other = region->id();
   }
   require(other > 0, "crack ", crack, " passes (", middle.x(), ", ", middle.y(),

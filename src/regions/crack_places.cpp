@@ -35,7 +35,8 @@ double modulus_of_one_stress(const PlaneElasticity& e) {
 pd::FacePlaces face_lattices(const Discretization& d) {
   std::vector<pd::FacePlaces::Body> bodies;
   for (const auto& region : d.regions) {
-    const std::optional<pd::FaceLattice> lattice = region->face_lattice();
+    if (!region->bonds()) continue;
+    const std::optional<pd::FaceLattice> lattice = region->bonds()->face_lattice();
     if (!lattice) continue;
     const PlaneElasticity& e = region->elasticity();
     bodies.push_back({*lattice, e.thickness * modulus_of_one_stress(e), region->nodes()});

@@ -48,22 +48,34 @@ void number_by_ids(Arrangement& arrangement, const scene::Scene& scene) {
   for (std::size_t i = 0; i < ids.size(); ++i) arrangement.breakpoints[ids[i] - 1] = std::move(breakpoints[i]);
 }
 
-}  // namespace
-
-const Region& Discretization::region(int id) const {
+const std::unique_ptr<Region>& region_of(const Discretization& d, int id) {
   const auto reaches = [](const std::unique_ptr<Region>& region, int wanted) { return region->id() < wanted; };
-  return **std::lower_bound(regions.begin(), regions.end(), id, reaches);
+  return *std::lower_bound(d.regions.begin(), d.regions.end(), id, reaches);
 }
 
+// Ties nodes of a region to the elements of the region `leader`.
+void follow(Discretization& d, const LeadingElements& leading, int leader) {
+  const PointBorders* follower = region_of(d, leading.follower)->point_borders();
+  if (!follower)
+    throw std::logic_error(text("region ", leading.follower, " cannot follow the elements of region ", leader));
+  follower->follow(leading, leader, d.ties);
+}
+
+}  // namespace
+
+const Region& Discretization::region(int id) const { return *region_of(*this, id); }
+
 std::vector<coupling::DenseOperator> Discretization::dense_operators() const {
-  std::vector<RegionOperator> known;
+  std::vector<KnownOperator> known;
   for (const auto& region : regions) {
     check_cancelled();
-    for (coupling::DenseOperator& one : region->dense_operators(known)) known.push_back({region.get(), std::move(one)});
+    const RegionOperators* own = region->operators();
+    if (!own) continue;
+    for (coupling::DenseOperator& one : own->dense_operators(known)) known.push_back({own, std::move(one)});
   }
   std::vector<coupling::DenseOperator> operators;
   operators.reserve(known.size());
-  for (RegionOperator& one : known) operators.push_back(std::move(one.dense));
+  for (KnownOperator& one : known) operators.push_back(std::move(one.dense));
   return operators;
 }
 
@@ -120,8 +132,8 @@ Discretization discretize(const scene::Scene& scene, const scene::Options& optio
     region->build(preparation, contributions);
   }
   for (const auto& region : d.regions) {
-    for (const LeadingElements& leading : region->leading_elements())
-      d.region(leading.follower).follow(leading, region->id(), d.ties);
+    if (const ElementBorders* borders = region->element_borders())
+      for (const LeadingElements& leading : borders->leading_elements()) follow(d, leading, region->id());
   }
   d.positions = registry.positions();
   return d;

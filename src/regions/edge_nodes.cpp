@@ -18,7 +18,7 @@ bool has(const std::vector<int>& all, int one) { return std::find(all.begin(), a
 std::map<int, int> entries_of(const Region& region, const std::vector<PlacedNode>& placed) {
   std::map<int, int> of_node;
   for (const PlacedNode& n : placed) of_node.emplace(n.node, -1);
-  const std::vector<int> entries = region.entries_of_nodes();
+  const std::vector<int> entries = region.results().entries_of_nodes();
   for (std::size_t i = 0; i < entries.size(); ++i)
     if (const auto wanted = of_node.find(region.nodes()[i]); wanted != of_node.end()) wanted->second = entries[i];
   return of_node;
@@ -27,7 +27,7 @@ std::map<int, int> entries_of(const Region& region, const std::vector<PlacedNode
 }  // namespace
 
 std::vector<PlacedNode> nodes_in_order(const Discretization& d, int region, const EdgeSpan& span) {
-  std::vector<PlacedNode> nodes = d.region(region).nodes_on(span, d.tolerance);
+  std::vector<PlacedNode> nodes = d.region(region).loads().nodes_on(span, d.tolerance);
   std::stable_sort(nodes.begin(), nodes.end(),
                    [](const PlacedNode& one, const PlacedNode& other) { return one.fraction < other.fraction; });
   return nodes;
@@ -37,7 +37,7 @@ std::vector<EdgeNode> edge_nodes(const scene::Scene& scene, const Discretization
   const Region& region = d.region(region_id);
   const EdgeSpan span{edge, scene.region(region_id).edge(edge), 0, 1};
   Eigen::VectorXd force = Eigen::VectorXd::Zero(2 * static_cast<Eigen::Index>(d.positions.size()));
-  region.add_traction(
+  region.loads().add_traction(
       span, [](const Point&) { return Point(1, 0); }, force);
   const std::vector<PlacedNode> placed = nodes_in_order(d, region_id, span);
   const std::map<int, int> entries = entries_of(region, placed);
@@ -54,7 +54,7 @@ std::vector<int> edge_cells(const Discretization& d, int region, const std::vect
     sides.emplace(std::make_pair(nodes[i].entry, nodes[i + 1].entry), i);
     sides.emplace(std::make_pair(nodes[i + 1].entry, nodes[i].entry), i);
   }
-  const Cells cells = d.region(region).cells();
+  const Cells cells = d.region(region).results().cells();
   const auto corners = static_cast<std::size_t>(cells.nodes_per_cell);
   std::map<std::size_t, int> at_side;
   for (std::size_t cell = 0; cell < cells.nodes.size() / corners; ++cell) {
@@ -72,12 +72,14 @@ std::vector<int> edge_cells(const Discretization& d, int region, const std::vect
 
 std::vector<int> regions_of_body(const Discretization& d, int region) {
   const int count = static_cast<int>(d.regions.size());
-  const auto has_bonds = [](const auto& r) { return r->bonds().has_value(); };
+  const auto has_bonds = [](const auto& r) { return r->bonds() != nullptr; };
   if (!d.region(region).bonds() || std::count_if(d.regions.begin(), d.regions.end(), has_bonds) == 1) return {region};
   linalg::DisjointSets bodies(count);
   std::vector<int> first_with;  // by terms
   for (int r = 0; r < count; ++r) {
-    for (const int term : d.regions[static_cast<std::size_t>(r)]->terms()) {
+    const RegionBonds* bonds = d.regions[static_cast<std::size_t>(r)]->bonds();
+    if (!bonds) continue;
+    for (const int term : bonds->terms()) {
       const auto place = static_cast<std::size_t>(term);
       if (first_with.size() <= place) first_with.resize(std::max(place + 1, 2 * first_with.size()), -1);
       if (first_with[place] < 0) first_with[place] = r;
@@ -125,7 +127,7 @@ std::vector<int> interface_nodes(const scene::Scene& scene, const Discretization
   for (const Contact& contact : d.arrangement.contacts) {
     if (contact.region != region - 1 || contact.edge != edge - 1 || has(body, contact.other_region + 1)) continue;
     const EdgeSpan span{edge, scene.region(region).edge(edge), contact.from, contact.to};
-    for (const PlacedNode& n : d.region(region).nodes_on(span, d.tolerance)) nodes.insert(n.node);
+    for (const PlacedNode& n : d.region(region).loads().nodes_on(span, d.tolerance)) nodes.insert(n.node);
   }
   return {nodes.begin(), nodes.end()};
 }

@@ -21,7 +21,7 @@ std::vector<double> moduli_of_terms(const Discretization& d, const coupling::Ter
     const auto bonds = region->bonds();
     if (!bonds) continue;
     const double modulus = region->elasticity().c11() + region->elasticity().c12();
-    std::fill_n(moduli.begin() + static_cast<std::ptrdiff_t>(region->first_bond()), bonds->size(), modulus);
+    for (const int term : bonds->terms()) moduli[static_cast<std::size_t>(term)] = modulus;
   }
   for (const coupling::Terms::Following& pair : terms.following) moduli[pair.follower] = moduli[pair.leader];
   return moduli;
@@ -56,7 +56,7 @@ pd::FluidPaths fluid_paths(const scene::Scene& scene, const Discretization& d, c
     const auto bonds = region->bonds();
     if (!bonds) continue;
     const double spacing = scene.region(region->id()).resolution();
-    for (std::size_t t = region->first_bond(); t < region->first_bond() + bonds->size(); ++t) {
+    for (std::size_t t = bonds->first_bond(); t < bonds->first_bond() + bonds->list().size(); ++t) {
       if (std::abs(terms.length[t] - spacing) > same_length * spacing) continue;
       const Point middle = 0.5 * (d.positions[terms.first[t]] + d.positions[terms.second[t]]);
       const Point half = 0.5 * spacing * Point(-terms.sine[t], terms.cosine[t]);

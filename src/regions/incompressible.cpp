@@ -7,6 +7,15 @@
 
 namespace bempd::regions {
 
+namespace {
+
+std::optional<Eigen::VectorXd> outflow_of(const Region& region, Eigen::Index dofs) {
+  const RegionOperators* operators = region.operators();
+  return operators ? operators->outflow(dofs) : std::nullopt;
+}
+
+}  // namespace
+
 void require_determined_pressure(const Discretization& d, const std::vector<char>& prescribed) {
   // Each incompressible region has a pressure, whose forces on free degrees of freedom are a column of `flows`
   // (scaled). If a combination of columns is zero, its pressures are undetermined.
@@ -14,7 +23,7 @@ void require_determined_pressure(const Discretization& d, const std::vector<char
   std::vector<int> ids;
   std::vector<Eigen::VectorXd> outflows;
   for (const auto& region : d.regions) {
-    if (const auto outflow = region->outflow(dofs)) {
+    if (const auto outflow = outflow_of(*region, dofs)) {
       ids.push_back(region->id());
       outflows.push_back(outflow->normalized());
     }
@@ -43,7 +52,7 @@ double condition_of_held_pressure(const scene::Scene& scene, const Discretizatio
   double condition = 1;
   for (const auto& region : d.regions) {
     const PlaneElasticity& elasticity = scene.material_of(region->id()).elasticity;
-    if (elasticity.state != PlaneState::strain || region->outflow(static_cast<Eigen::Index>(prescribed.size())))
+    if (elasticity.state != PlaneState::strain || outflow_of(*region, static_cast<Eigen::Index>(prescribed.size())))
       continue;
     const std::vector<int>& nodes = region->nodes();
     const bool is_held = std::all_of(nodes.begin(), nodes.end(), [&](int node) {

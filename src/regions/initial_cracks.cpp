@@ -46,7 +46,8 @@ scene::Crack moved(const Scene& scene, const Discretization& d, scene::Crack cra
 std::vector<Point> points_met(const scene::Crack& crack, const Discretization& d) {
   std::vector<Point> met;
   for (const auto& region : d.regions) {
-    const std::vector<Point> some = region->points_on_crack(crack);
+    if (!region->bonds()) continue;
+    const std::vector<Point> some = region->bonds()->points_on_crack(crack);
     met.insert(met.end(), some.begin(), some.end());
   }
   return met;
@@ -61,7 +62,7 @@ bool runs_along_boundary(const Scene& scene, const scene::Crack& crack, const Di
     if (near_end(crack.points.front()) || near_end(crack.points.back())) return false;
     int inside = 0, beside = 0;
     for (const auto& region : d.regions) {
-      if (!region->takes_cracks()) continue;
+      if (!region->bonds()) continue;
       const Location at = locate(scene.region(region->id()).outline(), p, d.tolerance);
       inside += at == Location::inside, beside += at == Location::on_boundary;
     }
@@ -197,7 +198,8 @@ std::vector<int> bonds_cut_by_cracks(const std::vector<scene::Crack>& cracks, co
   for (std::size_t c = 0; c < cracks.size(); ++c) {
     if (!d.cracks[c].cuts_bonds()) continue;
     const int id = static_cast<int>(c) + 1;
-    for (const auto& region : d.regions) region->cut(cracks[c], id, cut, warnings);
+    for (const auto& region : d.regions)
+      if (const RegionBonds* bonds = region->bonds()) bonds->cut(cracks[c], id, cut, warnings);
   }
   std::sort(cut.begin(), cut.end());
   cut.erase(std::unique(cut.begin(), cut.end()), cut.end());
@@ -221,7 +223,7 @@ std::vector<StartingTip> tips_of_cracks(const Scene& scene, const LatticeCracks&
       const Point& acts_at = even ? found.ends[c][static_cast<std::size_t>(number)] : end;
       for (const auto& region : d.regions) {
         if (locate(scene.region(region->id()).outline(), acts_at, d.tolerance) != Location::inside) continue;
-        if (region->tip_law(options))
+        if (region->bonds() && region->bonds()->tip_law(options))
           tips.push_back({end, (end - before).normalized(), region->id(), {static_cast<int>(c) + 1, number}, even});
       }
     }

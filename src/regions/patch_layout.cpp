@@ -12,7 +12,7 @@ namespace {
 
 constexpr int usual_horizon_ratio = 4;
 
-// Spacings of a lattice along a crack with one tip, and with two.
+// Least number of a lattice's spacings along a crack, for each of its tips.
 constexpr double least_per_tip = 16;
 
 // Blocks of lattice that a crack has ahead of a tip that may grow, besides those on every side of it.
@@ -29,35 +29,65 @@ constexpr double nearly = 1 - 1e-9;
 
 std::string name_of(const CrackInBody& crack) { return text("crack ", crack.crack.id); }
 
-void add_walls(const Outline& outline, std::vector<Wall>& walls) {
+}  // namespace
+
+PatchWalls::PatchWalls(const Outline& body) : edges_(edges_of(body)) {
   constexpr double largest_turn = 0.05;  // [rad]
   int number = 0;
-  for (std::size_t loop = 0; loop < outline.loops.size(); ++loop)
-    for (std::size_t k = 0; k < outline.loops[loop].size(); ++k, ++number) {
-      const Edge edge = outline.edge(number);
+  for (std::size_t loop = 0; loop < body.loops.size(); ++loop)
+    for (std::size_t k = 0; k < body.loops[loop].size(); ++k, ++number) {
+      const Edge edge = body.edge(number);
       double turn = 0;
       for (int p = 0; p < edge.piece_count(); ++p) turn += std::abs(edge.piece(p).sweep);
       const int count = std::max(1, static_cast<int>(std::ceil(turn / largest_turn)));
       for (int i = 0; i < count; ++i)
-        walls.push_back({{edge.at(i / static_cast<double>(count)), edge.at((i + 1) / static_cast<double>(count))},
-                         static_cast<int>(loop),
-                         text("edge ", number + 1)});
+        walls_.push_back({{edge.at(i / static_cast<double>(count)), edge.at((i + 1) / static_cast<double>(count))},
+                          static_cast<int>(loop),
+                          text("edge ", number + 1)});
     }
 }
 
-}  // namespace
+void PatchWalls::add_crack(const Segment& piece, int crack) { walls_.push_back({piece, -1, text("crack ", crack)}); }
+
+const Wall* PatchWalls::beside(const Box& block) const {
+  const Wall* nearest = nullptr;
+  double least = block.sizes().x() * nearly;
+  for (const Wall& wall : walls_) {
+    const Point middle = wall.piece.at(0.5);
+    if (block.exteriorDistance(middle) - 0.5 * wall.piece.length() >= least) continue;
+    const double apart = distance(block, wall.piece);
+    if (apart < least) least = apart, nearest = &wall;
+  }
+  if (nearest || locate(edges_, block.center(), 0) == Location::inside) return nearest;
+  return &walls_.front();
+}
+
+std::vector<Segment> pieces_between(const std::vector<Point>& points, const std::vector<Edge>& edges) {
+  std::vector<Segment> pieces;
+  for (std::size_t i = 0; i + 1 < points.size(); ++i) {
+    std::vector<double> ends{0, 1};
+    for (const Edge& edge : edges)
+      for (const Crossing& meeting : meeting_points(Edge(points[i], points[i + 1]), edge))
+        ends.push_back(meeting.fraction_a);
+    std::sort(ends.begin(), ends.end());
+    const Segment whole{points[i], points[i + 1]};
+    for (std::size_t k = 0; k + 1 < ends.size(); ++k)
+      if (ends[k + 1] - ends[k] > 1e-9) pieces.push_back({whole.at(ends[k]), whole.at(ends[k + 1])});
+  }
+  return pieces;
+}
 
 PatchLayout::PatchLayout(const scene::Scene& scene, int body, std::vector<CrackInBody> cracks,
                          const BodyLattice& lattice)
-    : body_(body), cracks_(std::move(cracks)) {
-  add_walls(scene.region(body).outline(), walls_);
-  edges_ = edges_of(scene.region(body).outline());
+    : body_(body), cracks_(std::move(cracks)), walls_(scene.region(body).outline()) {
   for (int id = 1; id <= static_cast<int>(scene.cracks().size()); ++id) {
     const std::vector<Point>& points = scene.cracks()[static_cast<std::size_t>(id) - 1].points;
     const bool is_ours =
         std::any_of(cracks_.begin(), cracks_.end(), [&](const CrackInBody& c) { return c.crack.id == id; });
-    for (std::size_t i = 0; i + 1 < points.size(); ++i)
-      (is_ours ? crack_walls_ : walls_).push_back({{points[i], points[i + 1]}, -1, text("crack ", id)});
+    for (std::size_t i = 0; i + 1 < points.size(); ++i) {
+      const Segment piece{points[i], points[i + 1]};
+      is_ours ? own_cracks_.push_back({piece, -1, text("crack ", id)}) : walls_.add_crack(piece, id);
+    }
   }
   ratio_ = lattice.horizon_ratio > 0 ? lattice.horizon_ratio : usual_horizon_ratio;
   spacing_ = lattice.spacing > 0 ? lattice.spacing : chosen_spacing();
@@ -66,15 +96,15 @@ PatchLayout::PatchLayout(const scene::Scene& scene, int body, std::vector<CrackI
 
 // The largest spacing that leaves enough points along each crack and room for blocks around its tips.
 double PatchLayout::chosen_spacing() const {
-  constexpr double spacings_between_cracks = 4;
+  const double spacings_between_cracks = 3 * ratio_;
   const double room = blocks_of_room * 2 * ratio_;  // in spacings
   double spacing = std::numeric_limits<double>::infinity();
   for (const CrackInBody& crack : cracks_) {
     const double points = least_per_tip * std::max<double>(1, static_cast<double>(crack.tips.size()));
     spacing = std::min(spacing, crack.length() / std::max(points, crack.mouths.empty() ? 0 : room));
     for (const CrackInBody::Tip& tip : crack.tips) {
-      for (const Wall& wall : walls_) spacing = std::min(spacing, distance(wall.piece, tip.place) / room);
-      for (const Wall& wall : crack_walls_)
+      for (const Wall& wall : walls_.all()) spacing = std::min(spacing, distance(wall.piece, tip.place) / room);
+      for (const Wall& wall : own_cracks_)
         if (wall.name != name_of(crack))
           spacing = std::min(spacing, distance(wall.piece, tip.place) / spacings_between_cracks);
     }
@@ -115,26 +145,10 @@ Point PatchLayout::origin() const {
   return best;
 }
 
-// The wall nearest to a block that is closer than a block's size; null if there is none. A block outside of the body
-// has the first wall.
-const Wall* PatchLayout::wall_beside(const Block& block) const {
-  const Box box = grid_.box(block);
-  const Wall* nearest = nullptr;
-  double least = grid_.size * nearly;
-  for (const Wall& wall : walls_) {
-    const Point middle = wall.piece.at(0.5);
-    if (box.exteriorDistance(middle) - 0.5 * wall.piece.length() >= least) continue;
-    const double apart = distance(box, wall.piece);
-    if (apart < least) least = apart, nearest = &wall;
-  }
-  if (nearest || locate(edges_, box.center(), 0) == Location::inside) return nearest;
-  return &walls_.front();
-}
-
 // Throws Error (argument) if the lattice cannot reach two horizons around `along`, but for parts near a mouth.
 void PatchLayout::require_room(const CrackInBody& crack, const Segment& along, bool is_tip) {
   for (const Block& block : grid_.near(along, grid_.size * nearly)) {
-    const Wall* wall = wall_beside(block);
+    const Wall* wall = walls_.beside(grid_.box(block));
     if (!wall) continue;
     const Point centre = grid_.box(block).center();
     const bool at_mouth = std::any_of(crack.mouths.begin(), crack.mouths.end(), [&](const auto& mouth) {
@@ -146,10 +160,9 @@ void PatchLayout::require_room(const CrackInBody& crack, const Segment& along, b
   }
 }
 
-void PatchLayout::add_band(const CrackInBody& crack) {
-  const double reach = grid_.size * nearly;
+void PatchLayout::add_band(const CrackInBody& crack, double reach) {
   const auto add = [&](const Segment& line) {
-    for (const Block& block : grid_.near(line, reach))
+    for (const Block& block : grid_.near(line, reach * grid_.size * nearly))
       if (is_allowed(block)) blocks_.insert(block);
   };
   for (const Segment& piece : crack.pieces) require_room(crack, piece, false), add(piece);
@@ -160,12 +173,16 @@ void PatchLayout::add_band(const CrackInBody& crack) {
 }
 
 std::vector<Patch> PatchLayout::patches() {
-  for (const CrackInBody& crack : cracks_) add_band(crack);
-  require(close_gaps(blocks_, [&](const Block& block) { return is_allowed(block); }), "lattice patches of body ", body_,
+  const auto lay = [&](double reach) {
+    blocks_.clear();
+    for (const CrackInBody& crack : cracks_) add_band(crack, reach);
+    return close_gaps(blocks_, [&](const Block& block) { return is_allowed(block); });
+  };
+  require(lay(usual_patch_reach) || lay(least_patch_reach), "lattice patches of body ", body_,
           " would enclose a hole or another crack; ", advice());
   std::vector<Patch> all;
   for (const Blocks& part : connected_parts(blocks_)) {
-    Patch patch{body_, loop_around(part, grid_), spacing_, ratio_, {}};
+    Patch patch{body_, loop_around(part, grid_), spacing_, ratio_, {}, grid_, part};
     for (const CrackInBody& crack : cracks_) {
       const bool passes = std::any_of(crack.pieces.begin(), crack.pieces.end(), [&](const Segment& piece) {
         return std::any_of(part.begin(), part.end(),

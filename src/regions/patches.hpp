@@ -2,8 +2,10 @@
 
 #include <array>
 #include <map>
+#include <optional>
 #include <vector>
 
+#include "geometry/blocks.hpp"
 #include "scene/scene.hpp"
 
 namespace bempd::regions {
@@ -29,6 +31,8 @@ struct Patch {
   double spacing;
   int horizon_ratio;
   std::vector<int> cracks;  // ids
+  BlockGrid grid;           // the same for all patches of a body
+  Blocks blocks;
 };
 
 // Patches for cracks that are to run in lattices, by rules that docs/bodies.md states. Cracks in peridynamic regions
@@ -36,11 +40,24 @@ struct Patch {
 std::vector<Patch> lay_out_patches(const scene::Scene& scene, const std::vector<LatticeCrack>& cracks,
                                    const std::map<int, BodyLattice>& lattices);
 
+// Tip of a crack line after a step, and the unit vector of that step.
+struct FollowedTip {
+  Point place, direction;
+};
+
+// Patches with more blocks around and ahead of a tip in one of them; the others stay. Blocks keep to the grid of the
+// patch, and keep the distances from edges, holes, cracks in elements and other patches. Empty if the tip lies in no
+// patch, has all the blocks around it that there can be, or has to leave its patch soon.
+std::optional<std::vector<Patch>> followed(const scene::Scene& scene, const std::vector<Patch>& patches,
+                                           const FollowedTip& tip);
+
 // Id of the first region without elements through which a crack runs; 0 if there is none.
 int lattice_around(const scene::Scene& scene, int crack);
 
 // Cuts patches out of their bodies and adds them to the scene, as regions with the next ids.
 void add_patches(scene::Scene& scene, const std::vector<Patch>& patches);
+// Gives the patches, which are behind the `count` other regions, other blocks. Their ids stay.
+void move_patches(scene::Scene& scene, const std::vector<Patch>& patches, int count);
 // Takes all patches out again; the scene has `count` regions then.
 void remove_patches(scene::Scene& scene, int count);
 

@@ -58,7 +58,7 @@ struct Contributions {
   void add_bond(const pd::Bond& between_nodes, const Point& step, double spacing, const Breaking& breaking) const;
   // Adds the squares of all cells: terms of four nodes whose energy is the square of a combination of the corners'
   // displacements. A square breaks with any bond of its cell. `node` maps points of the grid to the scene's nodes,
-  // `term` maps bonds of the grid to the scene's terms. Returns RegionBonds::squares.
+  // `term` maps bonds of the grid to the scene's terms. Returns SceneBonds::squares.
   std::vector<int> add_squares(const pd::CellLattice& grid, const std::vector<pd::Bond>& of_grid,
                                const PlaneElasticity& elasticity, double spacing, const std::function<int(int)>& node,
                                const std::function<int(int)>& term) const;

@@ -2,9 +2,7 @@
 
 #include <array>
 #include <limits>
-#include <numeric>
 
-#include "error.hpp"
 #include "pd/cell_squares.hpp"
 
 namespace bempd::regions {
@@ -40,16 +38,6 @@ std::vector<int> Contributions::add_squares(const pd::CellLattice& grid, const s
     }
   }
   return first_of;
-}
-
-void Region::follow(const LeadingElements&, int leader, coupling::NodeTies&) const {
-  throw std::logic_error(text("region ", id_, " cannot follow the elements of region ", leader));
-}
-
-std::vector<int> Region::entries_of_nodes() const {
-  std::vector<int> entries(nodes_.size());
-  std::iota(entries.begin(), entries.end(), 0);
-  return entries;
 }
 
 Eigen::VectorXd Region::gather(const Eigen::VectorXd& of_scene) const {

@@ -9,7 +9,6 @@
 
 namespace bempd::regions {
 
-class BoundaryDescription;
 class PeridynamicDescription;
 
 // Scheme: discretization method of the scene. It chooses the class that each described region is built as, such as
@@ -18,8 +17,7 @@ class Scheme {
  public:
   virtual ~Scheme() = default;
 
-  virtual std::unique_ptr<Region> boundary_region(int id, const BoundaryDescription& described,
-                                                  const scene::Material& material) const = 0;
+  virtual std::unique_ptr<Region> boundary_region(int id, const scene::Material& material) const = 0;
   virtual std::unique_ptr<Region> lattice_region(int id, const PeridynamicDescription& described,
                                                  const scene::Material& material) const = 0;
   // Builds a peridynamic region with an outline of any shape. Throws Error (argument) if the scheme has only lattices

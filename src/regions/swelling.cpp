@@ -18,13 +18,19 @@ Swelling swelling_of(const SwellingOfRegions& swelling, int region) {
   };
 }
 
+void swell_all(const Discretization& d, const SwellingOfRegions& swelling, LatticeSwelling& lattices) {
+  for (const auto& region : d.regions)
+    if (RegionSwelling* own = region->swelling()) own->swell(swelling_of(swelling, region->id()), lattices);
+}
+
 }  // namespace
 
 void swell(Discretization& d, const SwellingOfRegions& swelling) {
   if (swelling.empty()) return;
   LatticeSwelling lattices(d.positions);
-  for (const auto& region : d.regions) region->swell(swelling_of(swelling, region->id()), lattices);
-  for (const auto& region : d.regions) region->set_rests(lattices, d.bonds);
+  swell_all(d, swelling, lattices);
+  for (const auto& region : d.regions)
+    if (const RegionSwelling* own = region->swelling()) own->set_rests(lattices, d.bonds);
 }
 
 std::array<std::vector<double>, 2> swell_again(Discretization& d, const SwellingOfRegions& swelling,
@@ -32,9 +38,9 @@ std::array<std::vector<double>, 2> swell_again(Discretization& d, const Swelling
   LatticeSwelling lattices(d.positions);
   coupling::Terms rests;  // data of terms from which lattices find their rest elongations
   rests.length = terms.length;
-  for (const auto& region : d.regions) region->swell(swelling_of(swelling, region->id()), lattices);
+  swell_all(d, swelling, lattices);
   for (const auto& region : d.regions)
-    if (region->bonds()) region->set_rests(lattices, rests);
+    if (const RegionSwelling* own = region->swelling()) own->set_rests(lattices, rests);
   return std::move(rests.rest_elongation);
 }
 

@@ -10,9 +10,8 @@ namespace {
 
 class SymmetricScheme final : public Scheme {
  public:
-  std::unique_ptr<Region> boundary_region(int id, const BoundaryDescription& described,
-                                          const scene::Material& material) const override {
-    return std::make_unique<BoundaryRegion>(id, described, material);
+  std::unique_ptr<Region> boundary_region(int id, const scene::Material& material) const override {
+    return std::make_unique<BoundaryRegion>(id, material, std::make_unique<GalerkinMethod>());
   }
   std::unique_ptr<Region> lattice_region(int id, const PeridynamicDescription& described,
                                          const scene::Material& material) const override {

@@ -27,8 +27,8 @@ const regions::FieldValues& FieldCache::of(const Key& key, std::int64_t generati
 
 std::vector<BondState> bond_states(const regions::Region& region, const std::vector<char>& intact,
                                    const std::vector<int>& cut) {
-  const std::size_t first = region.first_bond();
-  std::vector<BondState> states(region.bonds()->size());
+  const std::size_t first = region.bonds()->first_bond();
+  std::vector<BondState> states(region.bonds()->list().size());
   for (std::size_t b = 0; b < states.size(); ++b) states[b] = intact[first + b] ? BondState::intact : BondState::broken;
   for (const int bond : cut) {
     const auto b = static_cast<std::size_t>(bond);

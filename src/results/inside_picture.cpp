@@ -92,9 +92,9 @@ class OpenedMesh {
 
 void add_inside(output::VtuGrid& grid, const regions::Region& region, const scene::Region& described, double size,
                 const regions::Solution& solution, const regions::FieldsOfRegion& fields) {
-  const CrackLines* cracks = region.crack_lines();
+  const CrackLines* cracks = region.crack_elements() ? region.crack_elements()->lines() : nullptr;
   const OpenedMesh mesh(mesh_body(edges_of(described.outline()), cracks ? *cracks : CrackLines(), size));
-  const std::unique_ptr<regions::Evaluator> evaluator = region.evaluator(solution, fields, true);
+  const std::unique_ptr<regions::Evaluator> evaluator = region.results().evaluator(solution, fields, true);
   std::vector<double> displacements, stresses;
   for (const std::vector<Point>& places : mesh.places()) {
     check_cancelled();

@@ -39,13 +39,13 @@ void add_mean(std::vector<double>& values, int components, const std::vector<int
 void add_region(VtuGrid& grid, const SnapshotBlock& block, const regions::Region& region,
                 const regions::Solution& solution, const FieldsOfScene& fields) {
   const auto first = static_cast<std::int64_t>(grid.points.size());
-  const regions::RegionPicture picture = region.picture(solution);
+  const regions::RegionPicture picture = region.results().picture(solution);
   const FieldValues& positions = fields(region.id(), Field::position);
   for (std::size_t i = 0; i < positions.values.size(); i += 2)
     grid.points.emplace_back(positions.values[i], positions.values[i + 1]);
   for (const regions::AddedPoint& added : picture.added) grid.points.push_back(added.place);
   for (const SnapshotBlock::Array& array : block.arrays) {
-    FieldValues shown = region.at_nodes(array.field, fields(region.id(), array.field));
+    FieldValues shown = region.results().at_nodes(array.field, fields(region.id(), array.field));
     for (const regions::AddedPoint& added : picture.added) add_mean(shown.values, shown.components, added.nodes);
     if (array.field == Field::stress)
       append_stress(grid.point_data, region.elasticity(), shown.values);
@@ -147,9 +147,9 @@ std::vector<PicturePart> pictures(const scene::Scene& scene, const regions::Disc
     return parts.try_emplace(number, PicturePart{number, name, grid_of_regions()}).first->second.grid;
   };
   for (const auto& region : d.regions) {
-    const SnapshotBlock block = region->snapshot_block();
+    const SnapshotBlock block = region->results().snapshot_block();
     add_region(part(block.number, block.name), block, *region, solution, fields);
-    if (!region->has_inside() || inside_divisions <= 0) continue;
+    if (!region->results().has_inside() || inside_divisions <= 0) continue;
     const scene::Region& described = scene.region(region->id());
     const double size = std::sqrt(area(described.outline())) / inside_divisions;
     add_inside(part(number_of_inside, "inside"), *region, described, size, solution,

@@ -14,7 +14,7 @@ namespace {
 int region_at(const scene::Scene& scene, const regions::Discretization& d, const Point& place) {
   const regions::Region* found = nullptr;
   for (const auto& region : d.regions) {
-    if (found && region->rank_at_interfaces() <= found->rank_at_interfaces()) continue;
+    if (found && region->results().rank_at_interfaces() <= found->results().rank_at_interfaces()) continue;
     if (locate(scene.region(region->id()).outline(), place, d.tolerance) != Location::outside) found = region.get();
   }
   return found ? found->id() : 0;
@@ -53,7 +53,7 @@ PointValues evaluate(const scene::Scene& scene, const regions::Discretization& d
       const auto of_region = [&fields, region](regions::Field field) -> const regions::FieldValues& {
         return fields(region, field);
       };
-      evaluator = d.region(region).evaluator(solution, of_region, with_stress);
+      evaluator = d.region(region).results().evaluator(solution, of_region, with_stress);
       evaluator->choose_right_face(side.from_right);
     }
     const regions::PointValue value = evaluator->at(place);

@@ -4,7 +4,7 @@
 
 namespace bempd::scene {
 
-// Values of which the origin of the load factor is moved to `load_factor`.
+// Values for a load factor that counts from `load_factor` on: the proportional part there joins the constant part.
 SceneValues moved(const SceneValues& values, double load_factor);
 
 }  // namespace bempd::scene

@@ -32,7 +32,7 @@ std::optional<Numeral> numeral_at(std::string_view text, std::size_t begin) {
   return Numeral{value, end};
 }
 
-// Things of one kind that a sentence speaks of from one place on, with the ends of their numbers.
+// Word for a kind of things in a sentence, such as "loads", with the numbers behind it and where each of them ends.
 struct Mention {
   int kind;
   std::vector<Numeral> numbers;

@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "error.hpp"
+
 namespace bempd::scene {
 
 int Region::edge_count() const {
@@ -31,6 +33,11 @@ void Region::identify(Hash& hash) const {
   hash.add(std::string_view("fracture energies"));
   for (const Point& place : fracture_energies_->places()) hash.add(place.x()), hash.add(place.y());
   for (const double value : fracture_energies_->values()) hash.add(value);
+}
+
+void require_edge(const Region& region, int id, int edge) {
+  require(edge >= 1 && edge <= region.edge_count(), "edge ", edge, " does not exist; region ", id, " has edges 1 .. ",
+          region.edge_count());
 }
 
 }  // namespace bempd::scene

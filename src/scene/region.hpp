@@ -79,8 +79,7 @@ class Region {
   // rounded, because their last digits depend on the processor.
   virtual void identify(Hash& hash) const;
 
-  // Builds the region of the layer `regions` from this description; that region makes operators on nodes, and has none
-  // yet.
+  // Builds the region of the layer `regions` from this description. Its nodes and its operators are made later.
   virtual std::unique_ptr<regions::Region> build(int id, const regions::Preparation& preparation) const = 0;
 
  protected:
@@ -94,5 +93,8 @@ class Region {
   Outline outline_;
   std::shared_ptr<const ScatteredField> fracture_energies_;
 };
+
+// Throws Error (argument) if the region number `id` does not have the edge.
+void require_edge(const Region& region, int id, int edge);
 
 }  // namespace bempd::scene

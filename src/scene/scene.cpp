@@ -50,6 +50,11 @@ const Region& Scene::region(int id) const {
   return *regions_[id - 1];
 }
 
+const Region& Scene::region_with_edge(int id, int edge) const {
+  require_edge(region(id), id, edge);
+  return region(id);
+}
+
 std::vector<int> Scene::region_ids() const {
   std::vector<int> ids;
   for (int id = 1; id <= region_count(); ++id)

@@ -6,7 +6,7 @@
 
 #include "scene/condition.hpp"
 #include "scene/material.hpp"
-#include "scene/region.hpp"
+#include "scene/region_shape.hpp"
 #include "scene/scene_values.hpp"
 
 namespace bempd::scene {
@@ -32,16 +32,7 @@ class Scene {
  public:
   int add_material(const Material& material);
   int add_region(std::unique_ptr<Region> region);
-  // Adds a hole to a region and returns the number of its first edge.
-  int add_hole(int region, const std::vector<Point>& vertices, const std::vector<double>& bulges = {});
-  int add_circular_hole(int region, const Point& centre, double radius);
-  void set_edge_mesh(int region, int edge, const EdgeMesh& mesh);
-  // Makes the edge a circular arc through the place `between`.
-  void set_edge_arc(int region, int edge, const Point& between);
-  // Makes the edge a circular arc about `centre`; both ends of the edge must have the distance `radius` from it.
-  void set_edge_arc_about(int region, int edge, const Point& centre, double radius, bool clockwise);
-  // Makes the edges first_edge .. last_edge of one loop a smooth curve through their vertices.
-  void set_edges_smooth(int region, int first_edge, int last_edge);
+  RegionShape shape_of(int region) { return {mutable_region(region), region}; }
   void set_toughness(int region, std::vector<Point> places, std::vector<double> fracture_energies);
   Material& mutable_material(int id) { return const_cast<Material&>(material(id)); }
   int add_crack(const std::vector<Point>& points);
@@ -56,7 +47,7 @@ class Scene {
   SceneValues values() const;
   void exchange_values(SceneValues& values) noexcept;
   // Runs `body` with `values` as the values of all supports and loads, and returns its result. The scene's own values
-  // are restored behind it.
+  // are restored afterwards.
   template <class Body>
   auto under(SceneValues& values, const Body& body) {
     struct Exchange {
@@ -101,8 +92,6 @@ class Scene {
 
  private:
   Region& mutable_region(int id);
-  Region& mutable_region_with_edge(int id, int edge);
-  Region& region_to_bend(int id, int edge);
   void check_condition(const Condition& condition, bool is_support) const;
   // Check for defects that no later call can repair (scene_checks.cpp); others are found when the scene is prepared.
   void require_no_overlap(const Region& added) const;

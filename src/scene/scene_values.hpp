@@ -11,8 +11,8 @@ struct SceneValues {
   std::vector<Values> supports, loads;
 };
 
-// Whether a condition with the values `other` can get the values `one`: equally many samples as there are, values at
-// places, or a function (not null), which cannot replace samples.
+// Whether a condition with the values `other` can get the values `one`: samples in place of equally many samples,
+// values at places, or a function (not null) where there are no samples.
 bool are_alike(const Values& one, const Values& other);
 
 // Zero values, as of a body at rest, with the same number of samples and places as `like`.

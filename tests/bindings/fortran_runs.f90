@@ -634,7 +634,7 @@ contains
   subroutine edges_sides_arcs_and_singular_places()
     type(bempd_model) :: model
     type(bempd_singularity), allocatable :: singular(:)
-    real(dp), allocatable :: stress(:, :)
+    real(dp), allocatable :: stress(:, :), errors_u(:), errors_s(:)
     real(dp) :: force(2), moment
     integer(c_int32_t) :: disc, spiral
     integer :: stat
@@ -663,6 +663,8 @@ contains
     call check_error(stat, BEMPD_ERROR_ARGUMENT, message, "bempd_edge_reaction: no support holds edge 1")
     call model%evaluate_in(1, reshape([1._dp, .5_dp], [2, 1]), stress=stress)
     call check(abs(stress(1, 1) - 10) < 1e-7_dp, "the region has its stress on its boundary")
+    call model%evaluate_errors(reshape([1._dp, .5_dp], [2, 1]), errors_u, errors_s)
+    call check(errors_u(1) < 1e-6_dp .and. errors_s(1) < 1e-6_dp, "uniform stress has no error")
     call model%evaluate_in(disc, reshape([1._dp, .5_dp], [2, 1]), stress=stress, face=BEMPD_FACE_RIGHT, stat=stat, &
       errmsg=message)
     call check_error(stat, BEMPD_ERROR_ARGUMENT, message, "bempd_evaluate_in: point 1")

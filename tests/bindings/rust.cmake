@@ -26,7 +26,7 @@ set_tests_properties(bindings.rust PROPERTIES COST 150)
 
 if(BEMPD_RUSTFMT)
   file(GLOB rust_roots CONFIGURE_DEPENDS "${rust_source}/*/build.rs" "${rust_source}/bempd/src/lib.rs"
-       "${rust_source}/bempd/tests/*.rs" "${PROJECT_SOURCE_DIR}/examples/*/main.rs")
+       "${rust_source}/bempd/tests/*/main.rs" "${PROJECT_SOURCE_DIR}/examples/*/main.rs")
   add_test(NAME bindings.rust_format
     COMMAND "${BEMPD_RUSTFMT}" --check --edition 2021 --config-path "${rust_source}" ${rust_roots})
   set_tests_properties(bindings.rust_format PROPERTIES LABELS delivery)

@@ -245,6 +245,27 @@ static void states_know_bodies(void) {
   bempd_model_free(other);
 }
 
+/** Errors of stress at a hole, which shorter elements show, and none where stress is unbounded. */
+static void errors_of_stress_are_told(void) {
+  static const double places[8] = {2, 0.7, 2, 0.3, 2.5, 0.5, 0, 0}, load = 0.01;
+  double u[4], s[4], coarse[12], fine[12], errors[4];
+  bempd_model *model = arm(0.02), *finer = arm(1e-3);
+  step_to(model, load), step_to(finer, load);
+  CHECK_OK(model, bempd_evaluate_errors(model, 4, places, errors, s));
+  CHECK_OK(model, bempd_evaluate_errors(model, 4, places, u, NULL));
+  CHECK_OK(model, bempd_evaluate(model, 3, places, NULL, coarse, NULL));
+  CHECK_OK(finer, bempd_evaluate(finer, 3, places, NULL, fine, NULL));
+  for (int k = 0; k < 3; ++k) {
+    const double *a = coarse + (ptrdiff_t)3 * k, *b = fine + (ptrdiff_t)3 * k;
+    const double xx = a[0] - b[0], yy = a[1] - b[1], xy = a[2] - b[2], apart = sqrt(xx * xx + yy * yy + 2 * xy * xy);
+    CHECK(s[k] > 0 && s[k] >= apart && s[k] < 2 * load);
+    CHECK(u[k] == errors[k] && u[k] > 0);
+  }
+  CHECK(isnan(s[3]));
+  CHECK_FAILS(model, BEMPD_ERROR_ARGUMENT, "point 1", bempd_evaluate_errors(model, 1, (const double[2]){9, 9}, u, s));
+  bempd_model_free(model), bempd_model_free(finer);
+}
+
 static void misuse(void) {
   const rectangle r = rectangle_of(0, 0, 1, 1);
   static const double bulges[4] = {0, 0.2, 0, NAN};
@@ -281,6 +302,7 @@ int main(void) {
   limits_are_kept();
   errors_of_given_elements_are_told();
   states_know_bodies();
+  errors_of_stress_are_told();
   misuse();
   return check_finish();
 }

@@ -207,6 +207,141 @@ static void cracks_leave_patches(void) {
   bempd_model_free(model), bempd_model_free(other);
 }
 
+/** Plate with a crack that may grow at its right end only: in a patch, or in a lattice of the same points. */
+static bempd_model* growing_plate(int in_patch) {
+  const double width = 1.5 * size;
+  const rectangle r = rectangle_of(0, 0, width, size);
+  const double middle = 0.5 * size + 0.5 * spacing, up = 1;
+  const double crack[4] = {1.5 + 0.5 * spacing, middle, 2.5 + 0.5 * spacing, middle};
+  bempd_model* model = new_model();
+  const int32_t material = add_tough_material(model);
+  if (in_patch) {
+    CHECK_OK(model, bempd_add_body(model, material, 4, r.vertices, NULL));
+  } else {
+    add_pd_rectangle(model, material, 0, 0, width, size, spacing);
+  }
+  CHECK_OK(model, bempd_add_crack(model, 2, crack, NULL));
+  if (in_patch) {
+    CHECK_OK(model, bempd_set_body_lattice(model, 1, spacing, 3));
+    CHECK_OK(model, bempd_set_crack_treatment(model, 1, LATTICE));
+  }
+  CHECK_OK(model, bempd_set_tip_frozen(model, 1, BEMPD_CRACK_START, 1));
+  CHECK_OK(model, bempd_fix_edge(model, 1, 1, BEMPD_BOTH, NULL));
+  CHECK_OK(model, bempd_prescribe_edge(model, 1, 3, 0, 1, BEMPD_Y, 1, NULL, &up, NULL));
+  CHECK_OK(model, bempd_set_option_text(model, "stepping.control", "path"));
+  return model;
+}
+
+static bempd_crack_extension last_extension(bempd_model* model) {
+  bempd_crack_extension last;
+  int64_t count = 0;
+  CHECK_OK(NULL, bempd_crack_extension_init(&last, sizeof last));
+  CHECK_OK(model, bempd_extension_count(model, &count));
+  CHECK(count > 0);
+  if (count > 0) CHECK_OK(model, bempd_extension(model, count - 1, &last));
+  return last;
+}
+
+/** Lines of the history at which no event happened, and the sum of the changes of stored energy there. */
+static int64_t layouts_of(bempd_model* model, double* jump) {
+  int64_t count = 0, k, found = 0;
+  double before = 0;
+  *jump = 0;
+  CHECK_OK(model, bempd_history_count(model, &count));
+  for (k = 0; k < count; ++k) {
+    bempd_history_entry line;
+    CHECK_OK(NULL, bempd_history_entry_init(&line, sizeof line));
+    CHECK_OK(model, bempd_get_history_entry(model, k, &line));
+    CHECK(line.energy_balance_error < 1e-8);
+    if (line.event == 0) ++found, *jump += fabs(line.stored_energy - before);
+    before = line.stored_energy;
+  }
+  return found;
+}
+
+/** The patch gets blocks ahead of a tip, so that the crack stays a line: step by step as in a lattice as large as the
+ * body. */
+static void patches_follow_tips(void) {
+  enum { STEPS = 24 };
+  bempd_model *model = growing_plate(1), *whole = growing_plate(0);
+  double worst = 0, jump;
+  int64_t points, bonds = 0;
+  int k;
+  CHECK_OK(model, bempd_prepare(model));
+  points = part_of(model, 1).material_points;
+  for (k = 0; k < STEPS; ++k) {
+    bempd_crack_extension mine, theirs;
+    next_event(model), next_event(whole);
+    mine = last_extension(model), theirs = last_extension(whole);
+    CHECK_CLOSE(mine.x, theirs.x, 0.02 * spacing);
+    CHECK_CLOSE(mine.y, theirs.y, 0.02 * spacing);
+    CHECK_CLOSE(mine.released_energy, theirs.released_energy, 5e-3 * theirs.released_energy);
+    worst = fmax(worst, fabs(mine.load_factor / theirs.load_factor - 1));
+  }
+  CHECK(worst < 1e-3);
+  CHECK(part_of(model, 1).material_points > points + 200 && part_of(model, 1).region == 2);
+  CHECK_OK(model, bempd_bond_count(model, 2, &bonds));
+  CHECK(bonds > 12 * points);
+  CHECK(tip_of(model, 1).method == tip_of(whole, 1).method);
+  CHECK(layouts_of(model, &jump) >= 1);
+  printf("loads off by %g at most; %lld of %lld points at first; stored energy changed by %g\n", worst,
+         (long long)points, (long long)part_of(model, 1).material_points, jump);
+  bempd_model_free(model), bempd_model_free(whole);
+}
+
+static int32_t stop_at(double load_factor, int64_t events, int64_t broken_bonds, void* user) {
+  (void)load_factor, (void)broken_bonds;
+  return events >= *(const int64_t*)user;
+}
+
+/** A cancelled step takes its blocks back, and states have them: a run that is stopped, or goes on in another model
+ * from the bytes of its state, has the same loads. */
+static void growing_patches_are_taken_back_and_saved(void) {
+  const int64_t cancel_after = 16;
+  bempd_model *model = growing_plate(1), *other = growing_plate(1);
+  bempd_state *early = NULL, *late = NULL, *read = NULL;
+  bempd_step_report report;
+  bempd_statistics sizes;
+  double loads[20], jump;
+  uint8_t* bytes;
+  int64_t size_of_bytes = 0, points, grown = 0;
+  int k;
+  CHECK_OK(NULL, bempd_step_report_init(&report, sizeof report));
+  CHECK_OK(NULL, bempd_statistics_init(&sizes, sizeof sizes));
+  CHECK_OK(model, bempd_prepare(model));
+  CHECK_OK(model, bempd_state_save(model, &early));
+  CHECK_OK(model, bempd_get_statistics(model, &sizes));
+  points = sizes.material_points;
+  CHECK_OK(model, bempd_set_progress(model, stop_at, (void*)&cancel_after));
+  CHECK(bempd_run_to_separation(model, 1e6, &report) == BEMPD_ERROR_CANCELLED);
+  CHECK_OK(model, bempd_set_progress(model, NULL, NULL));
+  CHECK_OK(model, bempd_get_statistics(model, &sizes));
+  CHECK(sizes.material_points == points && layouts_of(model, &jump) == 0);
+  CHECK_OK(model, bempd_extension_count(model, &grown));
+  CHECK(grown == 0);
+  for (k = 0; k < 20; ++k) {
+    loads[k] = next_event(model);
+    if (k == 15) CHECK_OK(model, bempd_state_save(model, &late));
+  }
+  CHECK(layouts_of(model, &jump) >= 1);
+  CHECK_OK(model, bempd_state_restore(model, early));
+  CHECK_OK(model, bempd_get_statistics(model, &sizes));
+  CHECK(sizes.material_points == points && layouts_of(model, &jump) == 0);
+  for (k = 0; k < 20; ++k) CHECK_CLOSE(next_event(model), loads[k], 1e-8 * loads[k]);
+  CHECK_OK(NULL, bempd_state_to_bytes(late, 0, NULL, &size_of_bytes));
+  bytes = malloc((size_t)size_of_bytes);
+  CHECK_OK(NULL, bempd_state_to_bytes(late, size_of_bytes, bytes, &size_of_bytes));
+  CHECK_OK(NULL, bempd_state_from_bytes(size_of_bytes, bytes, &read));
+  CHECK_OK(other, bempd_state_restore(other, read));
+  CHECK(layouts_of(other, &jump) >= 1);
+  for (k = 16; k < 20; ++k) CHECK_CLOSE(next_event(other), loads[k], 1e-8 * loads[k]);
+  CHECK_OK(model, bempd_state_restore(model, late));
+  for (k = 16; k < 20; ++k) CHECK_CLOSE(next_event(model), loads[k], 1e-8 * loads[k]);
+  free(bytes);
+  bempd_state_free(early), bempd_state_free(late), bempd_state_free(read);
+  bempd_model_free(model), bempd_model_free(other);
+}
+
 /** Patches without room and treatments that cannot be are refused, and the scene is as it was. */
 static void what_cannot_be_is_refused(void) {
   static const double edge_crack[4] = {0, 1, 0.2, 1};
@@ -260,6 +395,8 @@ int main(void) {
   loads_on_the_whole_body_reach_patches();
   frozen_cracks_stay();
   cracks_leave_patches();
+  patches_follow_tips();
+  growing_patches_are_taken_back_and_saved();
   what_cannot_be_is_refused();
   return check_finish();
 }

@@ -17,8 +17,10 @@ static void a_case_has_the_life_of_the_load_factor(void) {
   CHECK_OK(q.model, bempd_load_case_add(q.model, 2, loads, 0, NULL, NULL));
   CHECK_OK(p.model, bempd_grow_fatigue(p.model, 2, high, low, cycles, &options, &by_factor));
   CHECK_OK(q.model, bempd_grow_fatigue_cases(q.model, 2, 1, high, low, cycles, &options, &by_case));
-  CHECK(by_case.stop_reason == BEMPD_FATIGUE_LENGTH && by_case.steps == by_factor.steps);
-  CHECK_CLOSE(by_case.cycles, by_factor.cycles, 1e-4 * by_factor.cycles); /* K of a combination is within 1e-4 */
+  /* K of a combination is within 1e-4, which may divide one step more. */
+  CHECK(by_case.stop_reason == BEMPD_FATIGUE_LENGTH && by_case.steps <= by_factor.steps + 1 &&
+        by_case.steps >= by_factor.steps - 1);
+  CHECK_CLOSE(by_case.cycles, by_factor.cycles, 1e-4 * by_factor.cycles);
   CHECK_OK(q.model, bempd_load_factor(q.model, &load_factor));
   CHECK_CLOSE(load_factor, 0.0, 0.0);
   CHECK_CLOSE(last_record(q.model).range, last_record(p.model).range, 1e-4 * last_record(p.model).range);

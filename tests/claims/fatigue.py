@@ -22,6 +22,9 @@ def main() -> None:
     orders = [lives.blocks_in_order(order) for order in ([0, 1], [1, 0])]
     retarded = [lives.retarded(kind, program) for kind in ("wheeler", "willenborg")
                 for program in ("an overload in each 5000 cycles", "one overload")]
+    end = lives.SQUARES["centre crack"][1]
+    turned = [lives.square_life(scene, 40) / lives.square_life(scene) for scene in ("two edge cracks", "slanted crack")]
+    turned.append(lives.life_under_cases(40, 0.4).cycles_at(end) / lives.life_under_cases(0, 0.4).cycles_at(end))
     values = {
         "fatigue_centre": abs(100 * (centre.cycles / lives.CENTRE_CRACK_FINE - 1)),
         "fatigue_handbook": abs(100 * (centre.cycles / lives.centre_crack_by_handbook() - 1)),
@@ -36,6 +39,7 @@ def main() -> None:
         "fatigue_retarded": max(abs(100 * (growth / exact - 1)) for growth, exact in retarded),
         "fatigue_lattice": max(abs(100 * (lives.square_life(scene, 60) / lives.square_life(scene) - 1))
                                for scene in ("edge crack", "centre crack", "two edge cracks")),
+        "fatigue_turned": max(abs(100 * (one - 1)) for one in turned),
         "fatigue_halves": max(abs(100 * (found / exact - 1)) for scene in lives.HALVES for halves in (("elements", "lattice"), ("lattice", "elements"))
                               for found, exact in zip(lives.life_in_halves(*halves, scene), lives.life_in_halves("elements", "elements", scene))),
         "specimen_energy": max(abs(100 * bodies.by_energy(kind, sizes)) for kind, sizes, _ in bodies.CASES),

@@ -50,13 +50,13 @@ def stop(*_: object) -> None:
 
 
 def cancelled(model: bempd.Model) -> None:
-    """A step that the host cancels as soon as it hears of it, which leaves the model as it was."""
-    model.phase_progress = stop
+    """A step that the host cancels after its event, which leaves the model as it was."""
+    model.progress = stop
     try:
         model.step_to_next_event(1e9)
     except Stopped:
-        model.phase_progress = None
-    assert model.phase_progress is None, "the step was not cancelled"
+        model.progress = None
+    assert model.progress is None, "the step was not cancelled"
 
 
 def differences(pressed: bool, steps: int, verbose: bool) -> list[str]:

@@ -165,8 +165,9 @@ SCENES: dict[str, tuple[Build, list[Call]]] = {
 }
 
 
-# Scenes that repeat another with the solver of the whole body, which "whole body" has, or with other steps.
-REPEATED = {"windows in small steps", "windows and looks", "squares in the whole body", "contact in the whole body",
+# Scenes that repeat another with the solver of the whole body, which "whole body" has, with other steps, or with more cracks.
+REPEATED = {"windows around several cracks", "growing crack", "driven crack on the path",
+            "windows in small steps", "windows and looks", "squares in the whole body", "contact in the whole body",
             "lines in the whole body", "boundary elements, no windows", "new values of the whole body"}
 
 

@@ -3,7 +3,8 @@ elements, mirrored, turned by 90 degrees, with their parts added in another orde
 
     same_cracks.py [--first SEED] [--count N] [--carrier lines|bonds|elements] [--verbose]
 
-Scenes have no ties, so that the same crack grows at the same load by the same way. In plates that are their own mirror image the
+The same crack grows at the same load by the same way. Where a report tells of a tie, rounding may choose among cracks or places
+that are alike: the other ways to say the scene tell of it too, at the same load, and what follows is not compared. In plates that are their own mirror image the
 loads are compared, and of cracks that are alike the one of least number grows, however often the scene is said.
 Prints one line for every scene that fails and a summary; exits with 1 if any does."""
 
@@ -29,7 +30,7 @@ LOADS, PLACES = 1e-7, 1e-6
 class Saying:
     """The scene as it is; others override what they change."""
 
-    length, modulus, mirrored, reordered = 1.0, 1.0, False, False
+    length, modulus, thickness, mirrored, reordered = 1.0, 1.0, 1.0, False, False
 
     def place(self, point: Any) -> tuple[float, float]:
         return (point[0] * self.length, point[1] * self.length)
@@ -61,7 +62,7 @@ class Reordered(Saying):
 
 
 class Units(Saying):
-    length, modulus = 1e-3, 2e11
+    length, modulus, thickness = 1e-3, 2e11, 4e-3
 
 
 SAYINGS: dict[str, Saying] = {"mirrored": Mirrored(), "turned": Turned(), "reordered": Reordered(), "in other units": Units()}
@@ -96,6 +97,12 @@ def random_scene(seed: int, carrier: str) -> Scene:
         inside = all(3.2 < x < width - 3.2 and 3.2 < y < height - 3.2 for x, y in ends)
         if inside and all(apart(ends, other) > 3.2 for other in cracks):
             cracks.append(ends)
+    bend = random.Random(seed)  # every other crack has a corner
+    for ends in cracks:
+        (x0, y0), (x1, y1) = ends
+        along, aside = bend.uniform(0.4, 0.6), bend.choice((-1, 0, 0, 1)) * bend.uniform(0.05, 0.2)
+        if aside:
+            ends.insert(1, (x0 + along * (x1 - x0) - aside * (y1 - y0), y0 + along * (y1 - y0) + aside * (x1 - x0)))
     pull, side, shear = choose.uniform(0.5, 1), choose.uniform(-0.2, 0.4), choose.uniform(-0.2, 0.2)
     # A constant load: none, one that leaves all cracks at rest, or one that is too much for several of them at once.
     overloaded = seed % 3 == 0
@@ -122,7 +129,8 @@ def say(scene: Scene, saying: Saying) -> tuple[bempd.Model, int, list[int]]:
     """The model, its region, and for each of its cracks the number that it has in the scene."""
     model = bempd.Model(options={"crack.rule": "bond" if scene.carrier == "bonds" else "line", "stepping.control": scene.control})
     stress = saying.modulus
-    material = model.add_material(young_modulus=saying.modulus, poisson_ratio=1 / 3, fracture_energy=1e-3 * saying.modulus * saying.length)
+    material = model.add_material(young_modulus=saying.modulus, poisson_ratio=1 / 3, thickness=saying.thickness,
+                                  fracture_energy=1e-3 * saying.modulus * saying.length)
     width, height = scene.size
     corners = [saying.place(corner) for corner in ((0, 0), (width, 0), (width, height), (0, height))]
     if saying.mirrored:
@@ -153,6 +161,7 @@ class Event:
     load_factor: float
     crack: int            # of the scene, that grew; 0: unknown
     places: np.ndarray    # of what has grown or broken so far
+    is_tie: bool
 
 
 def broken(model: bempd.Model, region: int) -> np.ndarray:
@@ -172,9 +181,9 @@ def follow(scene: Scene, saying: Saying) -> tuple[list[Event], str]:
             if scene.carrier == "elements":
                 extensions = model.extensions()
                 places = np.array([(e.x, e.y) for e in extensions])
-                events.append(Event(report.load_factor, numbers[extensions[-1].crack], places))
+                events.append(Event(report.load_factor, numbers[extensions[-1].crack], places, report.ties > 0))
             else:
-                events.append(Event(report.load_factor, 0, broken(model, region)))
+                events.append(Event(report.load_factor, 0, broken(model, region), report.ties > 0))
     except bempd.Error as failed:
         return events, type(failed).__name__
     return events, ""
@@ -185,6 +194,10 @@ def differ(scene: Scene, one: tuple[list[Event], str], other: tuple[list[Event],
     for number, (a, b) in enumerate(zip(one[0], other[0]), 1):
         if abs(a.load_factor - b.load_factor) > LOADS * abs(a.load_factor):
             return f"event {number}: load factor {a.load_factor}; otherwise {b.load_factor}"
+        if a.is_tie != b.is_tie:
+            return f"event {number}: {'a' if a.is_tie else 'no'} tie is told; otherwise {'a' if b.is_tie else 'none'}"
+        if a.is_tie:
+            return None
         if a.crack != b.crack:
             return f"event {number}: crack {a.crack} grows; otherwise {b.crack}"
         if len(a.places) != len(b.places):
@@ -222,12 +235,12 @@ def main() -> int:
     parser.add_argument("--carrier", choices=CARRIERS)
     parser.add_argument("--verbose", action="store_true")
     arguments = parser.parse_args()
-    failed = scenes = events = 0
+    failed = scenes = events = ties = 0
     for seed in range(arguments.first, arguments.first + arguments.count):
         for carrier in [arguments.carrier] if arguments.carrier else CARRIERS:
             scene = random_scene(seed, carrier)
             one = follow(scene, Saying())
-            scenes, events = scenes + 1, events + len(one[0])
+            scenes, events, ties = scenes + 1, events + len(one[0]), ties + any(event.is_tie for event in one[0])
             findings = {name: differ(scene, one, follow(scene, saying), saying) for name, saying in SAYINGS.items()}
             if seed % 2 and carrier != "bonds":
                 findings["two alike"] = tied(symmetric_scene(seed, carrier))
@@ -235,7 +248,7 @@ def main() -> int:
             for name, finding in findings.items():
                 if finding or arguments.verbose:
                     print(f"scene {seed}, {carrier}, {name}: {finding or f'holds over {len(one[0])} events {one[1]}'}", flush=True)
-    print(f"{scenes} scenes, {events} events, {len(SAYINGS)} ways to say each, {failed} failed")
+    print(f"{scenes} scenes, {events} events, {len(SAYINGS)} ways to say each, {ties} scenes with ties, {failed} failed")
     return 1 if failed else 0
 
 

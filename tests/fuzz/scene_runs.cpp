@@ -151,6 +151,9 @@ void Scene::read_singular_places() {
   double order = -1;
   if (FUZZ_CALL(bempd_stress_orders, model_, 1, point.data(), &order))
     require_true(order >= 0 && order <= 1, "bempd_stress_orders", "no order");  // 1 at point forces
+  double error = -1;                                                            // of a stress: not known in lattices
+  if (FUZZ_CALL(bempd_evaluate_errors, model_, 1, point.data(), nullptr, &error))
+    require_true(!(error < 0), "bempd_evaluate_errors", "a length below 0");
   std::int64_t count = 0;
   if (!FUZZ_CALL(bempd_singularity_count, model_, &count)) return;
   for (std::int64_t k = 0; k <= count; ++k) {
@@ -176,10 +179,14 @@ void Scene::read_books() {
   if (FUZZ_CALL(bempd_plan, model_, &plan)) require_finite("bempd_plan", &plan.displacement_error, 1);
   bempd_model_part part;
   good("bempd_part_init", nullptr, bempd_part_init(&part, sizeof part));
-  std::int64_t parts = 0, points = 0;
-  if (FUZZ_CALL(bempd_part_count, model_, &parts) && FUZZ_CALL(bempd_part, model_, bytes_.pick(3), &part))
+  std::int64_t part_count = 0, points = 0;
+  if (FUZZ_CALL(bempd_part_count, model_, &part_count) && FUZZ_CALL(bempd_part, model_, bytes_.pick(3), &part))
     FUZZ_CALL(bempd_part_outline, model_, 0, bytes_.pick(3), 0, nullptr, &points);
   if (FUZZ_CALL(bempd_error_estimate, model_, &errors)) require_finite("bempd_error_estimate", &errors.displacement, 1);
+  bempd_run_errors of_run;
+  good("bempd_run_errors_init", nullptr, bempd_run_errors_init(&of_run, sizeof of_run));
+  if (FUZZ_CALL(bempd_run_error_estimate, model_, 0.02, &of_run))
+    require_finite("bempd_run_error_estimate", &of_run.expected_seconds, 1);
   for (std::int32_t support = 0; support <= supports_; ++support) {
     std::array<double, 2> force;
     if (FUZZ_CALL(bempd_reaction, model_, support, force.data())) require_finite("bempd_reaction", force.data(), 2);

@@ -48,7 +48,7 @@ TEST(ClosingCrack, pressed_straight_is_as_good_as_none) {
     const auto cracked = plate(2, 0.5, cracks), through = plate(2, 0.5, cracks, "none");
     for (model::Model* model : {cracked.get(), through.get()}) {
       pull(*model, uniform(0, 0), uniform(0.3, 1));
-      model->advance(-1, to_load_factor);
+      model->driver().advance(-1, to_load_factor);
     }
     const double error = largest_stress_error(*cracked, {-0.3, -1, 0});
     std::printf("pressed across: %zu of %zu places closed, stress off by %.1e, without contact by %.1e\n",
@@ -58,7 +58,7 @@ TEST(ClosingCrack, pressed_straight_is_as_good_as_none) {
     EXPECT_EQ(closed(*cracked), cracked->prepared().system->constraints().exact_count());
     EXPECT_EQ(openings(*cracked)(Eigen::seq(1, Eigen::last, 2)).cwiseAbs().maxCoeff(), 0);
     EXPECT_LE(openings(*cracked).cwiseAbs().maxCoeff(), 1e-10);
-    for (const regions::TipValues& tip : cracked->tips()) {
+    for (const regions::TipValues& tip : cracked->cracks().tips()) {
       EXPECT_EQ(tip.factors.x(), 0);
       EXPECT_LE(std::abs(tip.factors.y()), 1e-6);
       EXPECT_NEAR(tip.stress_along, -0.3, 1e-6);
@@ -69,11 +69,11 @@ TEST(ClosingCrack, pressed_straight_is_as_good_as_none) {
     EXPECT_NEAR(moved.x(), (-0.3 + 0.3) * (a - b).x(), 1e-10);
     EXPECT_NEAR(moved.y(), (-1 + 0.3 * 0.3) * (a - b).y(), 1e-10);
     // The crack is open again when it is pulled.
-    cracked->advance(1, to_load_factor), through->advance(1, to_load_factor);
+    cracked->driver().advance(1, to_load_factor), through->driver().advance(1, to_load_factor);
     EXPECT_EQ(closed(*cracked), 0U);
     EXPECT_LE(difference(displacement(*cracked), displacement(*through)), 1e-12);
     EXPECT_LE(state(*cracked).worst_energy_balance_error, 1e-12);
-    cracked->advance(0, to_load_factor);
+    cracked->driver().advance(0, to_load_factor);
     EXPECT_LE(displacement(*cracked).lpNorm<Eigen::Infinity>(), 1e-13);
   }
 }
@@ -86,9 +86,9 @@ TEST(ClosingCrack, an_inclined_one_under_pressure_only_slides) {
     const Point along(std::cos(angle), std::sin(angle));
     const auto model = plate(1000, 500, {{-along, along}});
     pull(*model, uniform(0, 0), uniform(1, 0));
-    model->advance(-1, to_load_factor);
+    model->driver().advance(-1, to_load_factor);
     const double shear = std::sin(angle) * std::cos(angle);
-    for (const regions::TipValues& tip : model->tips()) {
+    for (const regions::TipValues& tip : model->cracks().tips()) {
       const double exact = shear * std::sqrt(pi);
       std::printf("%g degrees: K_I %g, K_II %.7f of the exact one, T %.7f\n", degrees, tip.factors.x(),
                   tip.factors.y() / exact, tip.stress_along);
@@ -97,7 +97,7 @@ TEST(ClosingCrack, an_inclined_one_under_pressure_only_slides) {
       EXPECT_NEAR(tip.stress_along, -std::cos(angle) * std::cos(angle), 1e-4);
       EXPECT_NEAR(tip.kink_angle * 180 / pi, -70.53, 0.01);
     }
-    const Point opening = model->crack_openings(1, {0.5})[0];
+    const Point opening = model->cracks().openings(1, {0.5})[0];
     EXPECT_NEAR(opening.y(), 0, 1e-14);
     EXPECT_NEAR(std::abs(opening.x()), 4 * shear, 4e-3);
   }
@@ -127,10 +127,9 @@ TEST(ClosingCrack, random_bodies_agree_with_a_quadratic_programme) {
           [&c](const Point& x) { return stress(c[6] + c[7] * x.y(), c[8] + c[9] * x.x(), c[10]); });
       press_faces(*model, 1, pressure, growing);
       for (const double load_factor : {0.7, -1.5, 0.4}) {
-        model->advance(load_factor, to_load_factor);
+        model->driver().advance(load_factor, to_load_factor);
         const double in_crack = pressure + load_factor * growing;
-        const auto& lines =
-            static_cast<const regions::BoundaryRegion&>(model->results().region(1)).crack_lines()->lines;
+        const auto& lines = model->results().region(1).crack_elements()->lines()->lines;
         const Solved exact = by_quadratic_programme(*model, [&](int line, const Point&, const Point& normal) -> Point {
           return lines[static_cast<std::size_t>(line)].crack == 0 ? Point(-in_crack * normal) : Point::Zero();
         });
@@ -157,8 +156,8 @@ TEST(ClosingCrack, the_path_is_piecewise_linear) {
     pull(*model, uniform(0, 0.5), [](const Point& x) { return stress(0, -0.3 - 0.7 * x.x()); });
     press_faces(*model, 1, 0.1, 0.05);
   }
-  coarse->advance(3, to_load_factor);
-  for (int k = 0; k <= 60; ++k) fine->advance(k / 20.0, to_load_factor);
+  coarse->driver().advance(3, to_load_factor);
+  for (int k = 0; k <= 60; ++k) fine->driver().advance(k / 20.0, to_load_factor);
   EXPECT_LE(difference(displacement(*coarse), displacement(*fine)), 1e-11);
   const fracture::EvolutionState &a = state(*coarse), &b = state(*fine);
   std::printf("%lld switches on the way, %lld in 60 steps; work %.12g and %.12g\n",
@@ -169,13 +168,13 @@ TEST(ClosingCrack, the_path_is_piecewise_linear) {
   EXPECT_LE(a.worst_energy_balance_error, 1e-12);
   EXPECT_LE(b.worst_energy_balance_error, 1e-12);
   // A state brings the closed places back.
-  const model::SavedState saved = fine->save();
+  const model::SavedState saved = fine->states().save();
   const Eigen::VectorXd before = displacement(*fine);
-  fine->advance(-2, to_load_factor);
-  fine->restore(saved);
+  fine->driver().advance(-2, to_load_factor);
+  fine->states().restore(saved);
   EXPECT_EQ(displacement(*fine), before);
   EXPECT_EQ(closed(*fine), closed(*coarse));
-  coarse->advance(0.2, to_load_factor), fine->advance(0.2, to_load_factor);
+  coarse->driver().advance(0.2, to_load_factor), fine->driver().advance(0.2, to_load_factor);
   EXPECT_LE(difference(displacement(*coarse), displacement(*fine)), 1e-11);
 }
 
@@ -183,12 +182,12 @@ TEST(ClosingCrack, the_path_is_piecewise_linear) {
 TEST(ClosingCrack, under_proportional_loads_what_is_closed_stays_so) {
   const auto model = plate(2, 1, {{{-1.2, 0.1}, {1.1, 0.3}}});
   pull(*model, uniform(0, 0), [](const Point& x) { return stress(0, -0.1 - 0.7 * x.x()); });
-  model->advance(1e-6, to_load_factor);
+  model->driver().advance(1e-6, to_load_factor);
   const std::vector<char> at_first = model->prepared().system->constraints().closed();
   const std::int64_t switches = state(*model).contact_switches;
   EXPECT_GT(closed(*model), 2U);
   EXPECT_LT(closed(*model), at_first.size());
-  model->advance(5, to_load_factor);
+  model->driver().advance(5, to_load_factor);
   EXPECT_EQ(model->prepared().system->constraints().closed(), at_first);
   EXPECT_EQ(state(*model).contact_switches, switches);
 }
@@ -198,9 +197,9 @@ TEST(ClosingCrack, energy_is_released_by_growth_beside_closed_faces) {
   const auto grown = [](const char* contact) {
     auto model = plate(2, 0.5, {{{-0.9, 0}, {0.9, 0}}}, contact, 1);
     pull(*model, uniform(0, 0), [](const Point& x) { return stress(0, 0.2 + x.x()); });
-    model->set_tip_frozen(1, 0, true);
-    const model::GrowthResult result = model->grow_cracks(0.01);
-    const double by_rates = model->extensions()[0].released_energy;
+    model->growth().set_frozen(1, 0, true);
+    const model::GrowthResult result = model->growth().grow(0.01);
+    const double by_rates = model->cracks().extensions()[0].released_energy;
     std::printf("contact %s: load factor %.5f, released over the integral of the rates - 1: %.1e\n", contact,
                 result.load_factor, result.released_energy / by_rates - 1);
     EXPECT_NEAR(result.released_energy / by_rates, 1, 1e-3);
@@ -208,9 +207,9 @@ TEST(ClosingCrack, energy_is_released_by_growth_beside_closed_faces) {
   };
   const auto presses = grown("faces"), passes = grown("none");
   EXPECT_GT(closed(*presses), 0U);
-  EXPECT_EQ(presses->tips()[0].factors.x(), 0);
-  EXPECT_LT(passes->tips()[0].factors.x(), 0);
-  EXPECT_GT(presses->tips()[1].factors.x(), 0);
+  EXPECT_EQ(presses->cracks().tips()[0].factors.x(), 0);
+  EXPECT_LT(passes->cracks().tips()[0].factors.x(), 0);
+  EXPECT_GT(presses->cracks().tips()[1].factors.x(), 0);
   EXPECT_GT(std::abs(presses->load_factor() / passes->load_factor() - 1), 5e-3);
 }
 
@@ -241,7 +240,7 @@ TEST(ClosingCrack, beside_a_lattice_that_breaks) {
   const auto plain = run("plain", {grows, closes}), window = run("window", {grows, closes});
   for (model::Model* model : {plain.get(), window.get()}) {
     bend(*model);
-    for (int k = 0; k < 40; ++k) model->advance(10, fracture::Goal::next_event);
+    for (int k = 0; k < 40; ++k) model->driver().advance(10, fracture::Goal::next_event);
   }
   const fracture::EvolutionState &a = state(*plain), &b = state(*window);
   std::printf("%lld bonds, %zu of %zu places closed, energy balance %.1e\n", static_cast<long long>(a.broken_bonds),
@@ -253,10 +252,10 @@ TEST(ClosingCrack, beside_a_lattice_that_breaks) {
   // The run goes on in the same way from a state with closed places.
   const auto other = run("plain", {grows, closes});
   bend(*other);
-  const std::vector<std::uint8_t> bytes = model::to_bytes(plain->save());
-  other->restore(model::from_bytes(bytes.data(), bytes.size()));
+  const std::vector<std::uint8_t> bytes = model::to_bytes(plain->states().save());
+  other->states().restore(model::from_bytes(bytes.data(), bytes.size()));
   for (model::Model* model : {plain.get(), other.get()})
-    for (int k = 0; k < 5; ++k) model->advance(10, fracture::Goal::next_event);
+    for (int k = 0; k < 5; ++k) model->driver().advance(10, fracture::Goal::next_event);
   EXPECT_EQ(displacement(*plain), displacement(*other));
   // Straight across the pressure it is as if it were not there.
   const auto pressed = run("plain", {{{4, 4.5}, {20, 4.5}}});
@@ -264,7 +263,7 @@ TEST(ClosingCrack, beside_a_lattice_that_breaks) {
       {std::make_shared<const regions::SinglePoint>(Point(0, 0)), 1, scene::SampledValues{{0.0}, {0.0}}});
   pressed->editable_scene().add_load(
       {std::make_shared<const regions::EdgePart>(2, 3, 0, 1), 2, scene::SampledValues{{0.0}, {-1e-4}}});
-  pressed->advance(1, to_load_factor);
+  pressed->driver().advance(1, to_load_factor);
   EXPECT_EQ(closed(*pressed), pressed->prepared().system->constraints().exact_count());
   for (const regions::PointValue& value : pressed->results().evaluate({{5, 4.6}, {12, 3}, {21, 6}, {8, 9}}, true))
     EXPECT_LE((value.stress - Eigen::Vector3d(0, -1e-4, 0)).norm(), 1e-10 * 1e-4);
@@ -281,10 +280,10 @@ TEST(ClosingCrack, wings_grow_from_an_inclined_crack) {
   pull(*model, uniform(0, 0), uniform(0, -1));
   double last = 0;
   const double first = 2 / std::sqrt(3) * 0.5 * std::sqrt(pi);  // largest hoop factor of pure sliding (Erdogan and Sih)
-  EXPECT_NEAR(model->tips()[0].critical_load_factor * first, 1, 0.005);
-  EXPECT_NEAR(model->tips()[0].straight_load_factor * 0.5 * std::sqrt(pi), 1, 0.01);
+  EXPECT_NEAR(model->cracks().tips()[0].critical_load_factor * first, 1, 0.005);
+  EXPECT_NEAR(model->cracks().tips()[0].straight_load_factor * 0.5 * std::sqrt(pi), 1, 0.01);
   for (int step = 0; step < 6; ++step) {
-    const model::GrowthResult grown = model->grow_cracks(0.2);
+    const model::GrowthResult grown = model->growth().grow(0.2);
     EXPECT_EQ(grown.tips, 2);
     EXPECT_GT(grown.load_factor, last);  // wings grow stably
     if (step == 0) {
@@ -292,11 +291,11 @@ TEST(ClosingCrack, wings_grow_from_an_inclined_crack) {
     }
     last = grown.load_factor;
   }
-  const Point d = model->tips()[1].direction;
+  const Point d = model->cracks().tips()[1].direction;
   const double off = std::atan2(std::abs(d.x()), std::abs(d.y())) * 180 / pi;
   std::printf("wings of 1.2: load factor %.3f, %.1f degrees from the pressure's direction\n", last, off);
   EXPECT_LE(off, 6);
-  EXPECT_NEAR(model->crack_openings(1, {0.5})[0].y(), 0, 1e-14);
+  EXPECT_NEAR(model->cracks().openings(1, {0.5})[0].y(), 0, 1e-14);
   EXPECT_LE(state(*model).worst_energy_balance_error, 1e-10);
 }
 

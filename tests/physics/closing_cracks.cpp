@@ -57,7 +57,7 @@ void press_faces(model::Model& model, int crack, double constant, double proport
 
 const bem::CrackedOperator& operator_of(model::Model& model) {
   const auto& region = static_cast<const regions::BoundaryRegion&>(model.results().region(1));
-  return static_cast<const bem::CrackedOperator&>(*region.boundary_operator());
+  return static_cast<const bem::CrackedOperator&>(*region.operators()->whole());
 }
 
 Solved by_quadratic_programme(model::Model& model, const bem::FaceTraction& faces) {
@@ -102,19 +102,20 @@ Eigen::VectorXd openings(model::Model& model) {
   const fracture::EvolutionState& state = p.evolution->state();
   const regions::Solution solution{state.total_displacement,
                                    p.system->terms(),
-                                   p.system->intact(),
+                                   p.system->stages().intact(),
                                    p.conditions.body_forces(state.load_factor),
                                    &state.displacement,
                                    &p.conditions.crack_loads,
                                    state.load_factor,
-                                   &p.system->stages(),
+                                   &p.system->stages().numbers(),
                                    {p.system->operators().closed_on(model.results().region(1).nodes())}};
   // Pictures have the nodes of elements one after another, crack by crack.
   const auto& region = static_cast<const regions::BoundaryRegion&>(model.results().region(1));
-  const std::vector<regions::CrackPicture> pictures = region.crack_pictures(solution);
+  const std::vector<regions::CrackPicture> pictures = region.crack_elements()->pictures(solution);
   std::vector<std::size_t> next(pictures.size(), 0);
   for (const bem::CrackElement& e : cracks.elements) {
-    const auto crack = static_cast<std::size_t>(region.crack_lines()->lines[static_cast<std::size_t>(e.line)].crack);
+    const auto crack =
+        static_cast<std::size_t>(region.crack_elements()->lines()->lines[static_cast<std::size_t>(e.line)].crack);
     for (const int n : e.nodes) all.segment<2>(2 * n) = pictures[crack].openings[next[crack]++];
   }
   return all;

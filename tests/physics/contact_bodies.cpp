@@ -51,7 +51,7 @@ std::unique_ptr<model::Model> random_plate(std::mt19937& random) {
   hold(*model, 3, 1, size(random), size(random));
   hold(*model, 3, 2, size(random), size(random));
   try {
-    model->advance(0, fracture::Goal::load_factor);
+    model->driver().advance(0, fracture::Goal::load_factor);
   } catch (const Error&) {
     return nullptr;
   }
@@ -110,7 +110,7 @@ QuadraticProgramme::QuadraticProgramme(model::Model& model) : model_(model) {
   coupling::EquilibriumSystem& system = *model.prepared().system;
   const coupling::FactorizedSystem factorized = system.factorized();
   dof_of = factorized.dof_of;
-  const Eigen::MatrixXd lower(system.assemble());
+  const Eigen::MatrixXd lower(system.matrix().assemble());
   stiffness = Eigen::MatrixXd(lower.selfadjointView<Eigen::Lower>()).cast<Number>();
   const coupling::Constraints& places = system.constraints();
   const auto count = static_cast<Eigen::Index>(places.size());

@@ -40,7 +40,7 @@ TEST(Contact, random_bodies_agree_with_a_quadratic_programme) {
     ++bodies;
     const QuadraticProgramme programme(*model);
     for (const double load_factor : {0.7, 2.0, -1.5, 0.4, 0.0, -0.3}) {
-      model->advance(load_factor, fracture::Goal::load_factor);
+      model->driver().advance(load_factor, fracture::Goal::load_factor);
       worst = std::max(worst, difference(displacement(*model), programme.displacement()));
       closed += static_cast<int>(model->prepared().system->constraints().closed_count());
       places += static_cast<int>(model->prepared().system->constraints().size());
@@ -67,8 +67,8 @@ TEST(Contact, a_plate_pressed_across_its_crack_is_as_good_as_whole) {
   move_ends(*cracked, 0, 1), move_ends(*whole, 0, 1), move_ends(*through, 0, 1);
   double error[2];
   for (model::Model* model : {cracked.get(), through.get()}) {
-    model->advance(-1, fracture::Goal::load_factor);
-    whole->advance(-1, fracture::Goal::load_factor);
+    model->driver().advance(-1, fracture::Goal::load_factor);
+    whole->driver().advance(-1, fracture::Goal::load_factor);
     error[model == cracked.get() ? 0 : 1] = difference(displacement(*model), displacement(*whole));
   }
   std::printf("pressed across: differs from the whole plate by %.2e, without contact by %.2e\n", error[0], error[1]);
@@ -81,10 +81,10 @@ TEST(Contact, a_plate_pressed_across_its_crack_is_as_good_as_whole) {
   EXPECT_EQ(pressed.contact_switches, 9);  // once each, at the very beginning
   EXPECT_LE(pressed.worst_energy_balance_error, 1e-13);
 
-  cracked->advance(0, fracture::Goal::load_factor);
+  cracked->driver().advance(0, fracture::Goal::load_factor);
   EXPECT_LE(displacement(*cracked).lpNorm<Eigen::Infinity>(), 1e-15);
-  cracked->advance(1, fracture::Goal::load_factor);
-  through->advance(1, fracture::Goal::load_factor);
+  cracked->driver().advance(1, fracture::Goal::load_factor);
+  through->driver().advance(1, fracture::Goal::load_factor);
   EXPECT_EQ(cracked->prepared().system->constraints().closed_count(), 0U);
   EXPECT_LE(difference(displacement(*cracked), displacement(*through)), 1e-12);
 }
@@ -93,8 +93,8 @@ TEST(Contact, a_plate_pressed_across_its_crack_is_as_good_as_whole) {
 TEST(Contact, the_path_is_piecewise_linear_whatever_the_steps) {
   const auto coarse = plate({20, 3}, {{{5.2, 8.1}, {14.9, 12.3}}}), fine = plate({20, 3}, {{{5.2, 8.1}, {14.9, 12.3}}});
   move_ends(*coarse, 1, -1, 0.4), move_ends(*fine, 1, -1, 0.4);
-  coarse->advance(3, fracture::Goal::load_factor);
-  for (int k = 0; k <= 60; ++k) fine->advance(k / 20.0, fracture::Goal::load_factor);
+  coarse->driver().advance(3, fracture::Goal::load_factor);
+  for (int k = 0; k <= 60; ++k) fine->driver().advance(k / 20.0, fracture::Goal::load_factor);
   EXPECT_LE(difference(displacement(*coarse), displacement(*fine)), 1e-12);
   const fracture::EvolutionState &a = coarse->prepared().evolution->state(), &b = fine->prepared().evolution->state();
   std::printf("%lld switches on the way, %lld in 60 steps; work %.12g and %.12g\n",
@@ -141,16 +141,16 @@ TEST(Contact, a_grown_crack_returns_from_pressure_to_where_it_was) {
   const auto model = plate({24, 3}, {{{7.3, 12.5}, {16.7, 12.5}}}, "faces", 1e-3);
   move_ends(*model, 0, 24e-3, 0.3);
   std::int64_t broken = 0;
-  while (broken < 40) broken += model->advance(10, fracture::Goal::next_event).broken_bonds;
+  while (broken < 40) broken += model->driver().advance(10, fracture::Goal::next_event).broken_bonds;
   const double load_factor = model->load_factor();
-  model->advance(0.9 * load_factor, fracture::Goal::load_factor);
+  model->driver().advance(0.9 * load_factor, fracture::Goal::load_factor);
   const Eigen::VectorXd before = displacement(*model);
   const std::int64_t switches = model->prepared().evolution->state().contact_switches;
-  model->advance(-0.9 * load_factor, fracture::Goal::load_factor);
+  model->driver().advance(-0.9 * load_factor, fracture::Goal::load_factor);
   const coupling::Constraints& places = model->prepared().system->constraints();
   const std::size_t closed = places.closed_count();
   EXPECT_LE(difference(displacement(*model), by_quadratic_programme(*model)), 5e-12);
-  model->advance(0.9 * load_factor, fracture::Goal::load_factor);
+  model->driver().advance(0.9 * load_factor, fracture::Goal::load_factor);
   const fracture::EvolutionState& state = model->prepared().evolution->state();
   std::printf("%lld bonds broken, %zu of %zu places closed under pressure, %lld switches; comes back within %.1e\n",
               static_cast<long long>(broken), closed, places.size(),
@@ -168,12 +168,12 @@ TEST(Contact, a_state_saved_among_closed_places_goes_on_alike) {
     return model;
   };
   const auto first = build(), second = build();
-  first->advance(0.1, fracture::Goal::load_factor);
-  for (int k = 0; k < 12; ++k) first->advance(10, fracture::Goal::next_event);
-  const std::vector<std::uint8_t> bytes = model::to_bytes(first->save());
-  second->restore(model::from_bytes(bytes.data(), bytes.size()));
+  first->driver().advance(0.1, fracture::Goal::load_factor);
+  for (int k = 0; k < 12; ++k) first->driver().advance(10, fracture::Goal::next_event);
+  const std::vector<std::uint8_t> bytes = model::to_bytes(first->states().save());
+  second->states().restore(model::from_bytes(bytes.data(), bytes.size()));
   for (const auto* model : {&first, &second})
-    for (int k = 0; k < 25; ++k) (*model)->advance(10, fracture::Goal::next_event);
+    for (int k = 0; k < 25; ++k) (*model)->driver().advance(10, fracture::Goal::next_event);
   const fracture::EvolutionState &a = first->prepared().evolution->state(), &b = second->prepared().evolution->state();
   EXPECT_GT(first->prepared().system->constraints().closed_count(), 3U);
   EXPECT_GT(a.faces.grown.size() + a.faces.pending.size(), 0U);  // while a window is open they wait
@@ -191,15 +191,15 @@ TEST(Contact, a_state_saved_after_faces_have_met_goes_on_alike_to_the_last_bit) 
     return model;
   };
   const auto first = build();
-  first->advance(-1, fracture::Goal::load_factor);
+  first->driver().advance(-1, fracture::Goal::load_factor);
   EXPECT_GT(first->prepared().system->constraints().closed_count(), 5U);
-  first->advance(0.5, fracture::Goal::load_factor);
+  first->driver().advance(0.5, fracture::Goal::load_factor);
   for (int k = 0; k < 4; ++k) {
-    const std::vector<std::uint8_t> bytes = model::to_bytes(first->save());
+    const std::vector<std::uint8_t> bytes = model::to_bytes(first->states().save());
     const auto other = build();
-    other->restore(model::from_bytes(bytes.data(), bytes.size()));
+    other->states().restore(model::from_bytes(bytes.data(), bytes.size()));
     for (auto* model : {first.get(), other.get()}) {
-      for (int event = 0; event < 3; ++event) model->advance(10, fracture::Goal::next_event);
+      for (int event = 0; event < 3; ++event) model->driver().advance(10, fracture::Goal::next_event);
     }
     ASSERT_EQ(first->prepared().evolution->state().total_displacement,
               other->prepared().evolution->state().total_displacement)
@@ -242,14 +242,14 @@ TEST(Contact, wings_leave_a_pressed_crack_where_the_hoop_strain_is_largest) {
          })});
   }
   std::int64_t broken = 0;
-  while (broken < 330) broken += model->advance(1e9, fracture::Goal::next_event).broken_bonds;
+  while (broken < 330) broken += model->driver().advance(1e9, fracture::Goal::next_event).broken_bonds;
   const model::PreparedScene& p = model->prepared();
   const coupling::Terms& terms = p.system->terms();
   double sum = 0;
   int count = 0;
   for (std::size_t t = 0; t < terms.size(); ++t) {
     const bool was_cut = std::binary_search(p.cut_bonds.begin(), p.cut_bonds.end(), static_cast<int>(t));
-    if (p.system->intact()[t] || was_cut || terms.length[t] > 1.01) continue;
+    if (p.system->stages().intact()[t] || was_cut || terms.length[t] > 1.01) continue;
     const Point middle =
         0.5 * (p.discretization.positions[terms.first[t]] + p.discretization.positions[terms.second[t]]);
     const Point side = (middle.x() < middle_x ? -1 : 1) * (middle - Point(middle_x, level));
@@ -274,7 +274,7 @@ TEST(Contact, windows_and_whole_bodies_break_the_same_bonds) {
     model->options().set_text("test.solver", solver);
     model->options().set_text("crack.rule", "bond");
     move_ends(*model, 0, -30e-3, 1.1);
-    for (int k = 0; k < 60; ++k) model->advance(10, fracture::Goal::next_event);
+    for (int k = 0; k < 60; ++k) model->driver().advance(10, fracture::Goal::next_event);
     return model;
   };
   const auto plain = run("plain"), window = run("window");
@@ -298,7 +298,7 @@ TEST(Contact, windows_switch_places_as_whole_bodies_do) {
     model->options().set_text("test.solver", solver);
     model->options().set_text("crack.rule", "bond");
     move_ends(*model, 0, 1);
-    model->advance(1e9, fracture::Goal::separation);
+    model->driver().advance(1e9, fracture::Goal::separation);
     return model;
   };
   const auto plain = run("plain"), window = run("window");

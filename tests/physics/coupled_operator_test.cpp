@@ -38,7 +38,7 @@ Scene box_in_plate(PlaneState state, int horizon_ratio) {
   material.elasticity = {30e9, bond_based_poisson_ratio(state), state, 0.02};
   const int id = scene.add_material(material);
   const int plate = add_boundary_region(scene, id, rectangle(0, 0, 24, 20), 4.0);
-  scene.add_hole(plate, {{6, 5}, {6, 15}, {16, 15}, {16, 5}});
+  scene.shape_of(plate).add_hole({{6, 5}, {6, 15}, {16, 15}, {16, 5}});
   add_peridynamic_region(scene, id, rectangle(6, 5, 16, 15), 1.0, horizon_ratio);
   return scene;
 }

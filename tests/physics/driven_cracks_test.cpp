@@ -72,39 +72,39 @@ double handbook_load(double half_crack) { return 1 / std::sqrt(pi * half_crack /
 
 double new_length(model::Model& model) {
   double sum = 0;
-  for (const fracture::CrackExtension& e : model.extensions()) sum += e.length;
+  for (const fracture::CrackExtension& e : model.cracks().extensions()) sum += e.length;
   return sum;
 }
 
 TEST(DrivenCracks, grow_at_the_load_of_fracture_mechanics_in_both_directions) {
   for (const double pull : {1.0, -1.0}) {
     const auto model = plate(centre, pull);
-    EXPECT_EQ(model->advance(-5 * pull, Goal::load_factor).events, 0);
-    const model::StepResult result = model->advance(5 * pull, Goal::next_event);
+    EXPECT_EQ(model->driver().advance(-5 * pull, Goal::load_factor).events, 0);
+    const model::StepResult result = model->driver().advance(5 * pull, Goal::next_event);
     std::printf("grows at %.6f, handbook %.6f\n", model->load_factor(), pull * handbook_load(0.3));
     EXPECT_EQ(result.reason, StopReason::event);
     EXPECT_EQ(result.events, 1);
     EXPECT_NEAR(model->load_factor(), pull * handbook_load(0.3), 3e-3);
     EXPECT_EQ(result.unstable_event, 0);
-    ASSERT_EQ(model->extensions().size(), 1U);
-    EXPECT_EQ(model->extensions()[0].end, 0);
-    EXPECT_EQ(model->extensions()[0].from_x, -0.3);
-    EXPECT_NEAR(model->extensions()[0].resistance, 1, 1e-12);
+    ASSERT_EQ(model->cracks().extensions().size(), 1U);
+    EXPECT_EQ(model->cracks().extensions()[0].end, 0);
+    EXPECT_EQ(model->cracks().extensions()[0].from_x, -0.3);
+    EXPECT_NEAR(model->cracks().extensions()[0].resistance, 1, 1e-12);
     EXPECT_NEAR(state(*model).resistance.peak, 2 * 0.5 * std::abs(model->load_factor()), 1e-9);
   }
 }
 
 TEST(DrivenCracks, stay_below_their_load_without_fracture_energy_or_frozen) {
   const auto below = plate(centre), weightless = plate(centre, 1, 0), frozen = plate(centre);
-  EXPECT_EQ(below->advance(0.9, Goal::separation).reason, StopReason::load_factor);
-  EXPECT_EQ(weightless->advance(5, Goal::load_factor).events, 0);
-  for (const int end : {0, 1}) frozen->set_tip_frozen(1, end, true);
-  EXPECT_EQ(frozen->advance(5, Goal::load_factor).events, 0);
-  EXPECT_EQ(frozen->advance(6, Goal::separation).reason, StopReason::no_further_event);
-  EXPECT_NEAR(frozen->tips()[0].factors.x(), weightless->tips()[0].factors.x(), 1e-12);
-  frozen->set_tip_frozen(1, 1, false);
-  EXPECT_EQ(frozen->advance(7, Goal::next_event).events, 1);
-  EXPECT_EQ(frozen->extensions()[0].end, 1);
+  EXPECT_EQ(below->driver().advance(0.9, Goal::separation).reason, StopReason::load_factor);
+  EXPECT_EQ(weightless->driver().advance(5, Goal::load_factor).events, 0);
+  for (const int end : {0, 1}) frozen->growth().set_frozen(1, end, true);
+  EXPECT_EQ(frozen->driver().advance(5, Goal::load_factor).events, 0);
+  EXPECT_EQ(frozen->driver().advance(6, Goal::separation).reason, StopReason::no_further_event);
+  EXPECT_NEAR(frozen->cracks().tips()[0].factors.x(), weightless->cracks().tips()[0].factors.x(), 1e-12);
+  frozen->growth().set_frozen(1, 1, false);
+  EXPECT_EQ(frozen->driver().advance(7, Goal::next_event).events, 1);
+  EXPECT_EQ(frozen->cracks().extensions()[0].end, 1);
 }
 
 // Growth at a held load factor is unstable from its second event on; on the equilibrium path the tip just reaches its
@@ -114,7 +114,8 @@ TEST(DrivenCracks, follow_the_load_factor_or_the_path_of_equilibrium) {
   path->options().set_text("stepping.control", "path");
   double last = 1e9;
   for (int k = 0; k < 6; ++k) {
-    const model::StepResult a = held->advance(5, Goal::next_event), b = path->advance(5, Goal::next_event);
+    const model::StepResult a = held->driver().advance(5, Goal::next_event),
+                            b = path->driver().advance(5, Goal::next_event);
     EXPECT_EQ(a.events, 1);
     EXPECT_EQ(b.events, 1);
     EXPECT_NEAR(held->load_factor(), handbook_load(0.3), 3e-3);
@@ -122,10 +123,10 @@ TEST(DrivenCracks, follow_the_load_factor_or_the_path_of_equilibrium) {
     EXPECT_EQ(b.unstable_event, 0);
     EXPECT_LT(path->load_factor(), last);
     last = path->load_factor();
-    EXPECT_NEAR(path->extensions()[static_cast<std::size_t>(k)].rate_before, 1, 1e-9);
+    EXPECT_NEAR(path->cracks().extensions()[static_cast<std::size_t>(k)].rate_before, 1, 1e-9);
   }
   // The largest ratio goes first: the tip that has grown is nearer to its side.
-  for (const fracture::CrackExtension& e : held->extensions()) EXPECT_EQ(e.end, 0);
+  for (const fracture::CrackExtension& e : held->cracks().extensions()) EXPECT_EQ(e.end, 0);
   for (const model::Model* model : {held.get(), path.get()}) {
     auto& one = const_cast<model::Model&>(*model);
     EXPECT_LE(state(one).worst_energy_balance_error, 1e-12);
@@ -144,9 +145,9 @@ TEST(DrivenCracks, release_their_fracture_energy_at_long_steps) {
   pulled->options().set("crack.step", 0.14 * 0.3);
   strip->options().set("crack.step", 0.14);
   for (int k = 0; k < 4; ++k) {
-    pulled->advance(5, Goal::next_event);
-    strip->advance(5, Goal::next_event);
-    by_length->grow_cracks(0.14 * 0.3);
+    pulled->driver().advance(5, Goal::next_event);
+    strip->driver().advance(5, Goal::next_event);
+    by_length->growth().grow(0.14 * 0.3);
   }
   for (model::Model* model : {pulled.get(), strip.get(), by_length.get()}) {
     const double ratio = state(*model).released_energy / state(*model).bond_energy;
@@ -159,31 +160,32 @@ TEST(DrivenCracks, release_their_fracture_energy_at_long_steps) {
 // A crack that has to be opened further to grow stops where it is in equilibrium.
 TEST(DrivenCracks, stop_where_growth_is_stable) {
   const auto held = opened_strip("load"), path = opened_strip("path");
-  const model::StepResult a = held->advance(1.0, Goal::load_factor), b = path->advance(1.0, Goal::load_factor);
+  const model::StepResult a = held->driver().advance(1.0, Goal::load_factor),
+                          b = path->driver().advance(1.0, Goal::load_factor);
   EXPECT_EQ(a.reason, StopReason::load_factor);
   EXPECT_EQ(b.reason, StopReason::load_factor);
   EXPECT_GT(a.events, 3);
   EXPECT_EQ(a.events, b.events);
   EXPECT_EQ(a.unstable_event, 0);
-  EXPECT_EQ(held->tips()[0].place, path->tips()[0].place);
-  EXPECT_LE(held->tips()[0].factors.x(), held->tips()[0].toughness);
-  EXPECT_GT(held->tips()[0].factors.x(), 0.8 * held->tips()[0].toughness);
+  EXPECT_EQ(held->cracks().tips()[0].place, path->cracks().tips()[0].place);
+  EXPECT_LE(held->cracks().tips()[0].factors.x(), held->cracks().tips()[0].toughness);
+  EXPECT_GT(held->cracks().tips()[0].factors.x(), 0.8 * held->cracks().tips()[0].toughness);
 }
 
 TEST(DrivenCracks, repeat_their_steps_from_states) {
   const auto model = plate(centre), other = plate(centre);
-  model->advance(5, Goal::next_event);
-  const model::SavedState saved = model->save();
+  model->driver().advance(5, Goal::next_event);
+  const model::SavedState saved = model->states().save();
   const auto three = [](model::Model& one) {
-    for (int k = 0; k < 3; ++k) one.advance(5, Goal::next_event);
-    return std::pair(one.extensions().back().x, state(one).total_displacement);
+    for (int k = 0; k < 3; ++k) one.driver().advance(5, Goal::next_event);
+    return std::pair(one.cracks().extensions().back().x, state(one).total_displacement);
   };
   const auto first = three(*model);
-  model->restore(saved);
-  EXPECT_EQ(model->extensions().size(), 1U);
+  model->states().restore(saved);
+  EXPECT_EQ(model->cracks().extensions().size(), 1U);
   const auto second = three(*model);
   const std::vector<std::uint8_t> bytes = model::to_bytes(saved);
-  other->restore(model::from_bytes(bytes.data(), bytes.size()));
+  other->states().restore(model::from_bytes(bytes.data(), bytes.size()));
   const auto third = three(*other);
   EXPECT_EQ(first.first, second.first);
   EXPECT_EQ(first.first, third.first);
@@ -196,57 +198,58 @@ TEST(DrivenCracks, a_cancelled_step_returns_to_its_start) {
   model->options().set_text("stepping.control", "path");
   undisturbed->options().set_text("stepping.control", "path");
   model->options().set("tips.record", 1);
-  for (model::Model* one : {model.get(), undisturbed.get()}) one->advance(5, Goal::next_event);
+  for (model::Model* one : {model.get(), undisturbed.get()}) one->driver().advance(5, Goal::next_event);
   const Eigen::VectorXd before = state(*model).total_displacement;
-  const std::size_t lines = state(*model).history.size(), recorded = model->tip_history().size();
+  const std::size_t lines = state(*model).history.size(), recorded = model->cracks().history().size();
   int heard = 0;
-  model->set_progress([&](double, std::int64_t, std::int64_t) { return ++heard < 3; });
-  EXPECT_THROW(model->advance(5, Goal::load_factor), Error);
-  model->set_progress({});
+  model->host().set_progress([&](double, std::int64_t, std::int64_t) { return ++heard < 3; });
+  EXPECT_THROW(model->driver().advance(5, Goal::load_factor), Error);
+  model->host().set_progress({});
   EXPECT_EQ(heard, 3);
-  EXPECT_EQ(model->extensions().size(), 1U);
+  EXPECT_EQ(model->cracks().extensions().size(), 1U);
   EXPECT_EQ(state(*model).history.size(), lines);
-  EXPECT_EQ(model->tip_history().size(), recorded);
+  EXPECT_EQ(model->cracks().history().size(), recorded);
   EXPECT_EQ(state(*model).total_displacement, before);
   EXPECT_EQ(model->scene().crack(1).points.size(), 3U);
-  for (model::Model* one : {model.get(), undisturbed.get()}) one->advance(5, Goal::next_event);
+  for (model::Model* one : {model.get(), undisturbed.get()}) one->driver().advance(5, Goal::next_event);
   EXPECT_EQ(model->load_factor(), undisturbed->load_factor());
   EXPECT_EQ(state(*model).total_displacement, state(*undisturbed).total_displacement);
   // A step with too many events returns to its start, too.
   model->options().set("stepping.max_events", 2);
   try {
-    model->advance(5, Goal::separation);
+    model->driver().advance(5, Goal::separation);
     ADD_FAILURE() << "more events than allowed";
   } catch (const Error& error) {
     EXPECT_EQ(error.failure(), Failure::convergence);
     EXPECT_NE(std::string(error.what()).find("2 events"), std::string::npos) << error.what();
   }
-  EXPECT_EQ(model->extensions().size(), 2U);
+  EXPECT_EQ(model->cracks().extensions().size(), 2U);
 }
 
 TEST(DrivenCracks, a_stop_that_is_asked_for_keeps_what_has_grown) {
   const auto model = plate(centre);
-  model->set_progress([&](double, std::int64_t events, std::int64_t) {
-    if (events == 2) model->request_stop();
+  model->host().set_progress([&](double, std::int64_t events, std::int64_t) {
+    if (events == 2) model->host().request_stop();
     return true;
   });
-  const model::StepResult result = model->advance(5, Goal::separation);
+  const model::StepResult result = model->driver().advance(5, Goal::separation);
   EXPECT_EQ(result.reason, StopReason::requested);
   EXPECT_EQ(result.events, 2);
-  EXPECT_EQ(model->extensions().size(), 2U);
+  EXPECT_EQ(model->cracks().extensions().size(), 2U);
 }
 
 TEST(DrivenCracks, programs_and_ways_of_values_grow_them) {
   // The program goes up to 0.8 of the load, back through zero to a closed crack, and up to where the crack grows.
   const auto program = plate(centre), values = plate(centre);
   const scene::LoadTable table{{1, 2, 3}, {}, {0.8, -0.5, 0.99}};
-  const model::StepResult result = program->run_program(table, Goal::next_event);
+  const model::StepResult result = program->driver().run_program(table, Goal::next_event);
   const double factor = -0.5 + (program->load_factor() - 2) * 1.49;
   std::printf("program: grows at time %.6f, factor %.6f\n", program->load_factor(), factor);
   EXPECT_EQ(result.events, 1);
   EXPECT_NEAR(factor, handbook_load(0.3), 3e-3);
-  for (const int load : {1, 2}) values->set_load_values(load, scene::SampledValues{{load == 1 ? -2.0 : 2.0}, {0.0}});
-  EXPECT_EQ(values->advance_to_values(10, Goal::next_event).events, 1);
+  for (const int load : {1, 2})
+    values->loads().set_load_values(load, scene::SampledValues{{load == 1 ? -2.0 : 2.0}, {0.0}});
+  EXPECT_EQ(values->driver().advance_to_values(10, Goal::next_event).events, 1);
   EXPECT_NEAR(values->load_factor() / 5, factor, 1e-9);
   // The state of the body is the same in both runs.
   EXPECT_NEAR(state(*values).history.back().stored_energy, state(*program).history.back().stored_energy, 1e-9);
@@ -257,18 +260,18 @@ TEST(DrivenCracks, the_longest_goes_first_and_of_ties_the_first_added) {
   const auto one = plate({longer, shorter}), other = plate({shorter, longer});
   // The constant load exceeds what either crack bears, at once.
   for (model::Model* model : {one.get(), other.get()}) {
-    for (const int crack : {1, 2}) model->set_tip_frozen(crack, 1, true);
-    model->advance(2, Goal::load_factor);
-    for (const int crack : {1, 2}) model->set_tip_frozen(crack, 1, false);
-    model->advance(2, Goal::next_event);
+    for (const int crack : {1, 2}) model->growth().set_frozen(crack, 1, true);
+    model->driver().advance(2, Goal::load_factor);
+    for (const int crack : {1, 2}) model->growth().set_frozen(crack, 1, false);
+    model->driver().advance(2, Goal::next_event);
   }
-  EXPECT_EQ(one->extensions()[0].crack, 1);
-  EXPECT_EQ(other->extensions()[0].crack, 2);
+  EXPECT_EQ(one->cracks().extensions()[0].crack, 1);
+  EXPECT_EQ(other->cracks().extensions()[0].crack, 2);
   const std::vector<Point> left{{-1, 0}, {-0.6, 0}}, right{{1, 0}, {0.6, 0}};
   for (const Cracks& cracks : {Cracks{left, right}, Cracks{right, left}}) {
     const auto model = plate(cracks);
-    model->advance(5, Goal::next_event);
-    EXPECT_EQ(model->extensions()[0].crack, 1);
+    model->driver().advance(5, Goal::next_event);
+    EXPECT_EQ(model->cracks().extensions()[0].crack, 1);
   }
 }
 
@@ -299,9 +302,9 @@ TEST(DrivenCracks, beside_a_lattice) {
   const std::vector<Point> low{{0, 5}, {8, 5.5}}, high{{24, 18.5}, {17.5, 18.5}};
   const auto mixed = body(true, {low}), elements = body(false, {low});
   for (int k = 0; k < 5; ++k) {
-    mixed->advance(1e3, Goal::next_event);
-    elements->advance(1e3, Goal::next_event);
-    const Point off = mixed->tips()[0].place - elements->tips()[0].place;
+    mixed->driver().advance(1e3, Goal::next_event);
+    elements->driver().advance(1e3, Goal::next_event);
+    const Point off = mixed->cracks().tips()[0].place - elements->cracks().tips()[0].place;
     std::printf("beside a lattice: load %.5f of elements alone, path off by %.4f\n",
                 mixed->load_factor() / elements->load_factor(), off.norm());
     EXPECT_NEAR(mixed->load_factor() / elements->load_factor(), 1, 1e-2);
@@ -314,20 +317,20 @@ TEST(DrivenCracks, beside_a_lattice) {
   bool in_lattice = false, in_elements = false;
   for (int k = 0; k < 24; ++k) {
     const std::int64_t bonds = state(*both).broken_bonds;
-    if (both->advance(1e3, Goal::next_event).reason != StopReason::event) break;
+    if (both->driver().advance(1e3, Goal::next_event).reason != StopReason::event) break;
     (state(*both).broken_bonds > bonds ? in_lattice : in_elements) = true;
   }
   std::printf("both: %lld bonds, %zu extensions, energy balance %.1e\n",
-              static_cast<long long>(state(*both).broken_bonds), both->extensions().size(),
+              static_cast<long long>(state(*both).broken_bonds), both->cracks().extensions().size(),
               state(*both).worst_energy_balance_error);
   EXPECT_TRUE(in_elements);
   EXPECT_LE(state(*both).worst_energy_balance_error, 1e-10);
   // The run goes on in the same way from a state with broken bonds and grown elements.
-  const model::SavedState saved = both->save();
-  both->advance(1e3, Goal::next_event);
+  const model::SavedState saved = both->states().save();
+  both->driver().advance(1e3, Goal::next_event);
   const Eigen::VectorXd after = state(*both).total_displacement;
-  both->restore(saved);
-  both->advance(1e3, Goal::next_event);
+  both->states().restore(saved);
+  both->driver().advance(1e3, Goal::next_event);
   EXPECT_LE((state(*both).total_displacement - after).lpNorm<Eigen::Infinity>(),
             1e-10 * after.lpNorm<Eigen::Infinity>());
 }
@@ -347,32 +350,32 @@ TEST(DrivenCracks, stop_before_an_interface) {
     for (const int edge : {1, 3})
       scene.add_support({std::make_shared<const regions::EdgePart>(region, edge, 0, 1), 3,
                          scene::SampledValues{{0.0}, {edge == 1 ? 0.0 : 1.0}}});
-  const model::StepResult first = model->advance(10, Goal::separation);
+  const model::StepResult first = model->driver().advance(10, Goal::separation);
   EXPECT_EQ(first.reason, StopReason::crack_stopped);
   EXPECT_GT(first.events, 2);
-  const fracture::CrackExtension last = model->extensions().back();
+  const fracture::CrackExtension last = model->cracks().extensions().back();
   EXPECT_EQ(last.state, crack::TipState::at_interface);
   EXPECT_LT(last.x, 2);
   EXPECT_GT(last.x, 1.7);
-  ASSERT_EQ(model->tips().size(), 1U);
-  EXPECT_EQ(model->tips()[0].critical_load_factor, std::numeric_limits<double>::max());
+  ASSERT_EQ(model->cracks().tips().size(), 1U);
+  EXPECT_EQ(model->cracks().tips()[0].critical_load_factor, std::numeric_limits<double>::max());
   // Steps go on without that tip.
-  EXPECT_EQ(model->advance(11, Goal::load_factor).reason, StopReason::load_factor);
-  EXPECT_EQ(model->advance(12, Goal::separation).reason, StopReason::no_further_event);
+  EXPECT_EQ(model->driver().advance(11, Goal::load_factor).reason, StopReason::load_factor);
+  EXPECT_EQ(model->driver().advance(12, Goal::separation).reason, StopReason::no_further_event);
 }
 
 // A refused growth leaves the model on the way on which a program has left it.
 TEST(DrivenCracks, refused_growth_changes_nothing) {
   const auto model = plate(centre);
-  model->run_program({{1, 2}, {}, {0.5, 0.2}}, Goal::load_factor);
-  for (const int end : {0, 1}) model->set_tip_frozen(1, end, true);
+  model->driver().run_program({{1, 2}, {}, {0.5, 0.2}}, Goal::load_factor);
+  for (const int end : {0, 1}) model->growth().set_frozen(1, end, true);
   const Eigen::VectorXd before = state(*model).total_displacement;
-  const double work = model->prepared().evolution->work();
-  EXPECT_THROW(model->grow_cracks(0.1), Error);
+  const double work = model->prepared().evolution->records().work();
+  EXPECT_THROW(model->growth().grow(0.1), Error);
   EXPECT_EQ(state(*model).total_displacement, before);
-  EXPECT_EQ(model->prepared().evolution->work(), work);
-  for (const int end : {0, 1}) model->set_tip_frozen(1, end, false);
-  EXPECT_EQ(model->run_program({{3, 4}, {}, {0.5, 1.0}}, Goal::next_event).events, 1);
+  EXPECT_EQ(model->prepared().evolution->records().work(), work);
+  for (const int end : {0, 1}) model->growth().set_frozen(1, end, false);
+  EXPECT_EQ(model->driver().run_program({{3, 4}, {}, {0.5, 1.0}}, Goal::next_event).events, 1);
 }
 
 }  // namespace

@@ -24,7 +24,7 @@ const std::shared_ptr<const pd::Network>& network_of(const Discretization& d, in
 }
 
 const bem::BoundaryOperator* operator_of(const Discretization& d, int index) {
-  return dynamic_cast<const BoundaryRegion&>(*d.regions[index]).boundary_operator();
+  return dynamic_cast<const BoundaryRegion&>(*d.regions[index]).operators()->whole();
 }
 
 Material stiff(double young) { return {{young, 1.0 / 3, PlaneState::stress, 0.1}}; }
@@ -44,8 +44,9 @@ TEST(Sharing, lattices_of_equal_cells_horizon_and_material_have_one_network) {
     const Discretization d = discretize(scene, options);
     for (int same : {1, 2}) EXPECT_EQ(network_of(d, same), network_of(d, 0)) << same;
     for (int different : {3, 4, 5}) EXPECT_NE(network_of(d, different), network_of(d, 0)) << different;
-    EXPECT_GT(d.regions[1]->first_bond(), 0u);
-    EXPECT_EQ(d.regions[1]->bonds()->size(), d.regions[2]->first_bond() - d.regions[1]->first_bond());
+    EXPECT_GT(d.regions[1]->bonds()->first_bond(), 0u);
+    EXPECT_EQ(d.regions[1]->bonds()->list().size(),
+              d.regions[2]->bonds()->first_bond() - d.regions[1]->bonds()->first_bond());
   }
 }
 

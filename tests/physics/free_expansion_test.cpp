@@ -36,7 +36,7 @@ int add_material(Scene& scene) {
 Scene lattice_with_hole() {
   Scene scene;
   const int region = add_peridynamic_region(scene, add_material(scene), rectangle(0, 0, 20, 14), 1.0, 3);
-  scene.add_hole(region, {{8, 5}, {8, 9}, {13, 9}, {13, 5}});
+  scene.shape_of(region).add_hole({{8, 5}, {8, 9}, {13, 9}, {13, 5}});
   return scene;
 }
 
@@ -61,7 +61,7 @@ Scene lattice_in_a_plate() {
   Scene scene;
   const int id = add_material(scene);
   const int plate = add_boundary_region(scene, id, rectangle(0, 0, 24, 20), 4.0);
-  scene.add_hole(plate, {{6, 5}, {6, 15}, {16, 15}, {16, 5}});
+  scene.shape_of(plate).add_hole({{6, 5}, {6, 15}, {16, 15}, {16, 5}});
   add_peridynamic_region(scene, id, rectangle(6, 5, 16, 15), 1.0, 4);
   return scene;
 }
@@ -71,7 +71,7 @@ Scene lattice_tied_to_a_boundary_region() {
   Scene scene;
   const int id = add_material(scene);
   const int left = add_boundary_region(scene, id, rectangle(0, 0, 6, 12), 3.0);
-  scene.set_edge_mesh(left, 2, {3, 1});
+  scene.shape_of(left).set_mesh(2, {3, 1});
   add_peridynamic_region(scene, id, rectangle(6, 0, 20, 12), 1.0, 3);
   return scene;
 }
@@ -141,11 +141,11 @@ class FreeExpansion : public testing::TestWithParam<Case> {
       displacement = std::max(displacement, (u.block<2, 1>(2 * static_cast<Eigen::Index>(n), 0) - wanted).norm());
     }
     for (std::size_t b = 0; b < d.bonds.size(); ++b) {
-      const double tension = d.bonds.tension(b, system->present_stiffness()[b], u.col(0).data(), 0);
+      const double tension = d.bonds.tension(b, system->stages().stiffness()[b], u.col(0).data(), 0);
       bond_force = std::max(bond_force, std::abs(tension));
     }
-    const double node_force = system->internal_force(u.col(0)).cwiseAbs().maxCoeff();
-    const double energy = system->energy(u.col(0)) / (largest_force * eps);
+    const double node_force = system->response().internal_force(u.col(0)).cwiseAbs().maxCoeff();
+    const double energy = system->response().energy(u.col(0)) / (largest_force * eps);
     std::printf(
         "%s, %s, %zu nodes tied: error of displacement %.1e, bond force %.1e, nodal force %.1e, energy %.1e "
         "(reference: 0)\n",
@@ -161,11 +161,11 @@ class FreeExpansion : public testing::TestWithParam<Case> {
   // Stress is zero in the fields of lattices; those of boundary elements do not include swelling.
   void expect_no_stress(const coupling::Affine& u) const {
     const Eigen::VectorXd displacement = u.col(0);
-    const regions::Solution solution{displacement, d.bonds, system->intact(), {}, nullptr,
-                                     nullptr,      0,       &system->stages()};
+    const regions::Solution solution{displacement, d.bonds, system->stages().intact(),  {}, nullptr,
+                                     nullptr,      0,       &system->stages().numbers()};
     for (const auto& region : d.regions) {
       if (!region->bonds()) continue;
-      for (const double stress : region->field(regions::Field::stress, solution).values)
+      for (const double stress : region->results().field(regions::Field::stress, solution).values)
         EXPECT_LE(std::abs(stress), 1e-11 * eps * region->elasticity().young_modulus);
     }
   }
@@ -188,8 +188,7 @@ TEST_P(FreeExpansion, is_without_stress_also_along_a_crack) {
     if ((a.y() - 6.5) * (e.y() - 6.5) < 0 && middle > 5 && middle < 9) cut.push_back(static_cast<int>(b));
   }
   ASSERT_FALSE(cut.empty());
-  system->mark_broken(cut);
-  system->commit_break(cut, {});
+  system->commit(system->stages().breaking(cut), {});
   expect_free_expansion("cracked");
 }
 
@@ -247,7 +246,7 @@ class Shrinking : public testing::TestWithParam<Shrinkage> {
                                                    across(d, 9.5, -1, 2.1), std::vector<std::vector<int>>{pulled});
     coupling::Affine prescribed = coupling::Affine::Zero(dofs, 2);
     for (const int dof : pulled) prescribed.row(dof) << 1e-4, 2e-5;
-    evolution->set_load(coupling::Affine::Zero(dofs, 2), prescribed);
+    evolution->loads().set(coupling::Affine::Zero(dofs, 2), prescribed);
   }
 
   Discretization d;

@@ -322,6 +322,21 @@ class BondModel : public Model {
   BondModel() { set_text("crack.rule", "bond"); }
 };
 
+// State after the next event, to which a model has returned from a run to a load factor; with the displacements of when
+// it was saved.
+struct ReturnedTo {
+  SavedState state;
+  std::vector<double> displacements;
+};
+
+inline ReturnedTo return_from_run(Model& model, double load_factor) {
+  model.next_event(load_factor);
+  ReturnedTo saved{model.save(), model.displacements()};
+  model.run(load_factor);
+  model.restore(saved.state);
+  return saved;
+}
+
 inline double largest(const std::vector<double>& values) {
   double result = 0;
   for (double v : values) result = std::isnan(v) ? v : (std::isnan(result) ? result : std::max(result, std::abs(v)));

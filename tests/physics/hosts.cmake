@@ -1,7 +1,7 @@
 # One program of tests that see the library as a host does: through bempd.h and the shared library.
 function(bempd_add_host_tests name)
   add_executable(${name} ${ARGN})
-  target_link_libraries(${name} PRIVATE bempd bempd_claims bempd_test_main bempd_warnings GTest::gtest)
+  target_link_libraries(${name} PRIVATE bempd bempd_claims bempd_test_main bempd_warnings bempd_host_options GTest::gtest)
   target_include_directories(${name} PRIVATE "${CMAKE_CURRENT_SOURCE_DIR}" "${PROJECT_SOURCE_DIR}/tests")
   target_precompile_headers(${name} REUSE_FROM bempd_host_test_headers)
   bempd_compile_together(${name} ${ARGN})

@@ -30,7 +30,7 @@ constexpr double weight = 0.4;
 
 // A crack that stays as it is, whatever its tips carry.
 void set_growth(model::Model& model, bool grows) {
-  for (const int end : {0, 1}) model.set_tip_frozen(1, end, !grows);
+  for (const int end : {0, 1}) model.growth().set_frozen(1, end, !grows);
 }
 
 // A bar 2 wide and 6 high whose lower or upper edge is held.
@@ -72,11 +72,11 @@ void pull_faces(model::Model& model, const Stress& stress, const std::vector<Poi
 }
 
 void expect_same_cracks(model::Model& one, model::Model& other) {
-  ASSERT_EQ(one.tips().size(), other.tips().size());
+  ASSERT_EQ(one.cracks().tips().size(), other.cracks().tips().size());
   double scale = 0;
-  for (const regions::TipValues& tip : other.tips()) scale = std::max(scale, tip.factors.norm());
-  for (std::size_t t = 0; t < one.tips().size(); ++t) {
-    const regions::TipValues &a = one.tips()[t], &b = other.tips()[t];
+  for (const regions::TipValues& tip : other.cracks().tips()) scale = std::max(scale, tip.factors.norm());
+  for (std::size_t t = 0; t < one.cracks().tips().size(); ++t) {
+    const regions::TipValues &a = one.cracks().tips()[t], &b = other.cracks().tips()[t];
     std::printf("K %.9f %.9f and %.9f %.9f\n", a.factors.x(), a.factors.y(), b.factors.x(), b.factors.y());
     // The difference quotient that makes them is exact to some 1e-7.
     EXPECT_LE((a.factors - b.factors).norm(), 1e-6 * scale);
@@ -84,7 +84,7 @@ void expect_same_cracks(model::Model& one, model::Model& other) {
   }
   const std::vector<double> fractions{0.2, 0.5, 0.7};
   for (int k = 0; k < 3; ++k) {
-    const Point a = one.crack_openings(1, fractions)[k], b = other.crack_openings(1, fractions)[k];
+    const Point a = one.cracks().openings(1, fractions)[k], b = other.cracks().openings(1, fractions)[k];
     EXPECT_LE((a - b).norm(), 1e-9 * b.norm());
   }
 }
@@ -97,17 +97,17 @@ TEST(WeightAndCracks, as_the_tractions_that_the_sound_bar_has_there) {
     const auto hangs = bar(crack, 3, "none"), pulled = bar(crack, 3, "none"), whole = bar({}, 3);
     add_weight(*hangs), add_weight(*whole);
     // The held edge has a field of its own in the bar without a crack: another force at the same places.
-    for (model::Model* model : {hangs.get(), whole.get()}) model->advance(1, to_load_factor);
+    for (model::Model* model : {hangs.get(), whole.get()}) model->driver().advance(1, to_load_factor);
     const Stress of_whole = [&](const Point& x) {
       const Eigen::Vector3d s = whole->results().evaluate({x}, true)[0].stress;
       return stress(s[0], s[1], s[2]);
     };
     pull_faces(*pulled, of_whole, crack);
-    pulled->advance(1, to_load_factor);
+    pulled->driver().advance(1, to_load_factor);
     const Eigen::Vector3d here = whole->results().evaluate({crack[0] + Point(0.1, 0)}, true)[0].stress;
     EXPECT_NEAR(here[1], sound(crack[0])(1, 1), 0.02 * weight);
-    for (std::size_t t = 0; t < hangs->tips().size(); ++t) {
-      const Point a = hangs->tips()[t].factors, b = pulled->tips()[t].factors;
+    for (std::size_t t = 0; t < hangs->cracks().tips().size(); ++t) {
+      const Point a = hangs->cracks().tips()[t].factors, b = pulled->cracks().tips()[t].factors;
       std::printf("K %.6f %.6f, by tractions %.6f %.6f\n", a.x(), a.y(), b.x(), b.y());
       EXPECT_LE((a - b).norm(), 2e-3 * b.norm());  // the held edge's field is not linear along the crack
     }
@@ -142,7 +142,7 @@ TEST(WeightAndCracks, as_the_tractions_of_an_exact_field) {
       pull_faces(
           *model, [](const Point& x) { return stress(0, weight * x.y()); }, crack);
     }
-    model->advance(1, to_load_factor);
+    model->driver().advance(1, to_load_factor);
     return model;
   };
   const auto hangs = build(true), pulled = build(false);
@@ -155,17 +155,17 @@ TEST(WeightAndCracks, as_the_tractions_of_an_exact_field) {
   }
   const Point along = (crack[1] - crack[0]).normalized();
   for (int t = 0; t < 2; ++t) {
-    const double sound = weight * hangs->tips()[t].place.y() * along.y() * along.y();
-    EXPECT_NEAR(hangs->tips()[t].stress_along, pulled->tips()[t].stress_along + sound, 1e-7 * weight);
+    const double sound = weight * hangs->cracks().tips()[t].place.y() * along.y() * along.y();
+    EXPECT_NEAR(hangs->cracks().tips()[t].stress_along, pulled->cracks().tips()[t].stress_along + sound, 1e-7 * weight);
   }
 }
 
 // What growth releases over the integral of the energy release rate.
 double release(model::Model& model) {
   set_growth(model, true);
-  const model::GrowthResult grown = model.grow_cracks(0.01);
+  const model::GrowthResult grown = model.growth().grow(0.01);
   double by_rates = 0;
-  for (const fracture::CrackExtension& e : model.extensions()) {
+  for (const fracture::CrackExtension& e : model.cracks().extensions()) {
     by_rates += e.released_energy;
     EXPECT_LE(std::abs(e.angle), 0.02);  // straight on, so that the rates before and after belong together
   }
@@ -196,21 +196,21 @@ TEST(WeightAndCracks, weight_closes_them) {
   const auto pressed = bar(level, 1), whole = bar({}, 1), slides = bar(slanted, 1), passes = bar(slanted, 1, "none");
   for (model::Model* model : {pressed.get(), whole.get(), slides.get(), passes.get()}) {
     add_weight(*model);
-    model->advance(1, to_load_factor);
+    model->driver().advance(1, to_load_factor);
     EXPECT_LE(model->prepared().evolution->state().worst_energy_balance_error, 1e-12);
   }
   EXPECT_EQ(pressed->prepared().system->constraints().closed_exact_count(),
             pressed->prepared().system->constraints().exact_count());
-  EXPECT_EQ(pressed->tips()[0].factors.x(), 0);
+  EXPECT_EQ(pressed->cracks().tips()[0].factors.x(), 0);
   for (const Point& x : {Point(0.3, 3.5), Point(0.1, 2.9), Point(-0.9, 1)}) {
     const Eigen::Vector3d a = pressed->results().evaluate({x}, true)[0].stress,
                           b = whole->results().evaluate({x}, true)[0].stress;
     // All but the shear that the held edge leaves there, on which its faces slide.
     EXPECT_LE((a - b).norm(), 3e-3 * weight);
   }
-  EXPECT_EQ(slides->tips()[0].factors.x(), 0);
-  EXPECT_LT(passes->tips()[0].factors.x(), 0);
-  EXPECT_GT(std::abs(slides->tips()[0].factors.y()), 0.1 * weight);
+  EXPECT_EQ(slides->cracks().tips()[0].factors.x(), 0);
+  EXPECT_LT(passes->cracks().tips()[0].factors.x(), 0);
+  EXPECT_GT(std::abs(slides->cracks().tips()[0].factors.y()), 0.1 * weight);
 }
 
 void heat(model::Model& model, const std::function<double(const Point&)>& temperature) {
@@ -226,11 +226,11 @@ TEST(HeatAndCracks, free_expansion_leaves_them_alone) {
   auto model = plate(2, 0.5, {{{-1, -0.2}, {0.8, 0.4}}, {{2, 1}, {1, 1.2}}});
   model->editable_scene();
   heat(*model, linear);
-  model->advance(1, to_load_factor);
+  model->driver().advance(1, to_load_factor);
   const double size = contact_bodies::displacement(*model).lpNorm<Eigen::Infinity>();
   EXPECT_EQ(model->prepared().system->constraints().closed_exact_count(), 0U);
   EXPECT_LE(openings(*model).lpNorm<Eigen::Infinity>(), 1e-12 * size);
-  for (const regions::TipValues& tip : model->tips()) EXPECT_LE(tip.factors.norm(), 1e-10);
+  for (const regions::TipValues& tip : model->cracks().tips()) EXPECT_LE(tip.factors.norm(), 1e-10);
   for (const regions::PointValue& value : model->results().evaluate({{0.1, 0.2}, {1.5, -1}, {1.2, 1.1}}, true))
     EXPECT_LE(value.stress.norm(), 1e-10);
 }
@@ -255,7 +255,7 @@ TEST(HeatAndCracks, held_ends_are_moved_back_by_the_free_expansion) {
                            return scene::BoundaryValue{Point::Zero(), Point(-sign * expansion(x))};
                          })});
     for (model::Model* model : {heated.get(), moved.get()}) {
-      model->advance(1, to_load_factor);
+      model->driver().advance(1, to_load_factor);
       EXPECT_LE(model->prepared().evolution->state().worst_energy_balance_error, 1e-11);
     }
     EXPECT_EQ(heated->prepared().system->constraints().closed(), moved->prepared().system->constraints().closed());
@@ -280,7 +280,7 @@ TEST(Rotation, of_a_disc) {
         {std::make_shared<const regions::SinglePoint>(centre + place), component, scene::SampledValues{{0.0}, {0.0}}});
   scene.add_load(
       {std::make_shared<const regions::TurningRegion>(1, centre), 1, scene::SampledValues{{0.3 * k}, {0.7 * k}}});
-  model.advance(1, to_load_factor);
+  model.driver().advance(1, to_load_factor);
   double error = 0, stress_error = 0;
   for (const double r : {0.0, 0.7, 1.5, 1.95, 2.0}) {
     const Point direction(std::cos(0.4), std::sin(0.4));
@@ -329,7 +329,7 @@ double bar_error(bool lattice, double size) {
         {std::make_shared<const regions::SinglePoint>(place), component, scene::SampledValues{{0.0}, {0.0}}});
   scene.add_load(
       {std::make_shared<const regions::TurningRegion>(1, Point::Zero()), 1, scene::SampledValues{{0.0}, {k}}});
-  model.advance(1, to_load_factor);
+  model.driver().advance(1, to_load_factor);
   double error = 0;
   for (const Point& x : {Point(1, 0.5), Point(3.5, -0.5), Point(-4, 1), Point(-2, 0)})
     error = std::max(error,
@@ -361,7 +361,7 @@ TEST(Rotation, about_another_axis_is_a_uniform_force_more) {
   other->editable_scene().add_load({everywhere, 1, scene::SampledValues{{0.0}, {-k * axis.x()}}});
   other->editable_scene().add_load({everywhere, 2, scene::SampledValues{{0.0}, {-k * axis.y()}}});
   for (model::Model* model : {one.get(), other.get()}) {
-    model->advance(1, to_load_factor);
+    model->driver().advance(1, to_load_factor);
     EXPECT_LE(model->prepared().evolution->state().worst_energy_balance_error, 1e-11);
   }
   expect_same_cracks(*one, *other);

@@ -2,7 +2,8 @@
 
     layers.py ROOT
 
-The folders of src/ by height; those of the same height do not know each other. Files directly in src/ belong to all."""
+The folders of src/ by height; those of the same height do not know each other. Files directly in src/ belong to all. Folders
+inside one of them use its own files and are used by them; among each other they may not include in a circle."""
 
 from __future__ import annotations
 
@@ -17,9 +18,19 @@ HEIGHT = {"capi": 9, "mpi": 9, "model": 8, "paper": 7, "results": 7, "regions": 
 EXCEPTIONS: dict[tuple[str, str], str] = {}
 
 
+def circle(graph: dict[str, set[str]], path: list[str]) -> list[str]:
+    """Folders that include each other in a circle from the last one of `path` on; empty if there is none."""
+    for other in sorted(graph.get(path[-1], ())):
+        found = path[path.index(other):] + [other] if other in path else circle(graph, [*path, other])
+        if found:
+            return found
+    return []
+
+
 def main() -> int:
     source = pathlib.Path(sys.argv[1]) / "src"
     complaints = []
+    inner: dict[str, set[str]] = {}  # folders inside a folder of src/, and those beside them that they include
     for path in sorted(p for ending in ("*.cpp", "*.hpp") for p in source.rglob(ending)):
         name = path.relative_to(source).as_posix()
         own = name.split("/")[0] if "/" in name else None
@@ -29,11 +40,16 @@ def main() -> int:
         for line, included in re.findall(r'^(#include "([^"]+)")', path.read_text(), re.MULTILINE):
             if own not in ("capi", "mpi") and included == "bempd.h":
                 complaints.append(f"{name}: includes the C header")
+            here, there = name.rsplit("/", 1)[0], included.rpartition("/")[0]
+            if here != there and here.count("/") == there.count("/") == 1 and there.startswith(f"{own}/"):
+                inner.setdefault(here, set()).add(there)
             other = included.split("/")[0]
             if own is None or "/" not in included or other == own or (name, other) in EXCEPTIONS:
                 continue
             if HEIGHT.get(other, 99) >= HEIGHT[own]:
                 complaints.append(f"{name}: {line} goes up or sideways")
+    if around := next(filter(None, (circle(inner, [folder]) for folder in sorted(inner))), []):
+        complaints.append("folders include each other in a circle: " + " -> ".join(around))
     print("\n".join(complaints) or "all arrows run down")
     return 1 if complaints else 0
 

@@ -3,6 +3,7 @@ idea.
 
     sizes.py ROOT             fails for what is longer
     sizes.py ROOT --classes   prints methods and lines of the classes over half of these limits, the largest first
+    sizes.py ROOT --folders   prints the lines of each folder of src, and how many classes are over the limits
 
 Reads the sources under ROOT/src as the formatter leaves them: a function begins on a line that is indented no deeper than a
 member of a class in a namespace, and ends at the closing brace with the same indent. Methods of a class are those that it
@@ -24,21 +25,7 @@ EXCEPTIONS: dict[str, str] = {}
 
 # Classes that hold more than one idea: methods and lines that they may have. Numbers may only fall; a class that is no longer
 # too large leaves the list.
-LARGE_CLASSES: dict[str, tuple[int, int]] = {
-    "coupling/EquilibriumSystem": (95, 700),
-    "fracture/CrackEvolution": (70, 700),
-    "fracture/EventForecast": (55, 450),
-    "fracture/EventSources": (40, 350),
-    "fracture/LineSteps": (45, 450),
-    "fracture/LoadedBody": (65, 450),
-    "fracture/WindowSolver": (40, 350),
-    "model/Model": (115, 1250),
-    "regions/BondedRegion": (50, 350),
-    "regions/BoundaryRegion": (79, 700),
-    "regions/OutlinedRegion": (40, 450),
-    "regions/Region": (60, 300),
-    "scene/Scene": (45, 350),
-}
+LARGE_CLASSES: dict[str, tuple[int, int]] = {}
 
 
 def functions(lines: list[str]) -> list[tuple[int, int]]:
@@ -144,9 +131,26 @@ def large_classes(found: dict[str, tuple[int, int]]) -> list[str]:
     return complaints
 
 
+def print_folders(root: pathlib.Path, found: dict[str, tuple[int, int]]) -> None:
+    lines: dict[str, int] = {}
+    for path in sorted(p for ending in ("*.cpp", "*.hpp") for p in (root / "src").rglob(ending)):
+        parts = path.relative_to(root / "src").parts
+        folder = parts[0] if len(parts) > 1 else "(src itself)"
+        lines[folder] = lines.get(folder, 0) + path.read_text().count("\n")
+    for folder, count in lines.items():
+        print(f"{folder:15} {count:6} lines")
+    methods = sum(most > MOST_METHODS for most, _ in found.values())
+    long = sum(most > MOST_LINES_OF_A_CLASS for _, most in found.values())
+    print(f"{'all':15} {sum(lines.values()):6} lines; {methods} classes of more than {MOST_METHODS} methods, {long} of more than "
+          f"{MOST_LINES_OF_A_CLASS} lines")
+
+
 def main() -> int:
     root = pathlib.Path(sys.argv[1])
     found = classes(root)
+    if "--folders" in sys.argv:
+        print_folders(root, found)
+        return 0
     if "--classes" in sys.argv:
         for name, (methods, lines) in sorted(found.items(), key=lambda item: -max(item[1][0] / MOST_METHODS, item[1][1] / MOST_LINES_OF_A_CLASS)):
             if methods > MOST_METHODS / 2 or lines > MOST_LINES_OF_A_CLASS / 2:

@@ -1,1 +1,1 @@
-bempd_add_unit_test(coupling_test coupling_test.cpp coupling_interface_test.cpp coupling_terms_test.cpp coupling_substructures_test.cpp)
+bempd_add_unit_test(coupling_test coupling_test.cpp coupling_interface_test.cpp coupling_terms_test.cpp coupling_substructures_test.cpp coupling_system_parts_test.cpp)

@@ -42,7 +42,7 @@ class Cells {
     for (int cell = 0; cell < side_ * side_; ++cell) operators.push_back({nodes_of(cell), stiffness_[cell]});
     auto made = std::make_unique<EquilibriumSystem>(nodes(), std::move(operators), Terms(), prescribed());
     if (before) made->take_over(*before);
-    made->place_nodes(positions());
+    made->factor().place_nodes(positions());
     Affine force = Affine::Zero(2 * nodes(), 2);
     for (int n = side_; n < nodes(); n += side_ + 1) force(2 * n, 1) = 1, force(2 * n + 1, 0) = std::sin(n);
     made->set_load(force, Affine::Zero(2 * nodes(), 2));
@@ -118,7 +118,7 @@ TEST(Substructures, solve_like_a_dense_matrix) {
     const Cells cells(side);
     const auto system = cells.system(nullptr);
     const Affine solution = system->solve();
-    EXPECT_LT(off(solution, dense_solution(cells, system->force())), 1e-10) << side;
+    EXPECT_LT(off(solution, dense_solution(cells, system->load().force())), 1e-10) << side;
     EXPECT_EQ(system->counters().iterations, 2) << "the factor is one of the matrix itself";
   }
 }
@@ -132,7 +132,7 @@ TEST(Substructures, taken_over_give_the_same_digits_as_fresh_ones) {
     auto next = cells.system(before.get()), fresh = cells.system(nullptr);
     const Affine taken = next->solve(), own = fresh->solve();
     EXPECT_EQ(taken, own) << step;
-    EXPECT_LT(off(taken, dense_solution(cells, next->force())), 1e-10);
+    EXPECT_LT(off(taken, dense_solution(cells, next->load().force())), 1e-10);
     before = std::move(next);
   }
   // Back to a state before: the factor follows the present operators, whatever came in between.
@@ -146,9 +146,10 @@ TEST(Substructures, serve_when_springs_and_supports_change) {
   before->solve();
   const std::vector<HoldingSpring> springs = {{10, 0.6, 0.8, 3.0, 0.0}, {24, 1.0, 0.0, 2.0, 0.0}};
   before->commit({}, springs);
-  EXPECT_LT(off(before->solve(), dense_solution(cells, before->force(), springs)), 1e-10) << "by the stale factor";
-  before->forget_factor();
-  EXPECT_LT(off(before->solve(), dense_solution(cells, before->force(), springs)), 1e-10) << "by a new one";
+  EXPECT_LT(off(before->solve(), dense_solution(cells, before->load().force(), springs)), 1e-10)
+      << "by the stale factor";
+  before->factor().forget();
+  EXPECT_LT(off(before->solve(), dense_solution(cells, before->load().force(), springs)), 1e-10) << "by a new one";
   const auto next = cells.system(before.get());
   EXPECT_EQ(next->solve(), cells.system(nullptr)->solve()) << "a factor without these springs";
 }

@@ -139,10 +139,10 @@ TEST(EquilibriumSystem, terms_of_many_nodes_take_part_in_everything) {
   EquilibriumSystem system(Mixed::nodes, {mixed.op}, mixed.terms, mixed.prescribed, mixed.ties);
   std::vector<Point> places;
   for (int n = 0; n < Mixed::nodes; ++n) places.emplace_back(n % 3, n / 3);
-  system.place_nodes(places);
-  system.keep_last({3, 4});
+  system.factor().place_nodes(places);
+  system.factor().keep_last({3, 4});
   system.set_load(mixed.force, mixed.given);
-  EXPECT_LE(difference(system.solve(), mixed.expected(system.present_stiffness())), 1e-11);
+  EXPECT_LE(difference(system.solve(), mixed.expected(system.stages().stiffness())), 1e-11);
 
   const Condensation condensation(system);
   ASSERT_EQ(condensation.dofs().size(), 4u);
@@ -150,14 +150,13 @@ TEST(EquilibriumSystem, terms_of_many_nodes_take_part_in_everything) {
   EXPECT_LE(difference(condensation.displacement(before(condensation.dofs(), Eigen::all)), before), 1e-11);
 
   const int broken[] = {Mixed::cell, 1};
-  system.mark_broken(broken);
-  system.commit_break(broken, {});
-  EXPECT_TRUE(system.resists_all_motions(broken));
+  system.commit(system.stages().breaking(broken), {});
+  EXPECT_TRUE(system.motions().resists_all(broken));
   const Affine after = system.solve();
-  EXPECT_LE(difference(after, mixed.expected(system.present_stiffness())), 1e-11);
+  EXPECT_LE(difference(after, mixed.expected(system.stages().stiffness())), 1e-11);
   EXPECT_GT(difference(after, before), 1e-3);
   EXPECT_EQ(system.counters().sparse_factorizations, 1);
-  const Eigen::VectorXd unbalanced = system.internal_force(after.col(1)) - system.force().col(1);
+  const Eigen::VectorXd unbalanced = system.response().internal_force(after.col(1)) - system.load().force().col(1);
   for (int dof = 0; dof < Mixed::dofs; ++dof) {
     if (mixed.prescribed[dof]) continue;
     EXPECT_LE(std::abs(unbalanced[dof]), 1e-11) << dof;
@@ -169,15 +168,14 @@ TEST(EquilibriumSystem, rest_elongations_load_it_also_after_breaks) {
   mixed.pull_without_elongation();
   EquilibriumSystem system(Mixed::nodes, {mixed.op}, mixed.terms, mixed.prescribed, mixed.ties);
   system.set_load(mixed.force, mixed.given);
-  EXPECT_LE(difference(system.solve(), mixed.expected(system.present_stiffness())), 1e-11);
+  EXPECT_LE(difference(system.solve(), mixed.expected(system.stages().stiffness())), 1e-11);
   const int broken[] = {2, 3};
-  system.mark_broken(broken);
-  system.commit_break(broken, {});
+  system.commit(system.stages().breaking(broken), {});
   const Affine after = system.solve();
-  EXPECT_LE(difference(after, mixed.expected(system.present_stiffness())), 1e-11);
+  EXPECT_LE(difference(after, mixed.expected(system.stages().stiffness())), 1e-11);
   const double load_factor = 1.7;
-  const Eigen::VectorXd unbalanced =
-      system.internal_force(evaluate(after, load_factor), load_factor) - evaluate(system.force(), load_factor);
+  const Eigen::VectorXd unbalanced = system.response().internal_force(evaluate(after, load_factor), load_factor) -
+                                     evaluate(system.load().force(), load_factor);
   for (int dof = 0; dof < Mixed::dofs; ++dof) {
     if (mixed.prescribed[dof]) continue;
     EXPECT_LE(std::abs(unbalanced[dof]), 1e-11) << dof;
@@ -191,7 +189,7 @@ TEST(EquilibriumSystem, rest_displacement_of_an_operator_alone_moves_it) {
   mixed.force.setZero(), mixed.given.setZero();
   EquilibriumSystem system(Mixed::nodes, {mixed.op}, mixed.terms, mixed.prescribed, mixed.ties);
   const Affine u = system.solve();
-  EXPECT_LE(difference(u, mixed.expected(system.present_stiffness())), 1e-11);
+  EXPECT_LE(difference(u, mixed.expected(system.stages().stiffness())), 1e-11);
   EXPECT_GT(u.cwiseAbs().maxCoeff(), 0.1);
 }
 
@@ -204,10 +202,12 @@ TEST(EquilibriumSystem, energy_is_the_potential_of_internal_forces) {
   system.solve();
   const Eigen::VectorXd u = Eigen::VectorXd::LinSpaced(Mixed::dofs, -1, 2).array().cos();
   const double load_factor = 0.6;
-  const Eigen::VectorXd force = system.internal_force(u, load_factor);
+  const Eigen::VectorXd force = system.response().internal_force(u, load_factor);
   for (int dof = 0; dof < Mixed::dofs; ++dof) {
     const Eigen::VectorXd step = 0.5 * Eigen::VectorXd::Unit(Mixed::dofs, dof);
-    EXPECT_NEAR(system.energy(u + step, load_factor) - system.energy(u - step, load_factor), force[dof], 1e-12) << dof;
+    EXPECT_NEAR(system.response().energy(u + step, load_factor) - system.response().energy(u - step, load_factor),
+                force[dof], 1e-12)
+        << dof;
   }
 }
 
@@ -246,32 +246,32 @@ TEST(EquilibriumSystem, stages_change_the_factor_by_the_drop_of_stiffness) {
   mixed.terms.set_law(2, softening);
   mixed.terms.set_law(Mixed::cell, hardening);
   EquilibriumSystem system(Mixed::nodes, {mixed.op}, mixed.terms, mixed.prescribed, mixed.ties);
-  EXPECT_EQ(system.present_stiffness()[Mixed::cell], 0.5 * 2.5);
-  EXPECT_EQ(system.present_stiffness()[1], 2.0);
+  EXPECT_EQ(system.stages().stiffness()[Mixed::cell], 0.5 * 2.5);
+  EXPECT_EQ(system.stages().stiffness()[1], 2.0);
   system.set_load(mixed.force, mixed.given);
   const Affine before = system.solve();
-  EXPECT_LE(difference(before, mixed.expected(system.present_stiffness())), 1e-11);
+  EXPECT_LE(difference(before, mixed.expected(system.stages().stiffness())), 1e-11);
 
-  const StageChange changes[] = {system.after_critical(2), system.after_critical(Mixed::cell),
-                                 system.after_critical(1)};
-  system.mark(changes);
+  const StageChange changes[] = {system.stages().after_critical(2), system.stages().after_critical(Mixed::cell),
+                                 system.stages().after_critical(1)};
+  system.stages().mark(changes);
   system.commit(changes, {});
-  EXPECT_EQ(system.present_stiffness()[2], 0.4 * 5.0);
-  EXPECT_EQ(system.present_stiffness()[Mixed::cell], 2 * 2.5);
-  EXPECT_EQ(system.present_stiffness()[1], 0);
-  EXPECT_TRUE(system.intact()[2] && system.intact()[Mixed::cell]);
-  EXPECT_FALSE(system.intact()[1]);
-  EXPECT_EQ(system.critical_share(2), 3);
+  EXPECT_EQ(system.stages().stiffness()[2], 0.4 * 5.0);
+  EXPECT_EQ(system.stages().stiffness()[Mixed::cell], 2 * 2.5);
+  EXPECT_EQ(system.stages().stiffness()[1], 0);
+  EXPECT_TRUE(system.stages().intact()[2] && system.stages().intact()[Mixed::cell]);
+  EXPECT_FALSE(system.stages().intact()[1]);
+  EXPECT_EQ(system.stages().critical_share(2), 3);
   const Affine after = system.solve();
-  EXPECT_LE(difference(after, mixed.expected(system.present_stiffness())), 1e-11);
+  EXPECT_LE(difference(after, mixed.expected(system.stages().stiffness())), 1e-11);
   EXPECT_EQ(system.counters().sparse_factorizations, 1);
   EXPECT_EQ(system.counters().factor_updates, 3);
 
   // Stages that are set leave the factor alone; coming back, it is the present matrix' again.
   const StageChange there[] = {{2, 3}}, back[] = {{2, 1}};
-  system.set_stages(there);
-  EXPECT_FALSE(system.intact()[2]);
-  system.set_stages(back);
+  system.stages().enter(there);
+  EXPECT_FALSE(system.stages().intact()[2]);
+  system.stages().enter(back);
   EXPECT_EQ(difference(system.solve(), after), 0);
 
   system.restore(std::vector<std::uint8_t>(mixed.terms.size(), 0), {});

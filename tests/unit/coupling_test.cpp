@@ -18,7 +18,7 @@ TEST(EquilibriumSystem, tied_nodes_follow_their_masters_also_after_breaks) {
   NodeTies ties;
   ties.add(3, {{1, 0.3}, {2, 0.7}});
   EquilibriumSystem system(Chain::nodes, {chain.op}, chain.bonds, chain.prescribed, ties);
-  EXPECT_TRUE(system.in_dense_body(3));
+  EXPECT_TRUE(system.dense_bodies().contain(3));
   Affine force = Affine::Zero(10, 2), given = Affine::Zero(10, 2);
   for (int dof = 0; dof < 10; ++dof) force.row(dof) << std::cos(dof), std::sin(2 * dof);
   given.row(0) << 0.1, 0.2;
@@ -29,7 +29,7 @@ TEST(EquilibriumSystem, tied_nodes_follow_their_masters_also_after_breaks) {
   for (int c = 0; c < 2; ++c) expand(6 + c, 2 + c) = 0.3, expand(6 + c, 4 + c) = 0.7;
   const std::vector<int> free{1, 2, 3, 4, 5, 8};
   const auto expected = [&] {
-    const Eigen::MatrixXd k = expand.transpose() * chain.full(system.intact()) * expand;
+    const Eigen::MatrixXd k = expand.transpose() * chain.full(system.stages().intact()) * expand;
     Affine u = given;
     const Affine rhs = expand.transpose() * force - k * given;
     const Affine solved = dense::solve(k(free, free), rhs(free, Eigen::all));
@@ -39,13 +39,12 @@ TEST(EquilibriumSystem, tied_nodes_follow_their_masters_also_after_breaks) {
   EXPECT_LE((system.solve() - expected()).cwiseAbs().maxCoeff(), 1e-10);
 
   const int broken[] = {0, 3};
-  system.mark_broken(broken);
-  system.commit_break(broken, {});
+  system.commit(system.stages().breaking(broken), {});
   const Affine solution = system.solve();
   EXPECT_LE((solution - expected()).cwiseAbs().maxCoeff(), 1e-10);
 
   // Nothing is left on the tied node, and the free unknowns balance.
-  Eigen::VectorXd unbalanced = system.internal_force(solution.col(0)) - system.force().col(0);
+  Eigen::VectorXd unbalanced = system.response().internal_force(solution.col(0)) - system.load().force().col(0);
   EXPECT_EQ(unbalanced.segment<2>(6).norm(), 0);
   for (int dof : free) EXPECT_LE(std::abs(unbalanced[dof]), 1e-10) << dof;
 }
@@ -58,16 +57,16 @@ TEST(EquilibriumSystem, condensed_solution_equals_the_full_one_also_after_breaks
   given.row(0) << 0.1, 0.2;
   given.row(9) << -0.3, 0.05;
   system.set_load(force, given);
-  EXPECT_LE((system.solve() - expected_solution(chain, system.intact(), force, given)).cwiseAbs().maxCoeff(), 1e-10);
+  EXPECT_LE((system.solve() - expected_solution(chain, system.stages().intact(), force, given)).cwiseAbs().maxCoeff(),
+            1e-10);
 
   // Bond 3 ends on the prescribed node 4 in y, so its break changes the load too.
   const int broken[] = {0, 3};
-  system.mark_broken(broken);
-  system.commit_break(broken, {});
+  system.commit(system.stages().breaking(broken), {});
   const Affine after = system.solve();
-  EXPECT_LE((after - expected_solution(chain, system.intact(), force, given)).cwiseAbs().maxCoeff(), 1e-10);
+  EXPECT_LE((after - expected_solution(chain, system.stages().intact(), force, given)).cwiseAbs().maxCoeff(), 1e-10);
   EXPECT_EQ(system.counters().dense_factorizations, 1);
-  const Eigen::VectorXd residual = system.internal_force(after.col(1)) - force.col(1);
+  const Eigen::VectorXd residual = system.response().internal_force(after.col(1)) - force.col(1);
   for (int dof = 0; dof < 10; ++dof) {
     if (!chain.prescribed[dof]) {
       EXPECT_LE(std::abs(residual[dof]), 1e-10) << dof;
@@ -82,10 +81,9 @@ TEST(EquilibriumSystem, restored_state_solves_as_before_the_break) {
   force.col(1).setOnes();
   system.set_load(force, Affine::Zero(10, 2));
   const Affine before = system.solve();
-  const std::vector<std::uint8_t> stages = system.stages();
+  const std::vector<std::uint8_t> stages = system.stages().numbers();
   const int broken[] = {4};
-  system.mark_broken(broken);
-  system.commit_break(broken, {});
+  system.commit(system.stages().breaking(broken), {});
   EXPECT_GT((system.solve() - before).cwiseAbs().maxCoeff(), 1e-6);
   system.restore(stages, {});
   EXPECT_LE((system.solve() - before).cwiseAbs().maxCoeff(), 1e-12);
@@ -96,9 +94,8 @@ TEST(EquilibriumSystem, softest_motion_is_the_one_that_nothing_resists) {
   chain.prescribed[9] = 0;
   EquilibriumSystem system(Chain::nodes, {chain.op}, chain.bonds, chain.prescribed);
   const int broken[] = {3, 4};  // node 4 hangs on one bond along x
-  system.mark_broken(broken);
-  system.commit_break(broken, {});
-  const SoftMotion soft = system.softest_motion();
+  system.commit(system.stages().breaking(broken), {});
+  const SoftMotion soft = system.motions().softest();
   EXPECT_LE(soft.resistance, 1e-15);
   EXPECT_NEAR(std::abs(soft.motion[9]), 1.0, 1e-9);
   EXPECT_LE(soft.motion.head(9).cwiseAbs().maxCoeff(), 1e-6);
@@ -109,8 +106,7 @@ TEST(EquilibriumSystem, a_part_that_moves_freely_is_unsolvable) {
   chain.prescribed[9] = 0;
   EquilibriumSystem system(Chain::nodes, {chain.op}, chain.bonds, chain.prescribed);
   const int broken[] = {3, 4};
-  system.mark_broken(broken);
-  system.commit_break(broken, {});
+  system.commit(system.stages().breaking(broken), {});
   Affine force = Affine::Zero(10, 2);
   force.col(1).setOnes();
   system.set_load(force, Affine::Zero(10, 2));

@@ -73,7 +73,7 @@ std::unique_ptr<model::Model> cracked_lattice() {
 double load_of_line() {
   const auto model = cracked_lattice();
   model->prepare();
-  return model->advance(1e6, Goal::next_event).reason == StopReason::event ? model->load_factor() : 0;
+  return model->driver().advance(1e6, Goal::next_event).reason == StopReason::event ? model->load_factor() : 0;
 }
 
 StopReason advance(model::Model& model, SomeTips& elements, double target, Control control = Control::load) {

@@ -74,7 +74,7 @@ TEST(Connectivity, pieces_follow_the_intact_bonds) {
   const Connectivity connectivity(system);
   EXPECT_EQ(connectivity.pieces().size(), 1u);
   const std::vector<int> cut{1, 4, 5};  // 1-2, 0-2, 1-3
-  system.mark_broken(cut);
+  system.stages().mark(system.stages().breaking(cut));
   EXPECT_FALSE(connectivity.still_joined(cut));
   EXPECT_EQ(connectivity.pieces(), (std::vector<std::vector<int>>{{0, 1}, {2, 3, 4}}));
 }
@@ -83,7 +83,7 @@ TEST(Connectivity, a_bond_bridged_by_a_common_neighbour_leaves_the_pieces_alone)
   EquilibriumSystem system(5, {}, row_of_bonds(5), std::vector<char>(10, 0));
   const Connectivity connectivity(system);
   const std::vector<int> cut{1};
-  system.mark_broken(cut);
+  system.stages().mark(system.stages().breaking(cut));
   EXPECT_TRUE(connectivity.still_joined(cut));
 }
 
@@ -107,7 +107,7 @@ TEST(FreedParts, an_isolated_point_is_a_fragment_and_loses_its_load) {
   force(2, 1) = 1;
   system.set_load(force, Affine::Zero(4, 2));
   const std::vector<int> cut{0};
-  system.mark_broken(cut);
+  system.stages().mark(system.stages().breaking(cut));
   const std::vector<Point> positions{{0, 0}, {1, 0}};
   const FreedParts found = FreedPartFinder(system, positions).after_break(cut, Eigen::VectorXd::Zero(4));
   EXPECT_EQ(found.fragments, 1);

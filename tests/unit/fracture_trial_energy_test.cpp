@@ -55,9 +55,9 @@ struct Body {
       }
     }
     system.set_load(force, moved);
-    system.add_constraint({{{node(3, 3), 0, -1}, {node(3, 4), 0, 1}}, 5});
+    system.contact().add({{{node(3, 3), 0, -1}, {node(3, 4), 0, 1}}, 5});
     const int places[]{0};
-    system.switch_constraints(places);
+    system.contact().switch_over(places);
   }
   static std::vector<char> held(bool right_too) {
     std::vector<char> dofs(2 * side * side, 0);
@@ -70,7 +70,7 @@ struct Body {
   }
   double potential(double load_factor) {
     const Eigen::VectorXd u = coupling::evaluate(system.solve(), load_factor);
-    return system.energy(u, load_factor) - coupling::evaluate(system.force(), load_factor).dot(u);
+    return system.response().energy(u, load_factor) - coupling::evaluate(system.load().force(), load_factor).dot(u);
   }
 
   EquilibriumSystem system;
@@ -144,7 +144,7 @@ TEST(TrialEnergy, forgets_flexibilities_of_a_state_that_was_taken_back) {
   const std::vector<int> step = step_of(body.system.terms());
   const std::vector<int> others(step.begin() + 1, step.end());
   fracture::WholeBodyTrials trials(body.system, {});
-  const std::vector<std::uint8_t> stages = body.system.stages();
+  const std::vector<std::uint8_t> stages = body.system.stages().numbers();
   const std::optional<Eigen::MatrixXd> before = trials.flexibility(others);
   ASSERT_TRUE(before.has_value());
   const std::vector<coupling::StageChange> first{{step[0], 1}};

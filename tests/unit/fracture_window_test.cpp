@@ -2,7 +2,9 @@
 
 #include <cmath>
 
+#include "fracture/window/computed_events.hpp"
 #include "fracture/window/window_certificate.hpp"
+#include "fracture/window/window_patience.hpp"
 #include "fracture/window/window_solver.hpp"
 
 namespace fracture_window_test {
@@ -28,13 +30,13 @@ class Plate {
         ratios(system.terms(), std::vector<double>(bonds.size(), 1e-2)) {
     Affine prescribed = Affine::Zero(2 * side * side, 2);
     for (int y = 0; y < side; ++y) prescribed.row(2 * node(side - 1, y)) << constant, 1;
-    system.place_nodes(positions);
+    system.factor().place_nodes(positions);
     system.set_load(Affine::Zero(2 * side * side, 2), prescribed);
     std::vector<int> kept;
     for (int x = 4; x < 12; ++x) {
       for (int y = 6; y < 14; ++y) kept.push_back(node(x, y));
     }
-    system.keep_last(kept);
+    system.factor().keep_last(kept);
   }
 
   static int node(int x, int y) { return side * y + x; }
@@ -101,8 +103,7 @@ class Window : public testing::TestWithParam<double> {
       const std::vector<int> bonds{window->bonds()[chosen.front()]};
       EXPECT_TRUE(break_in_window(chosen));
       states.push_back(window->displacement());
-      whole.mark_broken(bonds);
-      whole.commit_break(bonds, {});
+      whole.commit(whole.stages().breaking(bonds), {});
     }
   }
 
@@ -113,7 +114,7 @@ class Window : public testing::TestWithParam<double> {
       changes_of_system.push_back({window->bonds()[place], 1});
     }
     if (!window->change(changes)) return false;
-    plate.system.set_stages(changes_of_system);
+    plate.system.stages().enter(changes_of_system);
     return true;
   }
 
@@ -189,26 +190,26 @@ TEST_P(Window, places_close_and_open_in_it_as_in_the_whole_plate) {
   for (const int y : {9, 11}) {
     const std::vector<coupling::TermEntry> pull{
         {Plate::node(6, y), -1, 0.2}, {Plate::node(7, y), 0.7, 0}, {Plate::node(7, y + 1), 0.3, -0.2}};
-    whole.add_constraint({pull, 4.0 + y});
+    whole.contact().add({pull, 4.0 + y});
   }
   const auto switch_both = [&](bool first_closes, bool second_closes) {
     const std::vector<WindowSolver::Switch> switches{{whole.constraints()[0], first_closes},
                                                      {whole.constraints()[1], second_closes}};
-    whole.switch_constraints(std::vector{0, 1});
+    whole.contact().switch_over(std::vector{0, 1});
     return window->switch_constraints(switches);
   };
-  whole.switch_constraints(std::vector{0});
-  ASSERT_TRUE(window->follows(whole.constraints()[0]));
+  whole.contact().switch_over(std::vector{0});
+  ASSERT_TRUE(window->rows().follows(whole.constraints()[0]));
   EXPECT_TRUE(window->switch_constraints(std::vector<WindowSolver::Switch>{{whole.constraints()[0], true}}));
   EXPECT_LT(difference_from_whole(), 1e-11);
   EXPECT_GT((window->displacement() - open).norm(), 1e-4 * open.norm());
   const Eigen::VectorXd at = coupling::evaluate(whole.solve(), load_factor);
   const double gap = whole.constraints()[0].gap(at.data());
-  EXPECT_NEAR(window->gap(whole.constraints()[0], load_factor), gap, 1e-11 * at.lpNorm<Eigen::Infinity>());
+  EXPECT_NEAR(window->rows().gap(whole.constraints()[0], load_factor), gap, 1e-11 * at.lpNorm<Eigen::Infinity>());
   EXPECT_TRUE(switch_both(false, true));
   EXPECT_LT(difference_from_whole(), 1e-11);
   EXPECT_TRUE(switch_both(true, false));
-  whole.switch_constraints(std::vector{0});
+  whole.contact().switch_over(std::vector{0});
   EXPECT_TRUE(window->switch_constraints(std::vector<WindowSolver::Switch>{{whole.constraints()[0], false}}));
   EXPECT_LT((window->displacement() - open).norm(), 1e-11 * open.norm());
 }
@@ -232,6 +233,51 @@ TEST_P(Window, forces_are_in_balance_and_are_put_back_to_it) {
   EXPECT_GT(window->unbalanced().lpNorm<Eigen::Infinity>(), 5e-7);
   window->balance(window->unbalanced());
   EXPECT_LT((window->displacement() - exact).norm(), 1e-11 * exact.norm());
+}
+
+TEST(ComputedEvents, a_return_restores_the_stages_of_the_position) {
+  Plate plate(0);
+  ComputedEvents events(plate.system);
+  const std::vector<std::uint8_t> whole = plate.system.stages().numbers();
+  for (const int bond : {5, 9}) {
+    ForecastEvent event;
+    event.event.changes = {plate.system.terms().breaking(bond)};
+    event.back = {{bond, whole[static_cast<std::size_t>(bond)]}};
+    plate.system.stages().enter(event.event.changes);
+    events.add(event);
+  }
+  events.take_back(0);
+  EXPECT_EQ(plate.system.stages().numbers(), whole);
+  EXPECT_FALSE(events.have_changed_terms());
+  events.take();
+  const std::vector<std::uint8_t> first = plate.system.stages().numbers();
+  EXPECT_NE(first[5], whole[5]);
+  EXPECT_EQ(first[9], whole[9]);
+  events.take();
+  EXPECT_TRUE(events.are_all_taken() && events.next() == nullptr && events.have_changed_terms());
+  EXPECT_EQ(events.stages(1), first);
+  EXPECT_EQ(events.stages(0), whole);
+  events.return_to(1);
+  EXPECT_EQ(plate.system.stages().numbers(), first);
+  EXPECT_EQ(events.next()->event.changes.front().term, 9);
+  events.keep_first(1);
+  EXPECT_TRUE(events.are_all_taken());
+  EXPECT_EQ(plate.system.stages().numbers(), first);
+}
+
+TEST(WindowPatience, doubles_after_a_window_without_use) {
+  WindowPatience patience;
+  EXPECT_FALSE(patience.waits());
+  patience.note_useless();
+  EXPECT_EQ(patience.events(), 2);
+  patience.note_useless();
+  EXPECT_EQ(patience.events(), 4);
+  for (int event = 0; event < 4; ++event) patience.note_event();
+  EXPECT_FALSE(patience.waits());
+  for (int k = 0; k < 64; ++k) patience.note_useless();
+  EXPECT_EQ(patience.events(), WindowSettings::most_patience);
+  patience.note_useful();
+  EXPECT_EQ(patience.patience(), 1);
 }
 
 INSTANTIATE_TEST_SUITE_P(Loads, Window, testing::Values(0.0, 0.4));

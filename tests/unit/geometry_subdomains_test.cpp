@@ -202,5 +202,13 @@ TEST(Subdomains, lie_around_cracks_and_change_beside_them_only) {
   EXPECT_GT(kept, 0.9 * all);
 }
 
+TEST(Subdomains, are_none_where_a_cut_leaves_the_body) {
+  const std::vector<Point> places{{0, 0}, {1, 0}, {1, 1}, {0, 1}, {0.5, 0}, {1, 0.5}, {0.5, 1}, {0, 0.5}, {2, 2}};
+  const SubdomainLoop square{{{0, 4, 1}}, {{1, 5, 2}}, {{2, 6, 3}}, {{3, 7, 0}}};
+  const SubdomainLoop inside{{{0, 6, 2}}}, outside{{{2, 6, 8}}, {{8, 6, 3}}};
+  EXPECT_EQ(split({square}, {inside}, places).size(), 2U);
+  EXPECT_TRUE(split({square}, {outside}, places).empty());
+}
+
 }  // namespace
 }  // namespace geometry_subdomains_test

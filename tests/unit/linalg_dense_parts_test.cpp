@@ -50,6 +50,17 @@ TEST(DenseParts, factorize_as_a_single_call_does) {
   EXPECT_NEAR(in_parts.rcond(), whole.rcond(), 1e-12);
 }
 
+// The last panel is a single column here, with nothing below it.
+TEST(DenseParts, leave_no_empty_matrix_to_the_blas) {
+  constexpr Eigen::Index size = 5 * 256 + 1;
+  DenseCholesky in_parts;
+  testing::internal::CaptureStderr();
+  in_parts.compute(positive().topLeftCorner(size, size));
+  EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
+  const Eigen::LLT<MatrixXd> whole(positive().topLeftCorner(size, size));
+  EXPECT_LT(difference(in_parts.matrixL(), whole.matrixL()), 1e-13);
+}
+
 TEST(DenseParts, keep_every_digit_of_what_is_small) {
   const MatrixXd small = positive().topLeftCorner(300, 300);
   DenseCholesky in_parts;

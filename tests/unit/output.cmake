@@ -5,7 +5,8 @@ find_program(BEMPD_MESHIO_PYTHON python3 PATHS /usr/bin NO_DEFAULT_PATH)
 if(BEMPD_MESHIO_PYTHON)
   foreach(samples output_samples output_crack_samples)
     add_executable(${samples} ${samples}.cpp)
-    target_link_libraries(${samples} PRIVATE bempd_engine bempd_engine_storage bempd_warnings)
+    target_link_libraries(${samples} PRIVATE bempd_engine bempd_warnings GTest::gtest)
+    target_precompile_headers(${samples} REUSE_FROM bempd_engine_test_headers)
   endforeach()
   add_test(NAME output_meshio_test
            COMMAND "${BEMPD_MESHIO_PYTHON}" -B "${CMAKE_CURRENT_SOURCE_DIR}/output_meshio_test.py"

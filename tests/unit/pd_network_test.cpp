@@ -165,6 +165,26 @@ TEST(Network, mirrored_bonds_have_the_same_stiffness) {
   }
 }
 
+// Bitwise: one solution serves all places that are the same problem.
+TEST(Network, equal_holes_of_an_unsymmetric_plate_have_the_same_bonds) {
+  const Vector2i apart(33, 0);
+  const CellLattice lattice(
+      {{{0, 0}, {90, 0}, {90, 20}, {93, 20}, {93, 36}, {0, 36}}, hole(22, 17, 4, 3), hole(55, 17, 4, 3)});
+  const Network network = build_network(lattice, 3, bond_based(1, PlaneState::stress, 1));
+  std::map<std::pair<int, int>, double> stiffness;
+  for (const Bond& b : network.bonds) stiffness[{b.first, b.second}] = b.stiffness;
+  int changed = 0, different = 0;
+  for (std::size_t k = 0; k < network.bonds.size(); ++k) {
+    const Bond& b = network.bonds[k];
+    const Vector2i p = lattice.point(b.first), q = lattice.point(b.second), low = p.cwiseMin(q), high = p.cwiseMax(q);
+    if ((low.array() < Eigen::Array2i(16, 11)).any() || (high.array() > Eigen::Array2i(32, 26)).any()) continue;
+    different += b.stiffness != stiffness.at({lattice.find_point(p + apart), lattice.find_point(q + apart)});
+    changed += std::abs(b.stiffness / network.offsets[network.offset_of[k]].bulk_stiffness - 9.0 / 8) > 1e-6;
+  }
+  EXPECT_GT(changed, 100);
+  EXPECT_EQ(different, 0);
+}
+
 TEST(Network, does_not_depend_on_where_the_lattice_lies_or_on_the_magnitude_of_the_modulus) {
   const CellLattice here({rectangle(0, 0, 15, 12)}), there({rectangle(-1000, 5000, 15, 12)});
   const Network a = build_network(here, 4, bond_based(1, PlaneState::stress, 1));

@@ -1,4 +1,4 @@
-set(files regions_cgroup_limit_test.cpp regions_cell_splits_test.cpp regions_second_kind_test.cpp regions_body_force_test.cpp regions_tip_fit_test.cpp second_bond_law_test.cpp)
+set(files regions_bent_crack_test.cpp regions_cgroup_limit_test.cpp regions_cell_splits_test.cpp regions_second_kind_test.cpp regions_scene_bonds_test.cpp regions_body_force_test.cpp regions_tip_fit_test.cpp second_bond_law_test.cpp)
 bempd_add_engine_program(regions_tests ${files})
 bempd_add_tests_of_files(regions_tests ${files} LABEL unit)
 add_dependencies(unit_tests regions_tests)

@@ -88,7 +88,7 @@ std::vector<Point> node_places(Model& m) {
 // Tractions of the elements are the stress times their outward normals.
 void expect_tractions(Model& m, const Bar& bar) {
   const std::vector<Point> places = node_places(m);
-  const std::vector<std::int32_t> nodes = m.results().region(1).cells().nodes;
+  const std::vector<std::int32_t> nodes = m.results().region(1).results().cells().nodes;
   const std::vector<double>& tractions = m.results().field(1, Field::traction).values;
   for (std::size_t i = 0; i < nodes.size(); ++i) {
     const Point along = places[nodes[i / 3 * 3 + 2]] - places[nodes[i / 3 * 3]];
@@ -108,7 +108,7 @@ TEST_P(HangingBar, of_boundary_elements_is_exact_and_its_reaction_is_the_weight)
   m.editable_scene().add_material({bar.elasticity});
   regions::add_boundary_region(m.editable_scene(), 1, bar.corners(), 0.3);
   hang(bar, m);
-  m.advance(1, fracture::Goal::load_factor);
+  m.driver().advance(1, fracture::Goal::load_factor);
 
   const double size = bar.displacement(Point::Zero()).norm();
   const std::vector<Point> places = node_places(m);
@@ -147,7 +147,7 @@ TEST_P(HangingBar, stores_the_energy_of_its_stress_and_all_of_the_work) {
   const double along = (1 - bar.elasticity.effective_poisson_ratio()) / (2 * bar.elasticity.shear_modulus());
   const double whole = along * weight * weight * thickness * width * std::pow(height, 3) / 6;
   for (const double factor : {0.0, 0.4, 1.0}) {
-    m.advance(factor, fracture::Goal::load_factor);
+    m.driver().advance(factor, fracture::Goal::load_factor);
     const fracture::HistoryEntry& line = m.prepared().evolution->progress().history.back();
     const double wanted = whole * std::pow(0.25 + 0.75 * factor, 2);
     std::printf("stored %.10g, work %.10g (reference: %.10g), balance %.1e\n", line.stored_energy, line.work, wanted,
@@ -170,7 +170,7 @@ double lattice_error(const char* scheme, double spacing, double* reaction_error)
   m.editable_scene().add_material({bar.elasticity});
   regions::add_peridynamic_region(m.editable_scene(), 1, bar.corners(), spacing, 3);
   hang(bar, m);
-  m.advance(1, fracture::Goal::load_factor);
+  m.driver().advance(1, fracture::Goal::load_factor);
   const double load = weight * width * height * thickness;
   *reaction_error = (m.results().reaction(1) - Point(0, load)).norm() / load;
   const std::vector<Point> places = node_places(m);
@@ -216,7 +216,7 @@ TEST(BodyForce, passes_from_boundary_elements_to_a_lattice) {
     return {0.25 * bar.force(), 0.75 * bar.force()};
   };
   scene.add_load({std::make_shared<const regions::WholeRegion>(2), 3, force});
-  m.advance(1, fracture::Goal::load_factor);
+  m.driver().advance(1, fracture::Goal::load_factor);
   const double load = weight * width * height * thickness;
   EXPECT_LT((m.results().reaction(1) - Point(0, load)).norm(), 1e-11 * load);
   for (const regions::PointValue& value : m.results().evaluate({{0.1, 0.02}, {-0.2, 0.7}}, false))

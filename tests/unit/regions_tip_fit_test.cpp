@@ -39,7 +39,7 @@ struct Lattice {
     system = std::make_unique<coupling::EquilibriumSystem>(static_cast<int>(d.positions.size()),
                                                            std::vector<coupling::DenseOperator>(), std::move(d.bonds),
                                                            std::vector<char>(2 * d.positions.size(), 0));
-    system->mark_broken(cut);
+    system->stages().mark(system->stages().breaking(cut));
     const std::vector<Point>& first = parted.cracks.front().points;
     tip.place = first.back();
     tip.direction = (first.back() - first[first.size() - 2]).normalized();
@@ -47,7 +47,7 @@ struct Lattice {
     laws.laws = {law};
     laws.of_node.assign(d.positions.size(), 0);
     laws.share_of_node.assign(d.positions.size(), 0);
-    const std::vector<double> shares = d.regions.front()->shares_of_cells();
+    const std::vector<double> shares = d.regions.front()->bonds()->cell_shares();
     for (std::size_t k = 0; k < shares.size(); ++k)
       laws.share_of_node[static_cast<std::size_t>(d.regions.front()->nodes()[k])] = shares[k];
     stress = std::make_unique<fracture::TipStress>(*system, d.positions, laws);

@@ -82,7 +82,7 @@ std::unique_ptr<Model> model_of(const Case& body, const coupling::TermLaw& law, 
 }
 
 fracture::EvolutionState separated(Model& model) {
-  EXPECT_EQ(model.advance(1e6, fracture::Goal::separation).reason, fracture::StopReason::separated);
+  EXPECT_EQ(model.driver().advance(1e6, fracture::Goal::separation).reason, fracture::StopReason::separated);
   return model.prepared().evolution->state();
 }
 
@@ -137,9 +137,9 @@ TEST_P(SecondBondLaw, goes_through_the_same_events_in_windows) {
 
 TEST_P(SecondBondLaw, goes_on_from_a_saved_state_in_the_middle) {
   const auto first = model_of(GetParam(), softening(), true), second = model_of(GetParam(), softening(), true);
-  for (int event = 0; event < 20; ++event) first->advance(1e6, fracture::Goal::next_event);
-  const std::vector<std::uint8_t> bytes = model::to_bytes(first->save());
-  second->restore(model::from_bytes(bytes.data(), bytes.size()));
+  for (int event = 0; event < 20; ++event) first->driver().advance(1e6, fracture::Goal::next_event);
+  const std::vector<std::uint8_t> bytes = model::to_bytes(first->states().save());
+  second->states().restore(model::from_bytes(bytes.data(), bytes.size()));
   const fracture::EvolutionState a = separated(*first), b = separated(*second);
   EXPECT_EQ(a.stages, b.stages);
   EXPECT_EQ(a.work, b.work);

@@ -58,7 +58,9 @@ from .reports import (
     PartReason,
     PathVertex,
     Piece,
+    PointErrors,
     PointValues,
+    RunErrors,
     Singularity,
     SingularityKind,
     Statistics,
@@ -78,7 +80,7 @@ __version__ = version()
 __all__ = [
     "ArgumentError", "BodyPlan", "BondState", "Bonds", "CancelledError", "Convergence", "ConvergenceError", "ConvergenceTable", "CrackExtension", "CrackOpening",
     "CrackTip", "EdgeNodes", "EdgePlaces", "EdgeReaction", "Ensemble", "Error", "ErrorSource", "Errors", "Explanation", "FatigueLife", "FatigueStop", "FileError", "Growth", "InternalError", "LoadRule", "Model", "NextEvent", "OptionInfo", "Options", "OrderError",
-    "OutOfMemoryError", "Part", "PartKind", "PartReason", "PathVertex", "Piece", "PointValues", "ProgressBar", "Rows", "Singularity", "SingularityKind", "State", "Statistics",
+    "OutOfMemoryError", "Part", "PartKind", "PartReason", "PathVertex", "Piece", "PointErrors", "PointValues", "ProgressBar", "Rows", "RunErrors", "Singularity", "SingularityKind", "State", "Statistics",
     "StepReport", "StopReason", "SupportHistory", "Table", "TipEnd", "TipMethod", "TipRecord", "TipState", "UnknownOptionError", "UnsolvableError",
     "build_info", "converge", "describe_options", "ensemble", "library_path", "outline", "progress_bar", "random_cracks", "random_field", "read_ensemble", "read_history", "rectangle", "specimens", "table", "version", "weibull_field",
 ]

@@ -153,6 +153,22 @@ typedef struct bempd_errors {
 } bempd_errors;
 bempd_status bempd_errors_init(bempd_errors *errors, int64_t struct_size);
 bempd_status bempd_error_estimate(bempd_model *model, bempd_errors *errors);
+typedef struct bempd_run_errors {
+  int64_t struct_size;
+  double expected_seconds;
+  double seconds;
+  double first_growth;
+  double peak;
+  double path;
+  double lattice_first_growth;
+  double lattice_peak;
+  double lattice_path;
+  int32_t path_crack;
+  int32_t is_made;
+} bempd_run_errors;
+bempd_status bempd_run_errors_init(bempd_run_errors *errors, int64_t struct_size);
+bempd_status bempd_run_error_estimate(bempd_model *model, double seconds_allowed,
+    bempd_run_errors *errors);
 bempd_status bempd_add_bem_region(bempd_model *model, int32_t material, int64_t vertex_count,
     const double *vertices, double element_length, int32_t *region);
 bempd_status bempd_add_bem_region_with_arcs(bempd_model *model, int32_t material,
@@ -495,6 +511,8 @@ typedef enum bempd_face {
 } bempd_face;
 bempd_status bempd_evaluate_in(bempd_model *model, int32_t region, int32_t face, int64_t count,
     const double *points, double *displacement, double *stress);
+bempd_status bempd_evaluate_errors(bempd_model *model, int64_t count, const double *points,
+    double *displacement, double *stress);
 typedef enum bempd_singularity_kind {
   BEMPD_SINGULAR_CORNER = 1,
   BEMPD_SINGULAR_INTERFACE = 2,
@@ -1053,13 +1071,14 @@ Choose how a crack is modelled, or keep it from growing.
 The library gives each crack elements where it lies in a BEM region or a body: a crack with a field
 of stress intensity factors needs no lattice (docs/bodies.md). With BEMPD_TREATMENT_LATTICE a patch
 of lattice is cut out of the body when the model is planned or prepared: blocks of two horizons that
-come within two horizons of the crack, or of two blocks straight ahead of a tip that may grow. A
+come within three horizons of the crack, or of two blocks straight ahead of a tip that may grow. A
 patch is a peridynamic region with the next free id, for bonds and points. The body keeps its id,
 the numbers of its edges, and its supports and loads; loads on the whole body act in the patch as
 well. Nodes of the patch's border follow those of the body's outline. Between an edge or another
 crack and the patch one block of elements stays, so a crack that begins at an edge has elements
-there. A tip that comes within two horizons of the patch's border goes on in elements; the patch
-stays where it was laid.
+there. A tip that has no two such blocks ahead of it any more gets five: points and bonds of the
+patch get other numbers, and the history a line. A tip that no more blocks fit around goes on in
+elements within two horizons of the border.
 
 BEMPD_TREATMENT_FROZEN does what bempd_set_tip_frozen() does at both ends, and any other treatment
 releases a crack of which both are frozen. That may be done between steps too. Whether a crack has a
@@ -1075,8 +1094,8 @@ since: 0.4""",
     "bempd_body_plan": """\
 What preparing a scene with bodies takes, and the errors it will have. Errors are those of
 displacements, reactions and stress intensity factors that come from the boundary elements, each
-relative to the largest of its kind in the scene, at the load factor 1. Fill it with
-bempd_body_plan_init().
+relative to the largest of its kind in the scene, at the load factor 1; those of reactions to at
+least a tenth of the force that the body carries. Fill it with bempd_body_plan_init().
 
 since: 0.4""",
     "bempd_body_plan.struct_size": """sizeof(bempd_body_plan), set by bempd_body_plan_init()""",
@@ -1222,11 +1241,56 @@ since: 0.4""",
 Estimate the errors of the present results, at the present loads and cracks, of bodies and of
 regions with given elements alike.
 
-The scene is solved with its elements merged in pairs and in fours, and the differences are
-extrapolated; this takes about a fifth of the time of preparing. With at most 100 elements they are
-halved instead. Once bonds have broken or a part has come off it is an order error.
+The scene is solved with halved elements, which can take several times as long as it took with its
+own. With more than 1,000 elements, or where memory.limit forbids it, they are merged in pairs and
+in fours instead, and the differences are extrapolated. Once bonds have broken or a part has come
+off it is an order error.
 
 model [in]: the model
+errors [in,out]: struct_size in, the rest out
+return: status
+since: 0.4""",
+    "bempd_run_errors": """\
+Errors of a run in which cracks have grown, by source; the sources are never added. Fill it with
+bempd_run_errors_init().
+
+since: 0.4""",
+    "bempd_run_errors.struct_size": """sizeof(bempd_run_errors), set by bempd_run_errors_init()""",
+    "bempd_run_errors.expected_seconds": """time that the estimate takes, roughly [s]""",
+    "bempd_run_errors.seconds": """time that it took; 0 if it was not made [s]""",
+    "bempd_run_errors.first_growth": """\
+of the load factor of the first growth, from boundary elements, relative [-]""",
+    "bempd_run_errors.peak": """of the peak resistance, from elements and lengths of extensions, relative [-]""",
+    "bempd_run_errors.path": """\
+of the paths of cracks, likewise: distance across them, and by which a tip may be farther or less
+far [m]""",
+    "bempd_run_errors.lattice_first_growth": """\
+of the first growth, from lattice patches in place of elements; 0 without [-]""",
+    "bempd_run_errors.lattice_peak": """of the peak resistance, from these [-]""",
+    "bempd_run_errors.lattice_path": """of the paths of cracks, from these [m]""",
+    "bempd_run_errors.path_crack": """crack with the largest of the errors of paths, or 0""",
+    "bempd_run_errors.is_made": """\
+1: the estimate was made; 0: it takes longer than allowed, and errors are NaN""",
+    "bempd_run_errors_init": """\
+Set struct_size and zeros.
+
+errors [out]: the struct to fill
+struct_size [in]: sizeof(bempd_run_errors) as the caller was compiled: older programs keep working
+return: status
+since: 0.4""",
+    "bempd_run_error_estimate": """\
+Estimate the errors of peak, paths and first growth of a run of steps in which cracks of bodies, or
+of regions with given elements, have grown.
+
+The scene is run again until its cracks have grown as far, with extensions twice as long, and
+elements too where the host has given them, and its beginning with a quarter as long ones; a scene
+with lattice patches also with elements in place of these. The model itself stays as it is. Progress
+and log are silent meanwhile, a cancel is heard. It is an order error if nothing has grown; in
+scenes with lattices of the host; and after other ways to go on than bempd_step(),
+bempd_step_to_next_event() and bempd_run_to_separation(), or from bytes of a state.
+
+model [in]: the model
+seconds_allowed [in]: nothing is run if it would take longer by estimate: 0 only to be told that [s]
 errors [in,out]: struct_size in, the rest out
 return: status
 since: 0.4""",
@@ -1286,13 +1350,13 @@ are the same (not in scheme "paper"); others only share the points of the common
 
 With slanted or round edges, round holes or a turned lattice (bempd_add_turned_pd_region(); not in
 scheme "paper"), edges are divided into equal parts about a spacing long, with material points
-between them, and inside are those of a square lattice; round edges count as the chords between
-their points. Constant stress is exact there, too. Corners inside the body need 60 degrees, better
-65, parts of it about three spacings of width, radii a spacing, the horizon three spacings:
-bempd_prepare() says where there is no network of bonds that only pull. Elements of BEM regions
-follow the material points on common edges, also round ones, unless bempd_set_edge_mesh() is called
-for a straight edge; peridynamic regions of the same spacing share the points of a common edge,
-without bonds across.
+between them, and inside are those of a square lattice; constant stress is exact there, too. Corners
+of a body need 60 degrees, better 65, parts of it about three spacings of width, radii a spacing,
+the horizon three spacings: bempd_prepare() says where no network of bonds exists. Elements of BEM
+regions follow the points on common edges, unless bempd_set_edge_mesh() is called for a straight
+edge. Such regions of one material, spacing, horizon and angle are one body where they touch,
+without points on common edges, unless supports need them; others of the same spacing share points
+there, without bonds across.
 
 model [in]: the model
 material [in]: id of a material with a Poisson's ratio from -0.2 to 0.49
@@ -2810,6 +2874,19 @@ displacement [out]: shape [count][2] [m]; may be NULL
 stress [out]: shape [count][3], xx, yy, xy [Pa]; may be NULL
 return: status; a place outside the region and its boundary is an argument error
 since: 0.3""",
+    "bempd_evaluate_errors": """\
+Estimate the errors of what bempd_evaluate() gives at places, from other elements as
+bempd_error_estimate() does. They are lengths: of a stress it is the root of the squares of the
+errors of xx, yy and, twice, xy, which bounds the errors of principal stresses. NaN: not known, as
+in lattices, and for stress where it is unbounded.
+
+model [in]: the model
+count [in]: number of places
+points [in]: shape [count][2] [m]
+displacement [out]: shape [count] [m]; may be NULL
+stress [out]: shape [count] [Pa]; may be NULL
+return: status; a place outside the body is an argument error, broken bonds are an order error
+since: 0.4""",
     "bempd_singularity_kind": """Why stress is unbounded at a place.
 
 since: 0.3""",
@@ -3619,7 +3696,8 @@ call of bempd_grow_cracks(). Energies that no double can hold are as in bempd_st
 
 since: 0.1""",
     "bempd_history_entry.struct_size": """sizeof(bempd_history_entry), set by bempd_history_entry_init()""",
-    "bempd_history_entry.event": """number of the event, or 0 for the end of a step""",
+    "bempd_history_entry.event": """\
+number of the event, or 0 for the end of a step or a lattice patch that grows""",
     "bempd_history_entry.total_broken_bonds": """bonds broken so far""",
     "bempd_history_entry.load_factor": """load factor [-]""",
     "bempd_history_entry.stretch_ratio": """\

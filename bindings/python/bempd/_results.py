@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import os
 from typing import Any, Optional, Sequence, Union
 
@@ -31,7 +32,9 @@ from .reports import (
     Part,
     PathVertex,
     Piece,
+    PointErrors,
     PointValues,
+    RunErrors,
     Singularity,
     Statistics,
     SupportHistory,
@@ -45,6 +48,7 @@ from .reports import (
     model_part,
     path_vertex,
     rows,
+    run_errors,
     singularity,
     values_of,
 )
@@ -442,6 +446,23 @@ class Results:
         struct = new_struct("bempd_errors", "bempd_errors_init")
         self._open().call("bempd_error_estimate", struct)
         return error_sources(struct)
+
+    def evaluate_errors(self, points: npt.ArrayLike) -> PointErrors:
+        """Errors of the displacements and stresses that evaluate() gives at places."""
+        places = arguments.point_array("evaluate_errors: points", points)
+        displacement, tensor = np.empty(len(places)), np.empty(len(places))
+        self._open().call("bempd_evaluate_errors", len(places), arguments.doubles(places), arguments.doubles(displacement),
+                          arguments.doubles(tensor))
+        return PointErrors(displacement, tensor)
+
+    def run_error_estimate(self, seconds_allowed: float = math.inf) -> RunErrors:
+        """Errors of peak, paths and first growth of the run so far, which is run again with longer elements and extensions.
+
+        With `seconds_allowed` = 0 nothing is run, and `expected_seconds` says how long it would take.
+        """
+        struct = new_struct("bempd_run_errors", "bempd_run_errors_init")
+        self._open().call("bempd_run_error_estimate", seconds_allowed, struct)
+        return run_errors(struct)
 
     def statistics(self) -> Statistics:
         """Sizes, counters and times so far."""

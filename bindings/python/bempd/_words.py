@@ -26,6 +26,7 @@ NAMES: dict[str, str] = {
     "bempd_part": "Model.parts",
     "bempd_part_outline": "Part.outline",
     "bempd_errors_init": "Model.error_estimate",
+    "bempd_run_errors_init": "Model.run_error_estimate",
     "bempd_add_pd_region_with_arcs": "Model.add_pd_region",
     "bempd_add_turned_pd_region": "Model.add_pd_region",
     "bempd_add_hole_with_arcs": "Model.add_hole",

@@ -304,6 +304,22 @@ class Errors:
 
 
 @dataclasses.dataclass(frozen=True)
+class RunErrors:
+    """Errors of a run in which cracks have grown, by source; sources are never added. NaN where they were not estimated."""
+
+    expected_seconds: float  #: that the estimate takes, roughly
+    seconds: float  #: that it took; 0 if it was not made
+    first_growth: float  #: of its load factor, relative, from boundary elements
+    peak: float  #: of the peak resistance, relative, from elements and lengths of extensions
+    path: float  #: of the paths of cracks, likewise [m]
+    lattice_first_growth: float  #: from lattice patches in place of elements, as the next two
+    lattice_peak: float
+    lattice_path: float  #: [m]
+    path_crack: int  #: with the largest of the errors of paths, or 0
+    is_made: bool  #: False: it would take longer than allowed
+
+
+@dataclasses.dataclass(frozen=True)
 class Growth:
     """What growth of cracks by a length did."""
 
@@ -460,6 +476,13 @@ class PointValues(NamedTuple):
     region: npt.NDArray[np.int32]  #: shape (n,): the region that holds each place
 
 
+class PointErrors(NamedTuple):
+    """Errors of values at places in the body; NaN where they are not known."""
+
+    displacement: npt.NDArray[np.float64]  #: shape (n,) [m]
+    stress: npt.NDArray[np.float64]  #: shape (n,): a bound of those of principal stresses [Pa]
+
+
 class EdgeReaction(NamedTuple):
     """What supports exert on the body through one edge."""
 
@@ -540,6 +563,13 @@ def error_sources(struct: Any) -> Errors:
     values = values_of(struct, "bempd_errors", Errors)
     values["dominating"] = ErrorSource(values["dominating"])
     return Errors(**values)
+
+
+def run_errors(struct: Any) -> RunErrors:
+    """Errors of a run as a value."""
+    values = values_of(struct, "bempd_run_errors", RunErrors)
+    values["is_made"] = bool(values["is_made"])
+    return RunErrors(**values)
 
 
 def explained(struct: Any, text: str) -> Explanation:

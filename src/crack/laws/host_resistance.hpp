@@ -9,7 +9,8 @@ namespace bempd::crack {
 // Fracture energy that a tip meets, by a function of the host [J/m^2].
 class HostResistance {
  public:
-  // The cycle has a load that is held: equal factors at its two ends. Its length is that by which the tip has grown.
+  // Function of the host, which is told of a held load as a cycle with equal factors at its two ends. The cycle's
+  // length is that by which the tip has grown.
   using Function = std::function<double(const TipCycle&)>;
 
   explicit HostResistance(Function function) : function_(std::move(function)) {}
@@ -21,7 +22,8 @@ class HostResistance {
   Function function_;
 };
 
-// Tip for whose fracture energy a function is asked; null: the material's number holds.
+// Tip, with all that the host's function for its fracture energy is told about it. Where the function is null, the
+// fracture energy is the number given for the material.
 struct AskingTip {
   const HostResistance* function = nullptr;
   TipId id{};

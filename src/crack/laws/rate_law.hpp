@@ -23,7 +23,7 @@ class RateLaw {
     if (!(cycle.highest > 0) || !(cycle.range() > threshold_)) return 0;
     return growth(cycle);
   }
-  // Growth of a tip that has grown by `grown` in the zone of an overload.
+  // Growth in a cycle [m] of a tip that has grown by `grown`, which retardation slows down in the zone of an overload.
   double rate(const TipCycle& cycle, const Overload& overload, double grown) const {
     if (!retardation_ || !retardation_->acts(overload, grown, cycle.highest)) return rate(cycle);
     const Retardation::Reduced reduced = retardation_->reduced(cycle, overload, grown);

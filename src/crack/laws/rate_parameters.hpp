@@ -8,7 +8,7 @@
 
 namespace bempd::crack {
 
-// A law of growth by rates as a host states it.
+// Law of crack growth per cycle, or per unit of time, as a host states it.
 struct RateParameters {
   enum class Retarding { none = 0, wheeler = 1, willenborg = 2 };
   enum class Kind { paris_walker = 1, forman = 2, nasgro = 3, sustained = 4, host = 5 };
@@ -32,8 +32,8 @@ struct RateParameters {
 // The law in plane strain or plane stress.
 std::unique_ptr<RateLaw> make_rate_law(const RateParameters& parameters, bool plane_strain);
 
-// Factor at which a tip breaks where the material has this toughness, infinite where nothing is known of it. Throws
-// Error (argument) for a law that needs to know it.
+// Stress intensity factor at which a tip breaks: that of the law, or if it has none the toughness of the material,
+// which is infinite if unknown. Throws Error (argument) if the law's rate depends on it and neither is known.
 double critical_of(const RateParameters& parameters, double toughness);
 
 }  // namespace bempd::crack

@@ -18,7 +18,7 @@ constexpr double pi = std::numbers::pi;
 constexpr double widest_kink = 1.9;
 constexpr int steps_to_widest = 64;
 
-// Number of the highest maxima among the trial angles around which the largest ratio is sought.
+// Number of the highest maxima of the ratio over trial angles; the largest ratio is sought around each of these.
 constexpr std::size_t most_tops = 3;
 
 // Indices of the highest maxima, the highest one first.

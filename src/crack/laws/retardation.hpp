@@ -30,7 +30,8 @@ class Retardation {
     const double ratio = std::max(0.0, highest) / yield_strength_;
     return ratio * ratio / (constraint_ * std::numbers::pi);
   }
-  // The overload after a cycle of a tip that has grown by `grown`: a zone that reaches farther takes the place.
+  // Overload after a cycle of a tip that has grown by `grown`: that of the cycle if its zone reaches at least as far,
+  // else the one before.
   Overload after(const Overload& before, double grown, double highest) const {
     const double own = zone(highest);
     return grown + own >= before.end ? Overload{grown + own, own, highest} : before;
@@ -40,7 +41,8 @@ class Retardation {
     return grown + zone(highest) < overload.end;
   }
 
-  // Cycle and factor on its rate by which a tip grows in the zone of an overload; `grown` as in `acts`.
+  // Cycle and share by which retardation works: in the zone of an overload a tip grows by the share times its rate in
+  // this cycle. `grown` is as in acts().
   struct Reduced {
     TipCycle cycle;
     double share = 1;

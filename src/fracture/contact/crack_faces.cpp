@@ -17,8 +17,8 @@ namespace {
 // the crack: about a horizon.
 constexpr double normal_reach = 3.6;
 
-// Ratio of the spread of these bonds' middles across their principal axis to the spread along it, above which they have
-// no direction.
+// Ratio of the spread of broken bonds' middles across their principal axis to the spread along it, above which these
+// bonds determine no direction of the crack.
 constexpr double no_axis = 0.4;
 
 // Smallest component of a bond across the crack over its length for which the bond separates the faces.
@@ -58,7 +58,7 @@ bool CrackFaces::can_be_a_place(int term) const {
 bool CrackFaces::can_have(const GrownFace& face) const {
   const Point normal(face.normal_x, face.normal_y);
   return !are_none() && std::abs(normal.norm() - 1) < 1e-6 && can_be_a_place(face.term) &&
-         !std::binary_search(cut_.begin(), cut_.end(), face.term) && constraint_at(face.term, normal).has_value();
+         constraint_at(face.term, normal).has_value();
 }
 
 Point CrackFaces::middle(int term) const {
@@ -129,7 +129,7 @@ void CrackFaces::note_broken(std::span<const int> terms, FaceState& state) {
 std::vector<int> CrackFaces::fresh(std::span<const int> terms) const {
   std::vector<int> found;
   for (const int term : terms) {
-    if (!system_.intact()[term] && !entered_.contains(term) && can_be_a_place(term)) found.push_back(term);
+    if (!system_.stages().intact()[term] && !entered_.contains(term) && can_be_a_place(term)) found.push_back(term);
   }
   std::sort(found.begin(), found.end());
   found.erase(std::unique(found.begin(), found.end()), found.end());
@@ -152,7 +152,7 @@ class CrackFaces::PresentPlaces final : public FacePlaces {
     faces_.grown_[face.term] = state_.grown.size();
     state_.grown.push_back(face);
     state_.closed.push_back(0);
-    faces_.system_.add_constraint(std::move(constraint));
+    faces_.system_.contact().add(std::move(constraint));
   }
 
   void renew(std::size_t place, const GrownFace& face, Constraint constraint) override {
@@ -161,7 +161,7 @@ class CrackFaces::PresentPlaces final : public FacePlaces {
     const double largest = displacement_.lpNorm<Eigen::Infinity>();
     if (is_wrong(constraint, false, constraint.gap(displacement_.data()), largest)) return;
     known = face;
-    faces_.system_.replace_open_constraint(place, std::move(constraint));
+    faces_.system_.contact().replace_open(place, std::move(constraint));
   }
 
  private:
@@ -227,12 +227,12 @@ Constraints CrackFaces::constraints_of(const FaceState& state) const {
 }
 
 void CrackFaces::restore(const FaceState& state) {
-  system_.set_constraints(constraints_of(state));
+  system_.contact().set(constraints_of(state));
   enter(state);
 }
 
 void CrackFaces::go_on_from(const FaceState& state) {
-  system_.put_constraints(constraints_of(state));
+  system_.contact().put(constraints_of(state));
   enter(state);
 }
 
@@ -249,7 +249,7 @@ void CrackFaces::enter(const FaceState& state) {
   for (const std::vector<int>& terms : pending_) pending.insert(terms.begin(), terms.end());
   for (std::size_t t = 0; t < system_.terms().size(); ++t) {
     const int term = static_cast<int>(t);
-    if (!system_.intact()[t] && !pending.contains(term) && can_be_a_place(term)) enter(term);
+    if (!system_.stages().intact()[t] && !pending.contains(term) && can_be_a_place(term)) enter(term);
   }
 }
 

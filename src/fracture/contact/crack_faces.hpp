@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <span>
@@ -43,6 +44,11 @@ class CrackFaces {
   void note_broken(std::span<const int> terms, FaceState& state);
   // Terms that have broken but whose contact places are not added yet, grouped by event.
   const std::vector<std::vector<int>>& pending() const { return pending_; }
+  // Leaves only the first of the pending events, because those behind are taken back.
+  void keep_first_pending(std::size_t events, FaceState& state) noexcept {
+    pending_.resize(events);
+    state.pending.resize(events);
+  }
   // Adds the contact places of terms noted as broken, and renews the normals of open places near them. A normal is kept
   // if the faces would overlap with the new one at this displacement.
   void update(const Eigen::VectorXd& displacement, FaceState& state);

@@ -26,12 +26,14 @@ class FaceForecast final : public FacePlaces {
   FaceForecast(CrackFaces& faces, const FaceState& state);
   ~FaceForecast() override;
 
-  // Follows the terms that an event breaks on the way to `state`: adds places, and renews normals of open ones.
+  // Follows the terms that an event breaks on the way to `state`: adds their contact places, and renews normals of open
+  // ones.
   void follow(std::span<const int> broken, int state);
   void switch_constraint(std::size_t watched, int state);
   void forget_after(int state);  // and no more is asked but constraints()
 
-  // Constraints in all states. First those of the system, in its order.
+  // Constraints of all states, each with the range of states in which it holds. Those of the system come first, in its
+  // order.
   const std::vector<WatchedConstraint>& constraints() const { return watched_; }
   // Indices in constraints() of the constraints that are in force in the last state and may press.
   std::vector<std::size_t> last() const;

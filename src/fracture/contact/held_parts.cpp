@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "coupling/rigid_motion.hpp"
-#include "fracture/free_motions.hpp"
+#include "fracture/part_holder.hpp"
 
 namespace bempd::fracture {
 
@@ -12,6 +12,9 @@ namespace {
 
 // Smallest change of a gap that is not rounding, over the largest change that its weights allow for a motion.
 constexpr double change_of_gap = 1e-6;
+
+// Displacement over the largest one of a held motion below which a node counts as not moving.
+constexpr double taken_along = 1e-6;
 
 using Motions = std::vector<Eigen::VectorXd>;
 
@@ -41,13 +44,23 @@ bool changes_gap(const Eigen::VectorXd& motion, const Eigen::VectorXd& weights) 
 
 }  // namespace
 
+std::vector<char> HeldParts::all_nodes() const {
+  std::vector<char> all = nodes;
+  for (const Eigen::VectorXd& motion : motions) {
+    const double limit = taken_along * motion.lpNorm<Eigen::Infinity>();
+    for (std::size_t node = 0; node < all.size(); ++node)
+      if (motion.segment<2>(2 * static_cast<Eigen::Index>(node)).norm() > limit) all[node] = 1;
+  }
+  return all;
+}
+
 std::vector<char> exact_ones_that_push(const coupling::EquilibriumSystem& system, const std::vector<Point>& positions,
                                        const HeldParts& parts) {
   const std::size_t count = system.constraints().exact_count();
   std::vector<char> pushes(count, 0);
   if (count == 0) return pushes;
   Motions motions = parts.motions;
-  for (const std::vector<int>& body : system.dense_bodies()) {
+  for (const std::vector<int>& body : system.dense_bodies().list()) {
     for (std::size_t k = 0; k < parts.motions.size(); ++k) complete(system, body, positions, motions[k]);
     if (std::any_of(body.begin(), body.end(), [&](int node) { return parts.nodes[node] != 0; }))
       add_free_motions(body, positions, motions);

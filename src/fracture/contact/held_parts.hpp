@@ -12,6 +12,7 @@ namespace bempd::fracture {
 struct HeldParts {
   std::vector<char> nodes;               // flags of the nodes of pieces that nothing else holds
   std::vector<Eigen::VectorXd> motions;  // of other parts, which nothing but springs resists
+  std::vector<char> all_nodes() const;   // flags of the nodes of all these parts
 };
 
 // Flags of the exact constraints that would push a held part: their gap changes in a motion that only springs resist.

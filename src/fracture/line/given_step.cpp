@@ -11,8 +11,8 @@ namespace bempd::fracture {
 std::optional<LineStep> step_towards(const Point& direction, const crack::TipId& tip, const LineSteps& steps,
                                      const BodyState& state, const std::optional<LineStep>& by_load) {
   const std::vector<GrowingTip>& tips = state.tips;
-  const auto found = std::find_if(tips.begin(), tips.end(),
-                                  [&](const GrowingTip& one) { return one.id == tip && !LineSteps::has_ended(one); });
+  const auto found =
+      std::find_if(tips.begin(), tips.end(), [&](const GrowingTip& one) { return one.id == tip && !one.has_ended(); });
   if (found == tips.end()) return std::nullopt;
   const double present = state.load_factor;
   LineStep step = by_load.value_or(LineStep{});
@@ -22,7 +22,8 @@ std::optional<LineStep> step_towards(const Point& direction, const crack::TipId&
   step.by_energy = true, step.after_step = 1, step.taken_energy = 0;
   step.is_loaded = by_load && step.ratio_at(present) > 0;
   if (!step.is_loaded) step.load_factor = present, step.constant = 1, step.growing = 0;
-  step.way = steps.way().next(found->place, direction, steps.law_of(*found).at(found->acts_at(), found->grown));
+  step.way =
+      steps.way().next(found->place, direction, steps.fields().law_of(*found).at(found->acts_at(), found->grown));
   return step.way.bonds.empty() ? std::nullopt : std::optional(step);
 }
 

@@ -17,13 +17,14 @@ struct GrowingTip {
   // Ratios of the last steps: energy released over the energy expected from stress intensity factors. They correct the
   // load factors of the next steps.
   std::vector<double> energy_ratios{};
-  // Distance ahead of `place` at which the tip acts [m]: there evenly spread bonds would end that have as much
-  // stiffness as the crack has cut. Known for initial cracks with a placed cut until they grow; else empty.
+  // Distance ahead of `place` at which the tip acts [m]: where a crack would end that cuts as much stiffness out of
+  // evenly spread bonds. Known for initial cracks with a placed cut until they grow; else empty.
   std::optional<double> even_ahead{};
   double grown = 0;  // length by which it has grown [m]
 
   // The place at which the tip acts.
   Point acts_at() const { return place + even_ahead.value_or(0) * direction; }
+  bool has_ended() const { return crack::has_ended(state); }
 };
 
 }  // namespace bempd::fracture

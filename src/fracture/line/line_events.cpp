@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "fracture/event_choice.hpp"
+#include "fracture/line/on_limits.hpp"
 
 namespace bempd::fracture {
 
@@ -13,10 +14,35 @@ namespace {
 // Distance in horizons from a tip that does not grow (frozen or stopped) within which no crack begins.
 constexpr double reach_of_resting_tip = 1;
 
+// Relative difference of two energies up to which they count as equal.
+constexpr double rounding_of_energies = 1e-9;
+
+// Sum of stiffness times elongation squared [J] of bonds, twice their energy.
+double energy_of(const std::vector<int>& bonds, const LoadedBody& body, const coupling::Affine& displacement,
+                 double load_factor) {
+  const coupling::EquilibriumSystem& system = body.system();
+  double sum = 0;
+  for (const int bond : bonds) {
+    const auto b = static_cast<std::size_t>(bond);
+    const auto part = [&](int k) { return system.terms().elastic_elongation_part(b, displacement.col(k).data(), k); };
+    const double elongation = part(0) + load_factor * part(1);
+    sum += system.stages().stiffness()[b] * elongation * elongation;
+  }
+  return sum;
+}
+
 }  // namespace
 
 LineEvents::LineEvents(LoadedBody& body, WholeBodyEvents& whole_body, pd::TipLaws laws, FactorsAround factors)
     : body_(body), whole_body_(whole_body), steps_(body, std::move(laws)), trials_(body.system(), std::move(factors)) {}
+
+Point LineEvents::middle_of(int bond) const {
+  const coupling::Terms& terms = body_.system().terms();
+  const auto b = static_cast<std::size_t>(bond);
+  return (body_.positions()[static_cast<std::size_t>(terms.first[b])] +
+          body_.positions()[static_cast<std::size_t>(terms.second[b])]) /
+         2;
+}
 
 // Crack that begins at a bond at this load factor. Empty at wide terms, between different materials, and close to a tip
 // that does not grow.
@@ -28,55 +54,90 @@ std::optional<LineEvents::Birth> LineEvents::birth_at(int bond, double load_fact
   const int number = laws().of_node[first];
   if (number < 0 || laws().of_node[second] < 0) return std::nullopt;
   const pd::TipLaw& law = laws().laws[static_cast<std::size_t>(number)];
-  const Point middle = (body_.positions()[first] + body_.positions()[second]) / 2;
+  const Point middle = middle_of(bond);
   for (const GrowingTip& tip : body_.state().tips)
     if ((tip.place - middle).norm() < reach_of_resting_tip * law.horizon) return std::nullopt;
-  const Point direction = steps_.stress().across_tension(bond, law, body_.state().displacement, load_factor);
+  const Point direction = steps_.fields().stress().across_tension(bond, law, body_.state().displacement, load_factor);
   if (!direction.allFinite()) return std::nullopt;  // stresses that no number holds
   return Birth{middle, direction, number};
 }
 
-// Prepares the event at which a crack begins. `most` are the most stretched bonds; if several places are equal up to
-// rounding, it begins at the bond with the smallest number. Null if the crack would not cut that bond.
-const Event* LineEvents::tell_birth(const std::vector<int>& most, const Birth& birth, double load_factor) {
-  const int bond = most.front();
+// Bonds that a crack cuts where it begins. A path through a material point, such as the middle of a bond of two
+// spacings, may pass it on either side: it passes where the bonds across it have the larger energy, which is the same
+// side however the body is mirrored or turned. It is a tie if those energies are equal.
+std::vector<int> LineEvents::cut_by(const Birth& birth, double load_factor, bool& is_tie) const {
   const pd::TipLaw& law = laws().laws[static_cast<std::size_t>(birth.law)];
   const Point half = law.spacing / 2 * birth.direction;
-  std::vector<int> bonds = steps_.across(birth.middle - half, birth.middle + half, law.horizon);
+  const auto across = [&](LineWay::PointsOnPath side) {
+    return steps_.way().across(birth.middle - half, birth.middle + half, law.horizon, side);
+  };
+  std::vector<int> right = across(LineWay::PointsOnPath::right), left = across(LineWay::PointsOnPath::left);
+  is_tie = false;
+  if (right == left) return right;
+  const auto energy = [&](const std::vector<int>& bonds) {
+    return energy_of(bonds, body_, body_.state().displacement, load_factor);
+  };
+  const double on_right = energy(right), on_left = energy(left);
+  is_tie = std::abs(on_right - on_left) <= rounding_of_energies * std::max(on_right, on_left);
+  return !is_tie && on_left > on_right ? left : right;
+}
+
+// Whether a crack that began at this bond would lie at another place.
+bool LineEvents::is_elsewhere(int bond, const Birth& birth) const {
+  const double spacing = laws().laws[static_cast<std::size_t>(birth.law)].spacing;
+  return (middle_of(bond) - birth.middle).norm() > rounding_of_places * spacing;
+}
+
+// Prepares the event at which a crack begins at one of the most stretched bonds. Null if it would not cut that bond.
+const Event* LineEvents::tell_birth(int bond, const std::vector<int>& most, const Birth& birth, double load_factor) {
+  bool sides_tie = false;
+  const std::vector<int> bonds = cut_by(birth, load_factor, sides_tie);
   const auto is_cut = [&](int b) { return std::binary_search(bonds.begin(), bonds.end(), b); };
   if (!is_cut(bond)) return nullptr;
-  ties_ = static_cast<int>(std::count_if(most.begin(), most.end(), [&](int b) { return !is_cut(b); }));
+  ties_ = static_cast<int>(std::ranges::count_if(most, [&](int b) { return !is_cut(b) || is_elsewhere(b, birth); }) +
+                           (sides_tie ? 1 : 0));
   event_ = {load_factor, 0, load_factor, {}};
-  event_.reach(body_.ratios().at(static_cast<std::size_t>(bond), load_factor),
-               body_.ratios().critical_load_factor(static_cast<std::size_t>(bond), load_factor));
+  event_.reach(body_.response().ratios().at(static_cast<std::size_t>(bond), load_factor),
+               body_.response().ratios().critical_load_factor(static_cast<std::size_t>(bond), load_factor));
   for (const int b : bonds) event_.changes.push_back(body_.system().terms().breaking(b));
-  event_.changes = body_.system().with_followers(std::move(event_.changes));
+  event_.changes = body_.system().stages().with_followers(std::move(event_.changes));
   birth_ = birth;
   return &event_;
 }
 
 const Event* LineEvents::tell_bonds(const std::vector<char>& intact, double load_factor,
                                     const SteppingOptions& options) {
-  const BondList bonds{body_.ratios(), intact};
+  const BondList bonds{body_.response().ratios(), intact};
   const std::vector<int> most = most_critical(bonds, load_factor, options.tie_band, options.max_breaks_per_solve);
   event_ = break_of(bonds, most, load_factor, body_.system());
-  event_.changes = body_.system().with_followers(std::move(event_.changes));
+  event_.changes = body_.system().stages().with_followers(std::move(event_.changes));
   return &event_;
+}
+
+// Prepares the event at which a crack begins. If several places are equal up to rounding, it is that of the bond with
+// the smallest number of those that a crack across the tension cuts. Null where no crack begins.
+const Event* LineEvents::tell_birth(const std::vector<int>& most, double load_factor) {
+  for (const int bond : most) {
+    const std::optional<Birth> birth = birth_at(bond, load_factor);
+    if (!birth) return nullptr;
+    if (const Event* born = tell_birth(bond, most, *birth, load_factor)) return born;
+  }
+  return nullptr;
 }
 
 // Flags of the terms that can break by themselves: all intact ones, except those near tips that are driven or do not
 // grow.
 std::vector<char> LineEvents::left_to_themselves(const LineSteps::Choice& choice, const LoadWay& way) const {
   const BodyState& state = body_.state();
-  std::vector<char> intact = body_.system().intact();
+  std::vector<char> intact = body_.system().stages().intact();
   double first = std::abs(state.load_factor), at = choice.load_factor;
   const auto is_driven = [&](const LineStep& step) { return LineSteps::is_driven(step, way, first); };
   if (!std::all_of(choice.steps.begin(), choice.steps.end(), is_driven)) {
-    const std::optional<double> bonds = next_critical({body_.ratios(), intact}, way);
+    const std::optional<double> bonds = next_critical({body_.response().ratios(), intact}, way);
     if (bonds && way.ahead(*bonds) < way.ahead(at)) at = *bonds;
     if (std::isfinite(at)) first = std::max(first, std::abs(at));
   }
-  for (const GrowingTip& tip : steps_.guarded(choice.steps, state.tips, way, first)) steps_.spare(tip, intact);
+  for (const GrowingTip& tip : steps_.guarded(choice.steps, state.tips, way, first)) steps_.guard().spare(tip, intact);
   if (way.control == Control::load) spare_relaxing(way, intact);
   return intact;
 }
@@ -86,7 +147,7 @@ std::vector<char> LineEvents::left_to_themselves(const LineSteps::Choice& choice
 void LineEvents::spare_relaxing(const LoadWay& way, std::vector<char>& intact) const {
   const BodyState& state = body_.state();
   for (const LineStep& step : steps_.all(state.tips, state.displacement, way.back()))
-    if (step.ratio_at(way.present) > 0) steps_.spare(state.tips[step.tip], intact, way.present);
+    if (step.ratio_at(way.present) > 0) steps_.guard().spare(state.tips[step.tip], intact, way.present);
 }
 
 std::vector<crack::Candidate> LineEvents::candidates(const crack::LoadWay& way) {
@@ -100,24 +161,24 @@ const Event* LineEvents::next(double target, const SteppingOptions& options) {
   ties_ = 0;
   trials_.stand_apart(false);
   const BodyState& state = body_.state();
-  const LoadWay way = body_.way_to(target, options.control);
+  const LoadWay way = body_.response().way_to(target, options.control);
   const LineSteps::Choice choice = steps_.choose(state.tips, state.displacement, way, &trials_);
   std::vector<char> intact;
   std::optional<double> bonds;
   if (laws().more_begin) {
     intact = left_to_themselves(choice, way);
-    bonds = next_critical({body_.ratios(), intact}, way);
+    bonds = next_critical({body_.response().ratios(), intact}, way);
   }
   if (bonds && way.is_before(*bonds, choice.load_factor)) {
-    const std::vector<int> most = most_critical({body_.ratios(), intact}, *bonds, 0, 0);  // alike but for rounding
-    const std::optional<Birth> birth = most.empty() ? std::nullopt : birth_at(most.front(), *bonds);
-    const Event* born = birth ? tell_birth(most, *birth, *bonds) : nullptr;
+    const std::vector<int> most =
+        most_critical({body_.response().ratios(), intact}, *bonds, 0, 0);  // alike but for rounding
+    const Event* born = tell_birth(most, *bonds);
     return born ? born : tell_bonds(intact, *bonds, options);
   }
   if (!choice.first) return nullptr;
   step_ = choice.first, ties_ = choice.ties;
   event_ = steps_.event_of(*step_, choice.load_factor);
-  event_.changes = body_.system().with_followers(std::move(event_.changes));
+  event_.changes = body_.system().stages().with_followers(std::move(event_.changes));
   return &event_;
 }
 
@@ -133,7 +194,7 @@ const Event* LineEvents::step_of(const crack::TipId& tip, const std::optional<Po
   if (direction) step_ = step_towards(*direction, tip, steps_, state, step_);
   if (!step_) return nullptr;
   event_ = steps_.event_of(*step_, state.load_factor);
-  event_.changes = body_.system().with_followers(std::move(event_.changes));
+  event_.changes = body_.system().stages().with_followers(std::move(event_.changes));
   return &event_;
 }
 
@@ -144,7 +205,7 @@ Outcome LineEvents::perform() {
   if (step_) {
     BodyState& state = body_.state();
     const auto displacement = [&](const auto&) -> const coupling::Affine& { return state.displacement; };
-    outcome.extensions = {steps_.take(*step_, event_, outcome.released_energy, displacement, state.tips)};
+    outcome.extensions = {steps_.growth().take(*step_, event_, outcome.released_energy, displacement, state.tips)};
   }
   return outcome;
 }
@@ -158,9 +219,9 @@ void LineEvents::begin_crack(Outcome& outcome) {
   for (const int end : {0, 1}) {
     const Point direction = (end == 0 ? 1 : -1) * birth_->direction;
     tips.push_back({birth_->middle + law.spacing / 2 * direction, direction, birth_->law, {id + 1, end}});
-    const double resistance = steps_.growth_law(tips.back(), birth_->middle).resistance();
+    const double resistance = steps_.fields().growth_law(tips.back(), birth_->middle).resistance();
     tips.back().grown = law.spacing / 2;
-    tips.back().state = steps_.state_of_begun(tips.back());
+    tips.back().state = steps_.growth().state_of_begun(tips.back());
     constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
     crack::Extension extension = crack::begin_extension(tips.back().id, birth_->middle, 0, body_.state().load_factor,
                                                         {{unknown, unknown}, {unknown, unknown}}, resistance);

@@ -27,10 +27,11 @@ class LineEvents final : public EventSource {
   const LineSteps& steps() const { return steps_; }
   // Called before tips or candidates are asked for. If an open window (`in_window`) has changed the terms, or the
   // system has no current factor, trial steps use a factor of their own.
-  void look(bool in_window) { trials_.stand_apart(in_window || !body_.system().has_current_factor()); }
+  void look(bool in_window) { trials_.stand_apart(in_window || !body_.system().factor().is_current()); }
   void freeze(const std::set<crack::TipId>& tips) { steps_.freeze(tips); }
-  // Tips and candidates, as their carrier (line_carrier.hpp) tells them.
-  std::vector<crack::Tip> tips();
+  // Tips of the lines, and candidates for growth, for LineCarrier (line_carrier.hpp). If tips are asked for without
+  // their loads of growth, no trial step is made.
+  std::vector<crack::Tip> tips(bool with_loads = true);
   std::vector<crack::Candidate> candidates(const crack::LoadWay& way);
   bool tells_step() const { return step_.has_value(); }  // and no crack begins
 
@@ -40,9 +41,14 @@ class LineEvents final : public EventSource {
     int law;
   };
 
-  const pd::TipLaws& laws() const { return steps_.laws(); }
+  const pd::TipLaws& laws() const { return steps_.fields().laws(); }
+  std::vector<crack::Tip> fitted_tips() const;
   std::optional<Birth> birth_at(int bond, double load_factor) const;
-  const Event* tell_birth(const std::vector<int>& most, const Birth& birth, double load_factor);
+  std::vector<int> cut_by(const Birth& birth, double load_factor, bool& is_tie) const;
+  Point middle_of(int bond) const;
+  bool is_elsewhere(int bond, const Birth& birth) const;
+  const Event* tell_birth(const std::vector<int>& most, double load_factor);
+  const Event* tell_birth(int bond, const std::vector<int>& most, const Birth& birth, double load_factor);
   std::vector<char> left_to_themselves(const LineSteps::Choice& choice, const LoadWay& way) const;
   void spare_relaxing(const LoadWay& way, std::vector<char>& intact) const;
   void begin_crack(Outcome& outcome);

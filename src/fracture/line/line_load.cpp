@@ -15,7 +15,7 @@ constexpr int rounds_for_kink = 8;
 // Largest ratio of an intensity and a load factor that can still be multiplied and squared.
 constexpr double largest_ratio_of_loads = 1e150;
 
-// Kink by the hoop stress, unless the directions of the law differ.
+// Kink by the hoop stress; by the law, if it has a fracture energy that depends on the direction.
 Kink kink_at(const AffineIntensity& of, double load_factor, const crack::GrowthLaw& law) {
   const Eigen::Vector2d at(1, load_factor);
   const Point factors(of.one.dot(at), of.two.dot(at));
@@ -75,8 +75,8 @@ class ByHoopStress {
     return root.has_value();
   }
 
-  // Whether the tip is overloaded at the start of the path although no larger load factor makes it grow: the load
-  // factor has turned, or the tangents lead to the smaller root.
+  // Whether the tip, overloaded at the start of the path, grows there, although the search has found no load factor or
+  // only a farther one: the load factor has turned, or the path starts below the smaller root.
   bool is_due(bool grows) const {
     const double present = criterion_.present, least = proportional_ ? 1 + ratio_rounding : 1;
     return (!proportional_ || present < 0) && criterion_.control == Control::load &&
@@ -138,7 +138,8 @@ std::optional<LineLoad> load_by_numbers(const AffineIntensity& intensity, const 
 
 }  // namespace
 
-// The fracture energy of a function is found together with the load factor, by repeated substitution.
+// A fracture energy that a function of the host gives depends on the factors of the tip, and so on the load factor.
+// Both are found together, by repeated substitution.
 std::optional<LineLoad> load_of_growth(const AffineIntensity& intensity, const AffineIntensity& turning,
                                        LineCriterion& criterion) {
   if (!criterion.law.asking.function) return load_by_numbers(intensity, turning, criterion);

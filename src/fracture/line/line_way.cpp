@@ -52,7 +52,7 @@ std::optional<double> LineWay::face_ahead(const Point& tip, const Point& way, co
       if (part <= rounding_of_places || part >= 1 - rounding_of_places) continue;
       if (std::abs(cross(way, from + part * bond)) > (beside + rounding_of_places) * law.spacing) continue;
       ++present[static_cast<std::size_t>(k)];
-      left[static_cast<std::size_t>(k)] += system_.intact()[t] != 0 ? 1 : 0;
+      left[static_cast<std::size_t>(k)] += system_.stages().intact()[t] != 0 ? 1 : 0;
     }
   };
   for (const int node : stress_.near().about(tip, law.horizon + law.spacing)) {
@@ -70,7 +70,8 @@ std::optional<double> LineWay::face_ahead(const Point& tip, const Point& way, co
 bool LineWay::is_free(const Point& edge, double reach) const {
   for (const int node : stress_.near().about(edge, reach)) {
     if ((positions_[static_cast<std::size_t>(node)] - edge).norm() > reach) continue;
-    if (system_.in_dense_body(node) || system_.is_prescribed(2 * node) || system_.is_prescribed(2 * node + 1))
+    if (system_.dense_bodies().contain(node) || system_.unknowns().is_prescribed(2 * node) ||
+        system_.unknowns().is_prescribed(2 * node + 1))
       return false;
   }
   return true;
@@ -89,21 +90,22 @@ std::optional<double> LineWay::edge_ahead(const Point& tip, const Point& way, co
   return std::nullopt;
 }
 
-// A point on the path counts as lying on its right side, so that it does not stay bonded to both faces.
-std::vector<int> LineWay::across(const Point& from, const Point& to, double horizon) const {
+std::vector<int> LineWay::across(const Point& from, const Point& to, double horizon, PointsOnPath side) const {
   const std::vector<Point>& positions = positions_;
   const coupling::Terms& terms = system_.terms();
   const double reach = horizon + (to - from).norm();
   std::vector<int> found;
+  const auto is_on_left = [&](const Point& point) {
+    return side == PointsOnPath::right ? is_left(from, to, point) : !is_left(to, from, point);
+  };
   for (const int node : stress_.near().about(from, reach)) {
     const Point& p = positions[static_cast<std::size_t>(node)];
     if ((p - from).norm() > reach) continue;
     for (const int bond : terms_from_.of(node)) {
       const auto b = static_cast<std::size_t>(bond);
-      if (terms.is_wide(b) || !system_.intact()[b]) continue;
+      if (terms.is_wide(b) || !system_.stages().intact()[b]) continue;
       const Point& q = positions[static_cast<std::size_t>(terms.second[b])];
-      if (is_left(from, to, p) != is_left(from, to, q) && is_left(p, q, from) != is_left(p, q, to))
-        found.push_back(bond);
+      if (is_on_left(p) != is_on_left(q) && is_left(p, q, from) != is_left(p, q, to)) found.push_back(bond);
     }
   }
   std::sort(found.begin(), found.end());
@@ -128,7 +130,7 @@ LineWay::Step LineWay::next(const Point& place, const Point& direction, const pd
   const auto step_of = [&](double length, TipState ends_as) {
     return Step{length, across(place, place + length * direction, law.horizon), ends_as};
   };
-  // The step reaches as far as the row of points behind the face may lie.
+  // The step reaches half a spacing beyond the face, because the first row of points behind it may lie as far away.
   if (const std::optional<double> face = face_ahead(place, direction, law))
     return step_of(*face + law.spacing / 2, TipState::at_crack);
   if (const std::optional<double> edge = edge_ahead(place, direction, law)) return step_of(*edge, TipState::at_edge);

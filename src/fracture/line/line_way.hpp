@@ -25,8 +25,11 @@ class LineWay {
   };
   Step next(const Point& place, const Point& direction, const pd::TipLaw& law) const;
 
-  // Intact bonds across the straight path between two places.
-  std::vector<int> across(const Point& from, const Point& to, double horizon) const;
+  // Intact bonds across the straight path between two places. Points on the path count as lying on its right side, so
+  // that none stays bonded to both faces, or all of them on its left side.
+  enum class PointsOnPath { right, left };
+  std::vector<int> across(const Point& from, const Point& to, double horizon,
+                          PointsOnPath side = PointsOnPath::right) const;
 
   // Number of spacings ahead of a tip before the face of a crack or an edge, at most `most`.
   int clear_spacings(const Point& place, const Point& direction, const pd::TipLaw& law, int most) const;

@@ -14,8 +14,9 @@ namespace {
 // between neighbours and overlaps the next one slightly.
 constexpr double half_piece = 0.55;  // in spacings
 
-// Limits in spacings for bonds that the tip's own crack has broken. The middles of broken bonds between neighbours lie
-// within half a spacing of the crack, and the crack turns back from the tip's direction by at least 110 degrees.
+// Limits in spacings up to which a broken bond counts as broken by the tip's own crack: how far its middle lies ahead
+// of the tip, within `beside_own` to the sides and elsewhere. Broken bonds between neighbours have their middles within
+// half a spacing of their crack, and the crack turns back from the tip's direction by at least 110 degrees.
 constexpr double ahead_of_own = 0.75, beside_own = 1.5, ahead_of_kink = 0.25;  // in spacings
 
 bool lie_apart(const Point& from, const Point& to, const Point& a, const Point& b) {

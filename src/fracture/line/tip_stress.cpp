@@ -101,7 +101,8 @@ TipSight TipStress::sight_of(const GrowingTip& tip, const pd::TipLaw& law) const
   for (const int node : near_.about(tip.place, reach + longest_short_bond * law.spacing)) {
     for (const int bond : bonds_at_.of(node)) {
       const auto b = static_cast<std::size_t>(bond);
-      if (terms.first[b] != node || system_.intact()[b] || terms.length[b] > longest_short_bond * law.spacing) continue;
+      if (terms.first[b] != node || system_.stages().intact()[b] || terms.length[b] > longest_short_bond * law.spacing)
+        continue;
       const Point along(terms.cosine[b], terms.sine[b]);
       const Point middle = positions_[static_cast<std::size_t>(node)] + terms.length[b] / 2 * along;
       if ((middle - tip.place).norm() < reach * (1 - rounding_of_places)) sight.add_gone(middle, along);
@@ -115,7 +116,7 @@ Eigen::RowVector2d TipStress::tension(std::size_t term, const coupling::Affine& 
   Eigen::RowVector2d parts;
   for (int part = 0; part < 2; ++part)
     parts[part] =
-        system_.present_stiffness()[term] * terms.elastic_elongation_part(term, displacement.col(part).data(), part);
+        system_.stages().stiffness()[term] * terms.elastic_elongation_part(term, displacement.col(part).data(), part);
   return parts;
 }
 
@@ -156,6 +157,9 @@ Point TipStress::across_tension(int bond, const pd::TipLaw& law, const coupling:
     return *stress_of_moments * stress_times_volume(node, {1, 0}, displacement);
   };
   const Eigen::Vector3d s = (stress_of(terms.first[b]) + stress_of(terms.second[b])) * Eigen::Vector2d(1, load_factor);
+  // Equal principal stresses have no direction but what rounding gives them: the direction is then across the bond.
+  if (std::hypot(s[0] - s[1], 2 * s[2]) <= rounding_of_places * (std::abs(s[0]) + std::abs(s[1])))
+    return {-terms.sine[b], terms.cosine[b]};
   const double angle = std::atan2(2 * s[2], s[0] - s[1]) / 2;  // of the principal direction
   return {-std::sin(angle), std::cos(angle)};
 }
@@ -197,7 +201,7 @@ bool TipStress::is_crowded(const GrowingTip& tip, const pd::TipLaw& law, double 
          });
 }
 
-// Another fracture energy alone leaves the field as it is.
+// Only the modulus tells materials apart here: another fracture energy leaves the field around a tip as it is.
 bool TipStress::meets_other_material(const GrowingTip& tip, const pd::TipLaw& law, double reach) const {
   return std::ranges::any_of(near_.about(tip.place, reach), [&](int node) {
     const auto n = static_cast<std::size_t>(node);
@@ -208,7 +212,8 @@ bool TipStress::meets_other_material(const GrowingTip& tip, const pd::TipLaw& la
   });
 }
 
-// Points within a horizon of a border have other bonds. Along the crack (a slope below 1/4) it disturbs the fit less.
+// Points within a horizon of a border with boundary elements have other bonds. A border along the crack (at a slope
+// below 1/4) is not counted, because it disturbs the fit less.
 bool TipStress::lacks_points(const GrowingTip& tip, const pd::TipLaw& law) const {
   const double reach = away_from_surfaces * law.horizon;
   std::array<Eigen::AlignedBox2d, 2> sides;  // of the crack: the border's nodes there, ahead and across

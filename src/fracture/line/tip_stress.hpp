@@ -67,7 +67,7 @@ class TipStress {
     double inner, outer;  // in horizons, of what is asked around a tip
   };
 
-  // Stress point near a tip.
+  // Stress point: a material point near a tip whose stress is a value for the fit of Williams' series.
   struct Station {
     int node;
     double distance, ahead, across;  // of the tip, in horizons
@@ -89,7 +89,7 @@ class TipStress {
   void for_each_term(int node, const Visit& visit) const {
     for (const linalg::Adjacency* list : {&bonds_at_, &wide_at_})
       for (const int term : list->of(node))
-        if (system_.intact()[static_cast<std::size_t>(term)]) visit(static_cast<std::size_t>(term));
+        if (system_.stages().intact()[static_cast<std::size_t>(term)]) visit(static_cast<std::size_t>(term));
   }
 
   double nearest_disturbance(const GrowingTip& tip, const pd::TipLaw& law) const;

@@ -19,7 +19,8 @@ struct TipFactors {
   AffineIntensity intensity;
   double error = 0;
 };
-// Finds them for displacements; empty if the tip has no room for such sums.
+// Function that finds the factors of a tip by path-independent sums from displacements; empty if there is no room for
+// the sums around the tip.
 using FactorsAround = std::function<std::optional<TipFactors>(const GrowingTip&, const coupling::Affine& displacement)>;
 
 // Body for trial steps: it gives the flexibility along some of its terms, and the factors of tips.

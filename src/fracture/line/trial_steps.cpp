@@ -28,6 +28,8 @@ constexpr double ratio_of_ties = 1e-9;
 
 constexpr int rounds_for_load = 30;
 constexpr double load_rounding = 1e-12;
+// Half the distance, over the load factor, of the two at which the slope of the ratio is taken.
+constexpr double beside_load = 1e-5;
 
 // Share of a tip's opening that depends on its last bonds, measured on straight cracks with horizons of 3, 4, 5
 // spacings.
@@ -71,13 +73,15 @@ std::vector<CutStiffness::Bond> CutStiffness::family_of(const coupling::Terms& t
     auto& [vector, stiffness] = bond;
     const auto middle = stiffness.begin() + static_cast<std::ptrdiff_t>(stiffness.size() / 2);
     std::nth_element(stiffness.begin(), middle, stiffness.end());
-    // A vector that rounding has separated from an equal one is weighted by the share of points that it was found at.
+    // Equal bond vectors to which rounding has given different keys share their weight: each counts by the share of
+    // points at which it was found.
     family.push_back({vector, *middle * static_cast<double>(stiffness.size()) / static_cast<double>(points.size())});
   }
   return family;
 }
 
-// Stiffness that a straight crack cuts for each length. Half of each bond of a point belongs to the point.
+// Stiffness across a straight crack that it cuts per unit of its length: a sum over the bonds of a point, half of each,
+// because the other half belongs to the other point.
 double CutStiffness::per_length(int law, const Point& normal) const {
   double sum = 0;
   for (const Bond& bond : family_[static_cast<std::size_t>(law)]) {
@@ -121,7 +125,8 @@ CutStiffness::Counted CutStiffness::of(std::size_t bond, double stiffness, const
 }
 
 // Extrapolates the energy release rate to the tip. Along the path x it varies as g exp(c x) times the shape of a kink,
-// so its mean over s is about g exp(c s / 2) times the mean shape. Growth takes the energy of the first length.
+// so its mean over s is about g exp(c s / 2) times the mean shape. The rate that growth takes is that of the first,
+// shortest trial length.
 TrialGrowth::AtTip TrialGrowth::at_tip(double load_factor) const {
   double weights = 0, x_mean = 0, y_mean = 0, xx = 0, xy = 0;
   const auto rate = [&](const Length& l) {
@@ -152,7 +157,8 @@ bool TrialGrowth::opens(double load_factor) const {
   return opening_.head(terms).dot(energy_.elongations_without(terms, load_factor)) > 0;
 }
 
-// The root is found by the secant method; without constant loads the ratio is proportional to the load factor.
+// The root is found by the secant method; without constant loads the ratio is proportional to the load factor. The
+// points of the last secant nearly coincide, so rounding dominates its slope: that at the root is computed anew.
 std::optional<LineLoad> TrialGrowth::load(double nearby, double sense, bool proportional) const {
   LineLoad found;
   if (nearby == 0 || !opens(nearby)) return std::nullopt;
@@ -173,6 +179,9 @@ std::optional<LineLoad> TrialGrowth::load(double nearby, double sense, bool prop
     if (!(std::abs(here - before) > load_rounding * std::abs(here))) break;
   }
   if (!std::isfinite(here) || !(std::abs(ratio(here) - 1) < 1e-6) || !opens(here)) return std::nullopt;
+  const double aside = beside_load * here;
+  slope = (ratio(here + aside) - ratio(here - aside)) / (2 * aside);
+  if (!(sense * slope > 0)) return std::nullopt;
   found.load_factor = here, found.growing = slope, found.constant = 1 - here * slope;
   return found;
 }
@@ -183,7 +192,7 @@ TrialSteps::TrialSteps(const coupling::EquilibriumSystem& system, const pd::TipL
 // The first step of an initial crack cuts bonds that the crack has weakened.
 CutStiffness::Counted TrialSteps::counted(const GrowingTip& tip, int bond, const Point& normal) const {
   const auto b = static_cast<std::size_t>(bond);
-  const double present = system_.present_stiffness()[b];
+  const double present = system_.stages().stiffness()[b];
   return cut_.of(b, tip.energy_ratios.empty() ? cut_.left_of_weakened(b, present) : present, normal);
 }
 
@@ -215,7 +224,7 @@ std::optional<TrialGrowth> TrialSteps::along(const GrowingTip& tip, const pd::Ti
       all.length += own.length, all.energy += own.energy;
       changes.push_back(terms.breaking(bond));
     }
-    for (const coupling::StageChange& c : system_.with_followers(std::move(changes)))
+    for (const coupling::StageChange& c : system_.stages().with_followers(std::move(changes)))
       if (std::find(order.begin(), order.end(), c.term) == order.end()) order.push_back(c.term);
     if (all.length > 0 && std::isfinite(all.energy))
       found.push_back({static_cast<Eigen::Index>(order.size()), all.length, all.energy * share});
@@ -227,7 +236,7 @@ std::optional<TrialGrowth> TrialSteps::along(const GrowingTip& tip, const pd::Ti
   for (std::size_t k = 0; k < order.size(); ++k) {
     const auto t = static_cast<std::size_t>(order[k]);
     const auto row = static_cast<Eigen::Index>(k);
-    stiffness[row] = system_.present_stiffness()[t];
+    stiffness[row] = system_.stages().stiffness()[t];
     opening[row] = stiffness[row] * std::pow(Point(terms.cosine[t], terms.sine[t]).dot(normal), 2);
     for (int part = 0; part < 2; ++part)
       elongation(row, part) = terms.elastic_elongation_part(t, displacement.col(part).data(), part);

@@ -18,8 +18,8 @@ class CutStiffness {
  public:
   CutStiffness(const coupling::Terms& terms, const pd::TipLaws& laws);
 
-  // Length [m] and energy [J] that a bond counts across a line with the unit vector `normal`: half by the lattice at
-  // each end.
+  // Length [m] and energy [J] for which a cut bond counts, on a line with the unit vector `normal`: half of them by the
+  // lattice at each end.
   struct Counted {
     double length = 0, energy = 0;
   };
@@ -60,20 +60,20 @@ class TrialGrowth {
   // first length.
   double ratio(double load_factor) const { return at_tip(load_factor).ratio; }
   double ratio_after(double load_factor) const { return at_tip(load_factor).ratio_after; }
-  // Relative error of the ratio, from the scatter of the lengths about the fitted line.
+  // Relative error of the ratio, from the scatter of the rates of the trial lengths about the line fitted to them.
   double error(double load_factor) const { return at_tip(load_factor).error; }
   // Ratio for the longest length as a whole, which depends less on single bonds.
   double mean_ratio(double load_factor) const;
   // Whether the bonds across the whole step are longer after it rather than shorter.
   bool opens(double load_factor) const;
-  // Energy that the first length takes [J].
+  // Energy [J] that growth takes by the first, shortest one of the trial lengths.
   double first_energy() const { return lengths_.front().energy; }
   // Sets the shape of the energy release rate behind a kink.
   void shape(const KinkShape& kink) { kink_ = kink; }
 
-  // Load factor at which the ratio reaches one, found by an iteration from `nearby`, and the slope of the ratio there.
-  // `sense` is the sign of the load path; `proportional`: there are no constant loads. Empty if the ratio does not rise
-  // on the path, or if the step would close.
+  // Load factor at which ratio() reaches one, so that the tip grows, and the slope of the ratio there; found by an
+  // iteration from `nearby`. `sense` is the sign of the load path; `proportional`: there are no constant loads. Empty
+  // if the ratio does not rise on the path, or if the bonds across the step would become shorter (opens()).
   std::optional<LineLoad> load(double nearby, double sense, bool proportional) const;
 
  private:
@@ -98,7 +98,7 @@ class TrialSteps {
   std::optional<TrialGrowth> along(const GrowingTip& tip, const pd::TipLaw& law, const Point& direction,
                                    const coupling::Affine& displacement, TrialBody& body) const;
 
-  // Energy that a step of a spacing takes by its counted length [J]; 0 if that is no number.
+  // Energy [J] that a step of one spacing takes, by the stiffness that it cuts (CutStiffness); 0 if it is not finite.
   double energy_of_step(const GrowingTip& tip, const pd::TipLaw& law, const Point& direction) const;
 
   // Direction of the largest energy release rate over some spacings, among directions on both sides of `around`.

@@ -44,8 +44,9 @@ void WilliamsFit::add(double distance, double angle, const Stress& stress) {
   reach_ = std::max(reach_, distance);
 }
 
-// Amplitudes of the first terms by least squares. The second term has no mode II; the decomposition leaves it out, as
-// well as terms that are not fitted.
+// Amplitudes of the first terms of Williams' series by least squares. Terms that are not fitted, and mode II of the
+// second term, which has no stress, have empty equations: the solution with the shortest vector gives them the
+// amplitude 0.
 WilliamsFit::Parts WilliamsFit::solution(int terms) const {
   if (terms >= terms_) return linalg::LeastSquares(normal_).solve(right_);
   Eigen::Matrix<double, amplitudes, amplitudes> normal = normal_;

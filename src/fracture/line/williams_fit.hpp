@@ -30,7 +30,7 @@ class WilliamsFit {
   // T-stress: the stress along the tip's direction that is independent of the distance, constant and proportional part.
   Eigen::RowVector2d t_stress() const { return 4 * solution(terms_).row(2); }
 
-  // Distance of the farthest point [horizons].
+  // Distance from the tip of the farthest point of the fit [horizons].
   double reach() const { return reach_; }
 
   // Residual: the part of the stress that the fitted terms do not describe, as a share of it, at a load factor. It is

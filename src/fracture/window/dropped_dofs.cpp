@@ -36,8 +36,8 @@ std::vector<Affine> DroppedDofs::complete(const std::vector<State>& states, bool
   result.reserve(states.size());
   for (const State& state : states) result.push_back(state.displacement);
   const int first_part = has_constant_part ? 0 : 1, parts = 2 - first_part;
-  // Degrees of freedom that were left last are completed first, because bonds that broke before they were left end on
-  // them.
+  // Degrees of freedom that were dropped last are completed first: bonds that broke before that end on them, and pull
+  // on those that were dropped earlier.
   for (std::size_t l = levels_.size(); l-- > 0;) {
     const Level& level = levels_[l];
     std::vector<std::size_t> later;

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "fracture/contact/gap_rule.hpp"
-#include "fracture/window/event_forecast.hpp"
+#include "fracture/window/computed_events.hpp"
 #include "fracture/window/window_settings.hpp"
 
 namespace bempd::fracture {
@@ -34,10 +34,10 @@ int FaceCertificate::events_before_change(const std::vector<coupling::Affine>& k
                                           const coupling::EquilibriumSystem& system, const OutsideGaps& outside) const {
   int last = static_cast<int>(kept.size()) - 1;
   if (constraints_.empty()) return last;
-  const coupling::Affine& prescribed = system.prescribed();
+  const coupling::Affine& prescribed = system.load().prescribed();
   std::vector<int> row(static_cast<std::size_t>(prescribed.rows()), -1);
   for (std::size_t i = 0; i < dofs.size(); ++i) row[dofs[i]] = static_cast<int>(i);
-  const auto is_known = [&](int dof) { return row[dof] >= 0 || system.is_prescribed(dof); };
+  const auto is_known = [&](int dof) { return row[dof] >= 0 || system.unknowns().is_prescribed(dof); };
   std::vector<const WatchedConstraint*> inside;
   for (const WatchedConstraint& one : constraints_) {
     if (one.constraint.is_on(is_known)) {

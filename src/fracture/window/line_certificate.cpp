@@ -13,7 +13,7 @@ LineCertificate::LineCertificate(const coupling::EquilibriumSystem& system, cons
     : condensation_(condensation), steps_(steps) {
   const coupling::Terms& terms = system.terms();
   for (std::size_t b = 0; b < terms.size(); ++b) {
-    if (!system.intact()[b] || terms.is_wide(b) || ratios.scales().per_elongation[b] == 0) continue;
+    if (!system.stages().intact()[b] || terms.is_wide(b) || ratios.scales().per_elongation[b] == 0) continue;
     bonds_.push_back(static_cast<int>(b));
     first_.push_back(2 * terms.first[b]);
     second_.push_back(2 * terms.second[b]);
@@ -24,7 +24,7 @@ LineCertificate::LineCertificate(const coupling::EquilibriumSystem& system, cons
 
 bool LineCertificate::is_spared(std::size_t bond, const Step& step) const {
   return std::any_of(step.growing.begin(), step.growing.end(),
-                     [&](const GrowingTip& tip) { return steps_.is_spared(bonds_[bond], tip); });
+                     [&](const GrowingTip& tip) { return steps_.guard().is_spared(bonds_[bond], tip); });
 }
 
 int LineCertificate::first_break(const std::vector<coupling::Affine>& states, const std::vector<Step>& steps) const {

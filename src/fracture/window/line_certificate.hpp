@@ -23,8 +23,8 @@ class LineCertificate {
     std::vector<GrowingTip> growing;                    // tips beside which nothing breaks by itself
     const std::vector<coupling::StageChange>* changes;  // at its end
   };
-  // Index of the first state in which a bond breaks before the step that ends it; the number of states if none does.
-  // There is one state for each step.
+  // Index of the first state in which a bond breaks by itself before the state's step is due; the number of states if
+  // none does. There is one state for each step, which ends it.
   int first_break(const std::vector<coupling::Affine>& states, const std::vector<Step>& steps) const;
 
  private:

@@ -11,7 +11,8 @@ OutsideGaps::OutsideGaps(const coupling::EquilibriumSystem& system, const coupli
   const coupling::Constraints& all = system.constraints();
   if (all.size() == 0) return;
   std::vector<char> known(2 * static_cast<std::size_t>(system.node_count()), 0);
-  for (std::size_t dof = 0; dof < known.size(); ++dof) known[dof] = system.is_prescribed(static_cast<int>(dof)) ? 1 : 0;
+  for (std::size_t dof = 0; dof < known.size(); ++dof)
+    known[dof] = system.unknowns().is_prescribed(static_cast<int>(dof)) ? 1 : 0;
   for (const int dof : condensation.dofs()) known[dof] = 1;
   const auto is_known = [&](int dof) { return known[dof] != 0; };
   for (std::size_t i = 0; i < all.size(); ++i)
@@ -26,7 +27,7 @@ OutsideGaps::OutsideGaps(const coupling::EquilibriumSystem& system, const coupli
     Eigen::MatrixXd functions(2 * system.node_count(), width);
     for (Eigen::Index k = 0; k < width; ++k) {
       check_cancelled();
-      functions.col(k) = system.gap_function(constraints_[static_cast<std::size_t>(begin + k)]);
+      functions.col(k) = system.contact().gap_function(constraints_[static_cast<std::size_t>(begin + k)]);
     }
     Eigen::Index k = begin;
     for (const coupling::CondensedFunction& f : condensation.condense(functions)) {

@@ -13,7 +13,7 @@ std::vector<char> nodes_touched_outside(const coupling::EquilibriumSystem& syste
   const coupling::Terms& all = system.terms();
   std::vector<char> touched(system.node_count(), 0);
   for (std::size_t t = 0; t < all.size(); ++t) {
-    if (system.intact()[t] && !terms.contained(static_cast<int>(t)))
+    if (system.stages().intact()[t] && !terms.contained(static_cast<int>(t)))
       all.for_each_node(t, [&](int node) { touched[node] = 1; });
   }
   for (const coupling::HoldingSpring& s : system.springs()) touched[s.node] = 1;
@@ -52,7 +52,7 @@ OutsideStiffness outside_stiffness(const coupling::EquilibriumSystem& system,
   std::vector<int> place_of(static_cast<std::size_t>(size), -1);
   for (int i = 0; i < size; ++i) {
     const int node = condensation.dofs()[i] / 2;
-    if (!touched[node] && !system.in_dense_body(node)) continue;
+    if (!touched[node] && !system.dense_bodies().contain(node)) continue;
     place_of[i] = static_cast<int>(result.dofs.size());
     result.dofs.push_back(i);
   }

@@ -41,7 +41,7 @@ Eigen::VectorXd WindowBalance::unbalanced(const Eigen::VectorXd& rows, int part,
     }
   };
   for (std::size_t t = 0; t < numbers_.size(); ++t) {
-    const double stiffness = system_->present_stiffness()[numbers_[t]];
+    const double stiffness = system_->stages().stiffness()[numbers_[t]];
     if (stiffness != 0) pull_back(pulls_[t], stiffness);
   }
   for (std::size_t i = 0; i < lost_.size(); ++i) pull_back(lost_pulls_[i], -lost_[i]);

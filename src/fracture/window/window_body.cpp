@@ -17,15 +17,15 @@ std::optional<BodyChange> WindowBody::change(const Event& event, std::span<const
                                              Outcome& outcome) {
   const double f = event.load_factor;
   std::vector<coupling::StageChange> back;
-  for (const coupling::StageChange& c : event.changes) back.push_back({c.term, system_.stages()[c.term]});
-  const WindowFunctions::Values before = window_.function_values();
+  for (const coupling::StageChange& c : event.changes) back.push_back({c.term, system_.stages().numbers()[c.term]});
+  const WindowFunctions::Values before = window_.rows().functions();
   const coupling::Affine kept_before = body_.faces().are_none() ? coupling::Affine(0, 2) : window_.state().displacement;
   if (!change_terms(event) || !settle_constraints(event, outcome)) {
-    system_.set_stages(back);
+    system_.stages().enter(back);
     return std::nullopt;
   }
   BodyChange change;
-  change.work = WindowFunctions::work(before, window_.function_values(), f);
+  change.work = WindowFunctions::work(before, window_.rows().functions(), f);
   if (outcome.switches == 0) return change;
   switched_faces_ = face_forecast_.last_state();
   change.released_first = released_by_constraints(kept_before, f);
@@ -37,18 +37,18 @@ std::optional<BodyChange> WindowBody::change(const Event& event, std::span<const
 bool WindowBody::change_terms(const Event& event) {
   std::vector<coupling::StageChange> here;  // by places in the window
   for (const coupling::StageChange& c : event.changes) here.push_back({window_.place_of(c.term), c.stage});
-  system_.set_stages(event.changes);
+  system_.stages().enter(event.changes);
   const std::vector<int> broken = system_.terms().broken_by(event.changes);
   return body_.freed_parts().frees_nothing(broken, displacement_) && window_.change(here);
 }
 
 std::vector<std::size_t> WindowBody::wrong_constraints(double f) const {
   std::vector<std::size_t> wrong;
-  const double largest = window_.largest_displacement(f);
+  const double largest = window_.rows().largest_displacement(f);
   for (const std::size_t i : face_forecast_.last()) {
     const WatchedConstraint& one = face_forecast_.constraints()[i];
-    if (!window_.follows(one.constraint)) continue;
-    if (is_wrong(one.constraint, one.closed, window_.gap(one.constraint, f), largest)) wrong.push_back(i);
+    if (!window_.rows().follows(one.constraint)) continue;
+    if (is_wrong(one.constraint, one.closed, window_.rows().gap(one.constraint, f), largest)) wrong.push_back(i);
   }
   return wrong;
 }
@@ -98,8 +98,8 @@ double WindowBody::released_by_constraints(const coupling::Affine& kept_before, 
     const WatchedConstraint &was = face_forecast_.constraints()[watched_before_[k]],
                             &is = face_forecast_.constraints()[after[k]];
     if (was.closed == is.closed) continue;
-    sum += released_by_switch(is.constraint, was.closed, window_.gap(is.constraint, f, kept_before),
-                              window_.gap(is.constraint, f));
+    sum += released_by_switch(is.constraint, was.closed, window_.rows().gap(is.constraint, f, kept_before),
+                              window_.rows().gap(is.constraint, f));
   }
   return sum;
 }

@@ -5,7 +5,6 @@
 
 #include "fracture/contact/face_forecast.hpp"
 #include "fracture/event_body.hpp"
-#include "fracture/loaded_body.hpp"
 #include "fracture/window/window_functions.hpp"
 #include "fracture/window/window_solver.hpp"
 
@@ -30,17 +29,14 @@ class WindowBody final : public EventBody {
   double stored_energy(double load_factor) const override { return energy().at(load_factor); }
   double unit_energy() const override { return energy().unit(); }
   std::vector<double> reactions(double load_factor) const override {
-    return functions_.reactions(window_.function_values(), load_factor);
-  }
-  double resistance(const std::vector<double>& reactions, double load_factor) const override {
-    return body_.resistance(reactions, load_factor);
+    return functions_.reactions(window_.rows().functions(), load_factor);
   }
   Elongation elongation(int term, double load_factor) const override;
   std::optional<BodyChange> change(const Event& event, std::span<const ChangingTerm> terms, Outcome& outcome) override;
 
   // energy(): stored energy as a function of the load factor. switched_faces(): contact state after an event at which
   // faces have closed or opened; empty if none has.
-  EnergyForm energy() const { return WindowFunctions::energy(window_.function_values()); }
+  EnergyForm energy() const { return WindowFunctions::energy(window_.rows().functions()); }
   const std::optional<FaceState>& switched_faces() const { return switched_faces_; }
 
  private:

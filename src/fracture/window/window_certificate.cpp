@@ -23,12 +23,13 @@ void WindowCertificate::collect_bonds(const coupling::EquilibriumSystem& system,
   std::vector<double> compliance;
   for (std::size_t b = 0; b < bonds.size(); ++b) {
     const double scale = ratios.scales().per_elongation[b];
-    if (!system.intact()[b] || window_.contains(static_cast<int>(b)) || scale == 0) continue;  // what cannot break
+    if (!system.stages().intact()[b] || window_.contains(static_cast<int>(b)) || scale == 0)
+      continue;  // what cannot break
     first_.push_back(2 * bonds.first[b]);
     second_.push_back(2 * bonds.second[b]);
     cosine_.push_back(ratios.scales().cosine[b]);
     sine_.push_back(ratios.scales().sine[b]);
-    compliance.push_back(scale / std::sqrt(system.present_stiffness()[b]));
+    compliance.push_back(scale / std::sqrt(system.stages().stiffness()[b]));
   }
   classify(compliance);
 }

@@ -48,7 +48,7 @@ WindowEvents::WindowEvents(LoadedBody& body, std::function<void()> before_forget
 bool WindowEvents::open(double load_factor, const SteppingOptions& options) {
   events_performed_ = 0;
   try {
-    const WindowWatch watch(body_.seconds_search(), body_.system().counters());
+    const WindowWatch watch(body_.response().seconds_search(), body_.system().counters());
     const int most_events = forecast_.most_events();
     const BodyState& state = body_.state();
     if (!forecast_.open(state, load_factor, options_of(options))) return false;
@@ -70,7 +70,7 @@ WindowOrigin WindowEvents::origin() const {
   WindowOrigin origin = origin_;
   origin.events_performed = events_performed_;
   origin.is_behind = is_behind_ || is_shown_;
-  origin.has_changed_terms = forecast_.has_changed_terms();
+  origin.has_changed_terms = forecast_.events().have_changed_terms();
   origin.needs_whole_body = forecast_.frees_a_motion();
   if (!faces_have_switched_) origin.faces.reset();
   return origin;
@@ -100,7 +100,7 @@ bool WindowEvents::open_again(const WindowOrigin& origin) {
 }
 
 bool WindowEvents::take_again() {
-  const ForecastEvent* foreseen = forecast_.next();
+  const ForecastEvent* foreseen = forecast_.events().next();
   if (!foreseen) return false;
   take(*foreseen);
   return true;
@@ -112,7 +112,7 @@ void WindowEvents::take(const ForecastEvent& next) {
   for (const coupling::StageChange& c : changes) state.stages[c.term] = static_cast<std::uint8_t>(c.stage);
   const std::vector<int> broken = body_.system().terms().broken_by(changes);
   if (!state.tips.empty()) state.tips = next.tips;
-  forecast_.take();
+  forecast_.events().take();
   if (next.faces) {
     take_faces(*next.faces);
   } else {
@@ -137,7 +137,7 @@ void WindowEvents::abandon() noexcept {
 }
 
 const Event* WindowEvents::next(double, const SteppingOptions&) {
-  const WindowWatch watch(body_.seconds_search(), body_.system().counters());
+  const WindowWatch watch(body_.response().seconds_search(), body_.system().counters());
   if (forecast_.must_compute()) {
     before_forgetting_();
     // Displacements brought up to date only for a reader have other rounding errors than those that the events computed
@@ -148,12 +148,12 @@ const Event* WindowEvents::next(double, const SteppingOptions&) {
     origin_.looks.push_back({events_performed_, state.load_factor, state.largest_force});
     forecast_.compute(state);
   }
-  const ForecastEvent* foreseen = forecast_.next();
+  const ForecastEvent* foreseen = forecast_.events().next();
   return foreseen ? &foreseen->event : nullptr;
 }
 
 Outcome WindowEvents::perform() {
-  const ForecastEvent& foreseen = *forecast_.next();
+  const ForecastEvent& foreseen = *forecast_.events().next();
   if (foreseen.faces) before_forgetting_();  // faces are of the present state only
   const Event& event = foreseen.event;
   BodyState& state = body_.state();
@@ -181,14 +181,16 @@ void WindowEvents::bring_up_to_date() {
 
 void WindowEvents::show() {
   if (!is_behind_) return;
-  body_.show(forecast_.displacement(forecast_.position()));
+  body_.response().show(forecast_.displacement(forecast_.events().position()));
   is_behind_ = false;
   is_shown_ = true;
 }
 
 WindowEvents::Place WindowEvents::place() const {
   const BodyState& state = body_.state();
-  return {forecast_.position(), events_performed_, state.load_factor, state.largest_force, state.separated, state.tips};
+  return {forecast_.events().position(), events_performed_, state.load_factor,
+          state.largest_force,           state.separated,   state.tips,
+          state.faces.pending.size()};
 }
 
 BodyState WindowEvents::state_at(const Place& place) const {
@@ -201,23 +203,25 @@ BodyState WindowEvents::state_at(const Place& place) const {
   state.largest_force = place.largest_force;
   state.displacement = forecast_.displacement(place.position);
   state.total_displacement = coupling::evaluate(state.displacement, state.load_factor);
-  state.total_force = body_.system().internal_force(state.total_displacement, state.load_factor);
-  state.stages = forecast_.stages(place.position);
+  state.total_force = body_.system().response().internal_force(state.total_displacement, state.load_factor);
+  state.stages = forecast_.events().stages(place.position);
   state.springs = present.springs;
   state.unloaded = present.unloaded;
   state.faces = present.faces;
+  state.faces.pending.resize(place.pending_faces);
   state.tips = place.tips;
   return state;
 }
 
 void WindowEvents::return_to(Place& place) noexcept {
-  forecast_.return_to(place.position);
+  forecast_.events().return_to(place.position);
   BodyState& state = body_.state();
   state.load_factor = place.load_factor;
   state.largest_force = place.largest_force;
   state.separated = place.separated;
   state.tips.swap(place.tips);
-  state.stages = body_.system().stages();
+  body_.faces().keep_first_pending(place.pending_faces, state.faces);
+  state.stages = body_.system().stages().numbers();
   events_performed_ = place.events_performed;
   is_behind_ = true;
   is_shown_ = false;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <utility>
@@ -65,6 +66,7 @@ class WindowEvents final : public EventSource {
     double load_factor, largest_force;
     bool separated;
     std::vector<GrowingTip> tips;
+    std::size_t pending_faces;  // events whose faces are pending
   };
   Place place() const;
   BodyState state_at(const Place& place) const;

@@ -12,7 +12,7 @@ constexpr Eigen::Index loads = 0, supports = 2, first_reaction = 4;
 // nodes follow their masters.
 WindowSolver::Function force_of_supports(const coupling::EquilibriumSystem& system, Eigen::VectorXd moved) {
   system.ties().expand(moved);
-  Eigen::VectorXd weights = system.internal_force(moved);
+  Eigen::VectorXd weights = system.response().internal_force(moved);
   return {std::move(weights), std::move(moved)};
 }
 
@@ -22,14 +22,14 @@ std::vector<WindowSolver::Function> WindowFunctions::list() const {
   std::vector<WindowSolver::Function> result;
   const Eigen::Index dofs = 2 * system_.node_count();
   for (int part = 0; part < 2; ++part) {
-    Eigen::VectorXd load = system_.force().col(part);
+    Eigen::VectorXd load = system_.load().force().col(part);
     for (Eigen::Index dof = 0; dof < dofs; ++dof) {
-      if (system_.is_prescribed(static_cast<int>(dof))) load[dof] = 0;
+      if (system_.unknowns().is_prescribed(static_cast<int>(dof))) load[dof] = 0;
     }
     result.push_back({load, {}});
   }
   for (int part = 0; part < 2; ++part) {
-    result.push_back(force_of_supports(system_, system_.prescribed().col(part)));
+    result.push_back(force_of_supports(system_, system_.load().prescribed().col(part)));
   }
   for (const std::vector<int>& support : reaction_dofs_) {
     for (int component = 0; component < 2; ++component) {
@@ -56,7 +56,7 @@ std::vector<double> WindowFunctions::reactions(const Values& values, double load
   std::vector<double> result;
   for (std::size_t s = 0; s < reaction_dofs_.size(); ++s) {
     Eigen::Vector2d reaction = values.middleRows<2>(first_reaction + 2 * static_cast<Eigen::Index>(s)) * at;
-    for (int dof : reaction_dofs_[s]) reaction[dof % 2] -= system_.force().row(dof).dot(at);
+    for (int dof : reaction_dofs_[s]) reaction[dof % 2] -= system_.load().force().row(dof).dot(at);
     result.insert(result.end(), {reaction.x(), reaction.y()});
   }
   return result;

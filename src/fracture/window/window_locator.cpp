@@ -9,10 +9,10 @@
 
 namespace bempd::fracture {
 
-// Windows require that wide terms (squares of cells) break only with the bonds that they follow: others would have to
-// be watched outside.
+// Whether windows can serve a system. Its wide terms (squares of cells) must break only with the bonds that they
+// follow, because outside a window only bonds are watched.
 bool has_window_form(const coupling::EquilibriumSystem& system) {
-  return system.is_symmetric() && !system.has_offsets() && system.terms().wide_terms_only_follow();
+  return system.is_symmetric() && !system.response().has_offsets() && system.terms().wide_terms_only_follow();
 }
 
 WindowLocator::WindowLocator(coupling::EquilibriumSystem& system, const StretchRatios& ratios,
@@ -42,13 +42,13 @@ void WindowLocator::expect_cracks(const std::vector<int>& cut) {
 void WindowLocator::return_to_expected() {
   zones_ = expected_zones_;
   nodes_ = expected_nodes_;
-  system_.keep_last(nodes_);
+  system_.factor().keep_last(nodes_);
 }
 
 void WindowLocator::go_back_to(WindowLocation memory) {
   zones_ = std::move(memory.zones);
   nodes_ = std::move(memory.nodes);
-  system_.keep_last(memory.are_last ? nodes_ : std::vector<int>());
+  system_.factor().keep_last(memory.are_last ? nodes_ : std::vector<int>());
 }
 
 // Nodes with terms to the outside come first: the stiffness of the outside is then a corner of the factor.
@@ -57,7 +57,7 @@ void WindowLocator::keep(std::vector<Zone> zones, std::vector<int> nodes) {
   nodes_ = std::move(nodes);
   mark_rim();
   std::stable_partition(nodes_.begin(), nodes_.end(), [&](int node) { return touches_outside_[node] != 0; });
-  system_.keep_last(nodes_);
+  system_.factor().keep_last(nodes_);
 }
 
 double WindowLocator::length_ahead(double wanted) const {
@@ -76,7 +76,7 @@ std::vector<int> WindowLocator::nodes_of(const std::vector<Zone>& zones) const {
   std::vector<int> nodes;
   for (int node = 0; node < system_.node_count(); ++node) {
     if (!std::isfinite(spacing_[node])) continue;
-    if (!system_.is_unknown(2 * node) && !system_.is_unknown(2 * node + 1)) continue;
+    if (!system_.unknowns().is_unknown(2 * node) && !system_.unknowns().is_unknown(2 * node + 1)) continue;
     const auto has = [&](const Zone& zone) { return zone.contains(positions_[node]); };
     if (std::any_of(zones.begin(), zones.end(), has)) nodes.push_back(node);
   }
@@ -95,11 +95,11 @@ void WindowLocator::mark_rim() {
   std::vector<char> kept = marks_of_nodes();
   touches_outside_.assign(system_.node_count(), 0);
   for (int node = 0; node < system_.node_count(); ++node) {
-    if (system_.is_prescribed(2 * node) && system_.is_prescribed(2 * node + 1)) kept[node] = 1;
+    if (system_.unknowns().is_prescribed(2 * node) && system_.unknowns().is_prescribed(2 * node + 1)) kept[node] = 1;
   }
   const coupling::Terms& bonds = system_.terms();
   for (std::size_t b = 0; b < bonds.size(); ++b) {
-    if (!system_.intact()[b]) continue;
+    if (!system_.stages().intact()[b]) continue;
     bool some = false, all = true;
     bonds.for_each_node(b, [&](int node) { some = some || kept[node] != 0, all = all && kept[node] != 0; });
     if (some && !all) bonds.for_each_node(b, [&](int node) { touches_outside_[node] = 1; });
@@ -117,14 +117,14 @@ bool WindowLocator::is_far_from_rim(const std::vector<int>& bonds) const {
 }
 
 bool WindowLocator::still_holds(const std::vector<int>& hot) {
-  if (nodes_.empty() || !system_.factor_keeps(nodes_)) return false;
+  if (nodes_.empty() || !system_.factor().keeps(nodes_)) return false;
   mark_rim();
   const std::vector<char> kept = marks_of_nodes();
   std::vector<coupling::StageChange> next;
   next.reserve(hot.size());
-  for (const int b : hot) next.push_back(system_.after_critical(b));
+  for (const int b : hot) next.push_back(system_.stages().after_critical(b));
   bool all_kept = true;
-  for (const coupling::StageChange& c : system_.with_followers(std::move(next))) {
+  for (const coupling::StageChange& c : system_.stages().with_followers(std::move(next))) {
     system_.terms().for_each_node(static_cast<std::size_t>(c.term),
                                   [&](int node) { all_kept = all_kept && kept[node] != 0; });
   }
@@ -132,7 +132,7 @@ bool WindowLocator::still_holds(const std::vector<int>& hot) {
 }
 
 std::vector<int> WindowLocator::hot_bonds(double load_factor, double share) const {
-  const std::vector<char>& intact = system_.intact();
+  const std::vector<char>& intact = system_.stages().intact();
   double largest = 0;
   for (std::size_t b = 0; b < intact.size(); ++b) {
     if (intact[b]) largest = std::max(largest, ratios_.at(b, load_factor));
@@ -156,7 +156,8 @@ bool WindowLocator::choose(double load_factor, double tie_band, double ahead) {
     const std::vector<int> hot = hot_bonds(load_factor, share);
     if (hot.size() > WindowSettings::most_hot_bonds) continue;
     if (still_holds(hot)) return true;
-    std::vector<Zone> zones = zones_of(hot, ratios_, load_factor, system_.intact(), positions_, spacing_, shape);
+    std::vector<Zone> zones =
+        zones_of(hot, ratios_, load_factor, system_.stages().intact(), positions_, spacing_, shape);
     std::vector<int> nodes = nodes_of(zones);
     if (nodes.empty() || is_too_large(nodes, shape)) continue;
     keep(std::move(zones), std::move(nodes));

@@ -37,7 +37,7 @@ class WindowLocator {
   };
   bool choose(const std::vector<Way>& ways, double ahead);
 
-  WindowLocation memory() const { return {zones_, nodes_, system_.keeps_last(nodes_)}; }
+  WindowLocation memory() const { return {zones_, nodes_, system_.factor().keeps_last(nodes_)}; }
   void go_back_to(WindowLocation memory);
   void stay() { mark_rim(); }  // where it is, with the present terms
 

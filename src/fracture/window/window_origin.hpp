@@ -36,7 +36,7 @@ struct WindowOrigin {
   coupling::Affine displacement{0, 2};
   std::vector<GrowingTip> tips;    // when the window was opened
   std::optional<FaceState> faces;  // when it was opened, if places have closed or opened in the window since
-  // A time at which the window computed events ahead.
+  // Occasion on which the window computed events ahead.
   struct Look {
     std::int64_t after = 0;  // number of the window's events performed before
     double load_factor = 0, largest_force = 0;
@@ -44,7 +44,8 @@ struct WindowOrigin {
   std::vector<Look> looks;
   std::int64_t events_performed = 0;
   bool is_behind = false;  // the displacements were not asked for by the run itself
-  // What closing the window will do to the system's factor.
+  // What closing the window does to the system's factor: it is dropped if terms have changed, and its order of
+  // elimination, too, if an event needs the whole body because a motion may come free.
   bool has_changed_terms = false, needs_whole_body = false;
 };
 

@@ -18,20 +18,21 @@ struct WindowSettings {
   // Largest number of unknowns of a window: the larger of a fixed number and a number for each spacing of its length.
   static constexpr double least_most_unknowns = 2600, most_unknowns_per_length = 46;
 
-  // Size of a zone: least distance behind its hot bonds, and half width. Then the width of the rim in front, in which
-  // breaks are left to the next window, and the distance beyond hot bonds at the sides.
+  // Size of a zone (rectangle around hot bonds): its least reach behind them, and its least half width.
   static constexpr double back = 4, half_width = 4;
+  // Width of the rim in front of a zone, in which breaks are left to the next window; and least distance of its sides
+  // from hot bonds.
   static constexpr double front_rim = 3, beside_hot = 2.4;
   // Shares of the largest stretch ratio from which on a bond is hot (close to breaking). The next share is tried if
   // there are too many hot bonds, or if their window is too large.
   static constexpr std::array hot_shares{0.7, 0.8, 0.9, 0.97};
-  // Share of the largest ratio from which on bonds count when it is checked whether the present window still holds
-  // them, in systems where terms follow others (squares of cells). Then the largest numbers of hot bonds, and of bonds
-  // cut by initial cracks.
+  // Share of the largest ratio from which on bonds have to lie in the present window if it is to be kept, in systems
+  // where terms follow others (squares of cells). Then the largest number of hot bonds around which a window is placed,
+  // and of bonds cut by initial cracks for windows at the ends of these.
   static constexpr double hot_in_present = 0.9;
   static constexpr std::size_t most_hot_bonds = 1500, most_cut_bonds = 6000;
-  // Distance below which hot bonds belong to one crowd, and distance of broken bonds from a crowd that tell on which
-  // side of it the crack lies.
+  // Distance below which hot bonds belong to one crowd (group of hot bonds), and distance from a crowd within which
+  // broken bonds tell on which side of it the crack lies.
   static constexpr double crowd_distance = 6, crack_distance = 8;
   // Share of the largest stretch ratio in a crowd (group of hot bonds) from which on a bond counts for the crowd's
   // centre.
@@ -44,8 +45,9 @@ struct WindowSettings {
   // then gives the direction.
   static constexpr double opening_all_around = 0.75;
 
-  // Narrowing of a window: number of bonds broken between two attempts, and least share of the followed nodes that
-  // makes it worthwhile. Nodes are dropped from a distance behind the bonds with this share of the largest ratio on.
+  // Narrowing of a window: number of bonds broken between two attempts; least share of the followed nodes that makes it
+  // worthwhile; share of the largest stretch ratio from which on bonds are hot; and distance behind the hindmost hot
+  // bond, in spacings, from which on nodes are dropped.
   static constexpr std::size_t breaks_between_narrowings = 96;
   static constexpr double least_narrowing = 0.15, hot_when_narrowing = 0.5, behind_hot = 1;
   // Distance that followers (squares of cells) may reach beyond the terms that they follow.
@@ -61,11 +63,12 @@ struct WindowSettings {
   static constexpr int events_beside_faces = 16;
 
   // Windows for lines: least length of the path that they hold, and how much wider they are than the reach of a step.
-  // After a window that has saved so many steps, another one is tried at once, which costs a factorization.
+  // Then the number of steps that a window has to save so that another one, which costs a factorization, is tried at
+  // once.
   static constexpr double least_way = 8, beside_way = 0.5;
   static constexpr int worthwhile_steps = 16;
-  // Factor on the load factor that LineSteps::is_driven() compares with. With it the limit in windows is stricter, so
-  // that a tip that counts as driven there does so in the whole body too.
+  // Share of the load factor that windows pass to LineSteps::is_driven() in place of the whole. It makes this test
+  // stricter, so that a tip that counts as driven in a window does so in the whole body too.
   static constexpr double surely_driven = 0.1;
 
   // Limits beyond which a term was the last, or nearly the last, resistance to a motion: a pivot below the first, or
@@ -82,8 +85,9 @@ struct WindowSettings {
   // after which every uncertified state is computed.
   static constexpr int breaks_between_snapshots = 40;
   static constexpr int most_rounds = 6;
-  // Certificate: bonds outside the window are sorted into classes by the logarithm of their stretch per root of energy.
-  // One bound proves a whole class. Here are the number of classes, and the least range that they divide.
+  // Certificate: bonds outside the window are sorted into classes by the logarithm of the largest stretch ratio that
+  // one unit of energy can cause in them, so that one bound proves a whole class. Here are the number of classes, and
+  // the least range that they divide.
   static constexpr int classes = 8;
   static constexpr double least_class_width = 1e-12;
   // Number of states solved at once, enough for fast products; and number of states compared at once with each bond,

@@ -10,6 +10,7 @@
 #include "fracture/window/flexibility.hpp"
 #include "fracture/window/outside_stiffness.hpp"
 #include "fracture/window/window_balance.hpp"
+#include "fracture/window/window_rows.hpp"
 #include "fracture/window/window_terms.hpp"
 
 namespace bempd::fracture {
@@ -57,12 +58,15 @@ class WindowSolver {
   }
   const DroppedDofs& dropped() const { return dropped_; }
 
-  // Values of the functions: row k for function k, with the constant and the proportional part of the load.
-  Eigen::Matrix<double, Eigen::Dynamic, 2> function_values() const { return rows_.middleRows(size(), functions_); }
+  // Present values of what the window follows: displacements of its degrees of freedom, values of the functions given
+  // to the constructor (row k for function k), and gaps of constraints.
+  const WindowRows& rows() const { return rows_; }
 
   bool ratio_is_known(int bond) const { return terms_.ratio_is_known(static_cast<std::size_t>(bond)); }
 
-  double elongation(int bond, double load_factor) const;
+  double elongation(int bond, double load_factor) const {
+    return rows_.elongation(terms_.pull(static_cast<std::size_t>(bond)), load_factor);
+  }
   double stiffness_lost(const coupling::StageChange& change) const {
     return terms_.stiffness(static_cast<std::size_t>(change.term)) - terms_.stiffness_after(change);
   }
@@ -72,21 +76,16 @@ class WindowSolver {
   bool change(std::span<const coupling::StageChange> changes);
 
   // Contact constraint that closes or opens. switch_constraints() returns false and changes nothing if some motion
-  // would lose its resistance. follows() says whether the window follows all points of a constraint, gap() gives its
-  // gap.
+  // would lose its resistance.
   struct Switch {
     const coupling::Constraint& constraint;
     bool closes;
   };
-  bool follows(const coupling::Constraint& constraint) const;
-  double gap(const coupling::Constraint& constraint, double load_factor) const;
-  double gap(const coupling::Constraint& constraint, double load_factor, const coupling::Affine& kept) const;
-  double largest_displacement(double load_factor) const;
   bool switch_constraints(std::span<const Switch> switches);
 
   // unbalanced(): forces on the kept degrees of freedom that rounding errors in the flexibility have left out of
-  // balance, for the terms' stages in the system. balance() corrects the displacements by the response to them;
-  // functions stay unchanged.
+  // balance, for the terms' stages in the system. balance() corrects the displacements by the response to such forces;
+  // the values of the functions stay unchanged.
   coupling::Affine unbalanced() const;
   void balance(coupling::Affine force);
 
@@ -101,13 +100,7 @@ class WindowSolver {
   Eigen::Index size() const { return flexibility_.size(); }
   void collect_functions(const coupling::Condensation& condensation, const std::vector<Function>& functions,
                          Eigen::Index dofs);
-  bool is_prescribed(int row) const { return row >= size(); }
-  bool is_supported(const Pull& pull) const;
-  void number_rows();
-  Eigen::RowVector2d elongation(const Pull& pull) const;
-  void add_form(const Pull& pull, double scale, DroppedDofs::Forms& forms) const;
-  void keep_rows(const std::vector<int>& followed);
-  void update_ratios() { terms_.update_ratios(rows_, has_constant_part_); }
+  void update_ratios() { terms_.update_ratios(rows_.values(), has_constant_part_); }
   // Loss of stiffness of a term or a constraint; negative for a gain.
   struct Loss {
     Pull pull;
@@ -120,17 +113,14 @@ class WindowSolver {
 
   Eigen::Index kept_;       // degrees of freedom
   Eigen::Index functions_;  // count
-  const std::vector<int>& kept_dofs_;
-  std::vector<int> followed_;  // which of the kept ones, ascending
   WindowTerms terms_;
-  coupling::Affine rows_;  // followed displacements, values of functions, prescribed displacements at ends of bonds
+  WindowRows rows_;
   bool has_constant_part_;
   OutsideStiffness outside_;
   Flexibility flexibility_;
   WindowBalance balance_;
   std::vector<Eigen::VectorXd> moved_;  // of every function, at the prescribed ends of bonds; or empty
   DroppedDofs dropped_;
-  std::vector<int> row_of_;  // of every degree of freedom; -1: it is not followed
 };
 
 }  // namespace bempd::fracture

@@ -20,12 +20,12 @@ WindowTerms::WindowTerms(const coupling::EquilibriumSystem& system, const coupli
     return place;
   };
   for (std::size_t t = 0; t < terms.size(); ++t) {
-    if (!system.intact()[t]) continue;
+    if (!system.stages().intact()[t]) continue;
     bool is_here = true, has_unknown = false;
     terms.for_each_node(t, [&](int node) {
       for (int dof = 2 * node; dof < 2 * node + 2; ++dof) {
-        is_here = is_here && (row_of[dof] >= 0 || system.is_prescribed(dof));
-        has_unknown = has_unknown || system.is_unknown(dof);
+        is_here = is_here && (row_of[dof] >= 0 || system.unknowns().is_prescribed(dof));
+        has_unknown = has_unknown || system.unknowns().is_unknown(dof);
       }
     });
     if (!is_here || !has_unknown) continue;
@@ -40,14 +40,15 @@ WindowTerms::WindowTerms(const coupling::EquilibriumSystem& system, const coupli
   ratios_.constant.assign(size(), 0.0);
   ratios_.proportional.assign(size(), 0.0);
   across_ = ratios.across().chosen(
-      numbers_, [&](int number) { return place_of(number); }, [&](int number) { return system.intact()[number] != 0; });
+      numbers_, [&](int number) { return place_of(number); },
+      [&](int number) { return system.stages().intact()[number] != 0; });
 }
 
 void WindowTerms::add(int number, const coupling::EquilibriumSystem& system) {
   contained_[number] = 1;
   numbers_.push_back(number);
-  stiffness_.push_back(system.present_stiffness()[number]);
-  stages_.push_back(system.stages()[number]);
+  stiffness_.push_back(system.stages().stiffness()[number]);
+  stages_.push_back(system.stages().numbers()[number]);
   scales_.per_elongation.push_back(of_all_.scales().per_elongation[number]);
   scales_.cosine.push_back(of_all_.scales().cosine[number]);
   scales_.sine.push_back(of_all_.scales().sine[number]);

@@ -37,8 +37,8 @@ double mean_square(const Arc& piece, double swing) {
   return sum.dot(whole) / whole.squaredNorm();
 }
 
-// Swing (node_fraction()) that gives a piece the mean square `wanted`, above that of equal chords; negative if there is
-// none.
+// Swing (node_fraction()) with which a piece has the mean square of chord lengths `wanted`, which is larger than that
+// of equal chords; negative if no allowed swing is enough.
 double swing_for(const Arc& piece, double wanted) {
   double low = 0, high = 0.3;
   if (mean_square(piece, high) < wanted) return -1;
@@ -49,8 +49,8 @@ double swing_for(const Arc& piece, double wanted) {
   return 0.5 * (low + high);
 }
 
-// Swings that give all pieces of a loop the same mean square of chord lengths; zeros if there are none. Only pieces
-// with `may_vary` can have a swing.
+// Swings (see node_fraction()) with which all pieces of a loop have the same mean square of chord lengths; zeros if
+// that is impossible. Only pieces with `may_vary` can have a swing.
 std::vector<double> swings_of(const std::vector<Arc>& loop, const char* may_vary, bool any) {
   std::vector<double> swings(loop.size(), 0.0), squares;
   if (!any || std::none_of(may_vary, may_vary + loop.size(), [](char one) { return one != 0; })) return swings;

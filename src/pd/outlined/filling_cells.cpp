@@ -144,15 +144,16 @@ FillingCells fill_with_cells(const Chords& chords, const OutlinedPoints& points)
   return cells;
 }
 
+double area_of_corner(const std::vector<Point>& points, const std::array<int, 4>& cell) {
+  if (!is_triangle(cell)) return 0.25;
+  return 0.5 * cross(points[cell[1]] - points[cell[0]], points[cell[2]] - points[cell[0]]) / 3;
+}
+
 std::vector<double> areas_of_points(const std::vector<Point>& points, const FillingCells& cells) {
   std::vector<double> areas(points.size(), 0.0);
   for (const auto& cell : cells) {
-    if (is_triangle(cell)) {
-      const double area = 0.5 * cross(points[cell[1]] - points[cell[0]], points[cell[2]] - points[cell[0]]);
-      for (int k = 0; k < 3; ++k) areas[cell[k]] += area / 3;
-    } else {
-      for (const int corner : cell) areas[corner] += 0.25;
-    }
+    const double area = area_of_corner(points, cell);
+    for (int k = 0; k < (is_triangle(cell) ? 3 : 4); ++k) areas[cell[k]] += area;
   }
   return areas;
 }

@@ -15,6 +15,9 @@ FillingCells fill_with_cells(const Chords& chords, const OutlinedPoints& points)
 
 inline bool is_triangle(const std::array<int, 4>& cell) { return cell[2] == cell[3]; }
 
+// Area of a cell that belongs to each of its corners.
+double area_of_corner(const std::vector<Point>& points, const std::array<int, 4>& cell);
+
 // Area that belongs to every point: a third of each triangle and a quarter of each lattice cell around it.
 std::vector<double> areas_of_points(const std::vector<Point>& points, const FillingCells& cells);
 

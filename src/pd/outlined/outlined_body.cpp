@@ -5,16 +5,13 @@
 #include <cmath>
 #include <numbers>
 
-#include "pd/cell_squares.hpp"
-#include "pd/outlined/layer_balance.hpp"
+#include "pd/layer_balance.hpp"
 #include "pd/outlined/outlined_bonds.hpp"
 #include "pd/outlined/surface_balance.hpp"
 
 namespace bempd::pd {
 
 namespace {
-
-using Eigen::Vector4d;
 
 constexpr double smallest_outlined_ratio = 0.02;  // bound on a stiffness over that of the kernel
 
@@ -23,8 +20,9 @@ struct Attempt {
   bool is_careful = false;        // surface vectors balanced piece by piece, the kernel of the equations left
 };
 
-// Attempts to build a network, in the order in which they are made. Short families have their best networks at smaller
-// gaps and need the whole layer; with longer ones, a part of the layer gives smaller errors in thin bodies.
+// Attempts to build a network, in the order in which they are made. At a horizon ratio of 3 the best networks have
+// small gaps between outline and lattice, and stiffnesses must be free in a layer as deep as the horizon. At larger
+// ratios a layer of 3/4 of that depth comes first, because its errors in thin bodies are smaller.
 std::vector<Attempt> attempts_for(int horizon_ratio, bool may_move, bool is_careful) {
   const bool is_short = horizon_ratio == 3;
   const double whole = horizon_ratio, less = is_short ? whole : 0.75 * horizon_ratio;
@@ -48,23 +46,6 @@ double longest_bond(int horizon_ratio) {
   return std::sqrt(longest);
 }
 
-Network finish_outlined(const std::vector<Point>& surface, OutlinedBonds bonds, const PlaneElasticity& elasticity) {
-  Network network;
-  for (const Vector4d& r : missing_moments(surface, bonds))
-    network.max_residual = std::max(network.max_residual, r.lpNorm<Eigen::Infinity>());
-  const double unit = elasticity.thickness * bond_c1111(elasticity);
-  network.min_weight_ratio = HUGE_VAL;
-  network.bonds.reserve(bonds.bonds.size());
-  network.offset_of.reserve(bonds.bonds.size());
-  for (const OutlinedBond& b : bonds.bonds) {
-    network.bonds.push_back({b.first, b.second, unit * b.stiffness});
-    network.offset_of.push_back(static_cast<std::uint32_t>(b.offset));
-    network.min_weight_ratio = std::min(network.min_weight_ratio, b.stiffness / bonds.offsets[b.offset].bulk_stiffness);
-  }
-  network.offsets = std::move(bonds.offsets);
-  return network;
-}
-
 // Depth of the layer of points that lack bonds. In short families a deeper layer gives a more exact stress at an edge.
 double layer_depth(const Attempt& attempt, int horizon_ratio) {
   return longest_bond(horizon_ratio) + attempt.gap + (horizon_ratio == 3 ? 0.75 : 0);
@@ -77,19 +58,8 @@ std::vector<Layer> layers_for(const Attempt& attempt, int horizon_ratio) {
   return {{attempt.free_depth, layer_depth(attempt, horizon_ratio), reach}, {attempt.free_depth, HUGE_VAL, HUGE_VAL}};
 }
 
-// Weights of the points' even moments; 0 at corners, where even moments do not vanish. Empty if only constant stress
-// has to be balanced.
-std::vector<double> evenness_of(const Chords& chords, std::size_t point_count, OutlineBalance balance) {
-  if (balance == OutlineBalance::constant_stress) return {};
-  constexpr double weight = 100, smooth = 40 * std::numbers::pi / 180;
-  std::vector<double> evenness(point_count, weight);
-  for (int i = 0; i < chords.count(); ++i)
-    if (std::abs(chords.angle(i) - std::numbers::pi) > smooth) evenness[i] = 0;
-  return evenness;
-}
-
 OutlinedBody try_out(const Attempt& attempt, const Chords& chords, LatticePlace place, int horizon_ratio,
-                     const PlaneElasticity& elasticity, int threads, OutlineBalance balance, const BondKernel& kernel) {
+                     const PlaneElasticity& elasticity, int threads, const BondKernel& kernel) {
   place.origin += Eigen::Rotation2Dd(place.angle) * Point::Constant(attempt.shift);
   const OutlinedPoints points(chords, place, attempt.gap, 1 + layer_depth(attempt, horizon_ratio));
   OutlinedBody body{
@@ -100,31 +70,29 @@ OutlinedBody try_out(const Attempt& attempt, const Chords& chords, LatticePlace 
   body.areas = areas_of_points(body.points, body.cells);
   std::vector<Point> surface(body.points.size(), Point::Zero());
   for (int i = 0; i < chords.count(); ++i) surface[i] = body.factors[i] * chords.surface_vector(i);
-  OutlinedBonds bonds = draft_outlined_bonds(chords, points, horizon_ratio, kernel);
-  const std::vector<double> evenness = evenness_of(chords, body.points.size(), balance);
+  DraftBonds bonds = draft_outlined_bonds(chords, points, horizon_ratio, kernel);
   const std::vector<Point> places = attempt.is_careful ? body.points : std::vector<Point>();
   for (const Layer& layer : layers_for(attempt, horizon_ratio)) {
     mark_layer(points, layer, bonds);
     share_by_area(body.areas, bonds);
-    if (balance_layer(surface, evenness, smallest_outlined_ratio, threads, bonds, places)) break;
+    if (balance_layer(surface, smallest_outlined_ratio, threads, bonds, places)) break;
   }
-  body.network = finish_outlined(surface, std::move(bonds), elasticity);
+  body.network = finish_network(surface, std::move(bonds), elasticity);
   return body;
 }
 
 }  // namespace
 
 OutlinedBody build_outlined_body(const Chords& chords, const LatticePlace& place, int horizon_ratio,
-                                 const PlaneElasticity& elasticity, int threads, OutlineBalance balance,
-                                 const BondKernel& kernel) {
+                                 const PlaneElasticity& elasticity, int threads, const BondKernel& kernel) {
   assert(horizon_ratio >= 3 && horizon_ratio <= 8);
   std::optional<OutlinedBody> best;
-  // Careful attempts come second: only long outlines with different chords need them, and other bodies keep their
-  // digits.
+  // Careful attempts come second: only long outlines with different chords need them, and the networks of other bodies
+  // do not depend on them.
   for (const bool is_careful : {false, true}) {
     if (is_careful && balancing_factors(chords, true) == balancing_factors(chords)) break;
     for (const Attempt& attempt : attempts_for(horizon_ratio, !place.fixed, is_careful)) {
-      OutlinedBody body = try_out(attempt, chords, place, horizon_ratio, elasticity, threads, balance, kernel);
+      OutlinedBody body = try_out(attempt, chords, place, horizon_ratio, elasticity, threads, kernel);
       if (body.is_exact()) return body;
       if (!best || body.network.max_residual < best->network.max_residual) best = std::move(body);
     }

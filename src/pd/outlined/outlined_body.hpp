@@ -4,7 +4,6 @@
 
 #include "pd/network.hpp"
 #include "pd/outlined/filling_cells.hpp"
-#include "pd/outlined/outline_balance.hpp"
 
 namespace bempd::pd {
 
@@ -30,13 +29,13 @@ struct OutlinedBody {
 // chords of different lengths are balanced piece by piece. The best attempt is returned. 3 <= horizon_ratio <= 8.
 OutlinedBody build_outlined_body(const Chords& chords, const LatticePlace& place, int horizon_ratio,
                                  const PlaneElasticity& elasticity, int threads = 0,
-                                 OutlineBalance balance = OutlineBalance::constant_stress,
                                  const BondKernel& kernel = quartic_kernel());
 
-// Corner at which positive bond stiffnesses cannot balance the surface vector. At a corner of the angle alpha <= 180
-// degrees the sum of the bonds' pulls lies between 30 degrees off one edge and 30 degrees off the other. This is
-// because the third harmonic of what they carry vanishes (sum of k L f(theta) with f = sin(theta - 30) + sin(3 theta +
-// 60) / sqrt(3) >= 0).
+// Corner of an outline whose surface vector (half the sum of its chords' normals times lengths) no bonds of positive
+// stiffness can balance. At a corner of the angle alpha <= 180 degrees the sum of the bonds' pulls lies between 30
+// degrees off one edge and 30 degrees off the other. Proof: over the bonds, with angles theta from an edge,
+// k L sin(3 theta + 60) adds up to zero, so k L sin(theta - 30) has the same sum as k L f(theta) with f =
+// sin(theta - 30) + sin(3 theta + 60) / sqrt(3) >= 0.
 struct ImpossibleCorner {
   int node;
   double angle;           // [rad]

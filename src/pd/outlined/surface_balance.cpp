@@ -27,9 +27,9 @@ class LoopBalance {
     for (int i = 0; i < count_; ++i) size_ = std::max(size_, (chords.nodes[first_ + i] - centre_).norm());
   }
 
-  // Contribution of node `i` to the three sums of T_kkl N_l, times 3, that have to vanish for a loop
-  // (surface_balance.hpp). Their Killing tensor fields T contain the rotation r twice, besides e_x or e_y, or three
-  // times. Lengths are in units of the loop's size.
+  // Contribution of node `i` to three sums of T_kkl N_l, times 3, that have to vanish for a loop (surface_balance.hpp):
+  // those of the Killing tensor fields e_x r r, e_y r r and r r r, which are symmetric products with the rotation r
+  // about the loop's centre. Lengths are in units of the loop's size.
   std::array<double, 3> numbers(int i) const {
     const Point x = place(i), r(-x.y(), x.x()), n = vector(i);
     return {trace_of({1, 0}, r, r).dot(n), trace_of({0, 1}, r, r).dot(n), trace_of(r, r, r).dot(n)};

@@ -14,13 +14,13 @@ namespace bempd::regions {
 namespace {
 
 // Largest number of elements in a region. No machine holds the operators of more, so more come from a mistyped length.
-constexpr double most_elements = 1e6;
+constexpr double most_on_an_edge = 1e6;
 
 void require_element_length(double element_length, double longest) {
   require(std::isfinite(element_length) && element_length > 0, "element_length is ", element_length,
           "; it must be > 0");
-  require(longest / element_length <= most_elements, "element_length ", element_length, " would need ",
-          longest / element_length, " elements; the limit is ", most_elements, ": choose a longer one");
+  require(longest / element_length <= most_on_an_edge, "element_length ", element_length, " would need ",
+          longest / element_length, " elements; the limit is ", most_on_an_edge, ": choose a longer one");
 }
 
 // Smallest length of an element over that of its edge: integrals over shorter elements are within rounding.
@@ -139,7 +139,7 @@ void BoundaryDescription::identify(Hash& hash) const {
 }
 
 std::unique_ptr<regions::Region> BoundaryDescription::build(int id, const Preparation& preparation) const {
-  return preparation.scheme.boundary_region(id, *this, preparation.scene.material(material()));
+  return preparation.scheme.boundary_region(id, preparation.scene.material(material()));
 }
 
 BoundaryDescription* boundary_in(scene::Scene& scene, int region) {

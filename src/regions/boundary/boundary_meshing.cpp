@@ -146,6 +146,10 @@ EndDivisions near_cracks(const Preparation& p, int region, const Panel& panel, E
   return divisions;
 }
 
+// Shortest element that grading makes, in geometric tolerances: when elements are halved a few times, their places
+// still have many digits.
+constexpr double shortest_graded = 10;
+
 // Grades elements towards corners and ends of supports at which stress is singular, and in bodies towards jumps of
 // tractions.
 void grade_corners(const Preparation& p, int region, BoundaryPanels& panels) {
@@ -163,14 +167,15 @@ void grade_corners(const Preparation& p, int region, BoundaryPanels& panels) {
     for (std::size_t k = 0; k < loop.size(); ++k) {
       if (pieces[k].held == Held::interface) continue;
       const bool is_chosen = described.has_own_mesh(panels.sources[first + k].edge);
-      loop[k].stations =
-          divided(is_chosen ? near_cracks(p, region, loop[k], divisions[k]) : divisions[k], loop[k].stations);
+      loop[k].stations = divided(is_chosen ? near_cracks(p, region, loop[k], divisions[k]) : divisions[k],
+                                 loop[k].stations, shortest_graded * p.tolerance / loop[k].arc().length());
     }
     first += loop.size();
   }
 }
 
-// Gives the free edges of a body its coarsest elements.
+// Gives the free edges of a body the coarsest useful elements (CoarseSizes), unless the host has chosen an edge's
+// elements.
 void choose_sizes(const scene::Region& described, BoundaryPanels& panels) {
   const CoarseSizes sizes(panels.loops);
   int number = 0;

@@ -81,11 +81,16 @@ std::vector<EndDivisions> end_divisions(const std::vector<BoundaryPiece>& loop, 
   return ends;
 }
 
-std::vector<double> divided(const EndDivisions& divisions, const std::vector<double>& stations) {
+std::vector<double> divided(const EndDivisions& wanted, const std::vector<double>& stations, double least) {
   std::vector<double> all = stations;
   // A single element with two such ends is halved first, so that each half is divided towards one end.
-  if (divisions.start > 0 && divisions.end > 0 && all.size() == 2) all = {0, 0.5, 1};
+  if (wanted.start > 0 && wanted.end > 0 && all.size() == 2) all = {0, 0.5, 1};
   const double first = all[1], last = 1 - all[all.size() - 2];
+  const auto possible = [&](int count, double length) {
+    while (count > 0 && length * std::pow(ratio, count) < least) --count;
+    return count;
+  };
+  const EndDivisions divisions{possible(wanted.start, first), possible(wanted.end, last)};
   std::vector<double> refined;
   for (std::size_t i = 0; i < all.size(); ++i) {
     refined.push_back(all[i]);

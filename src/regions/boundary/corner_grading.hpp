@@ -23,12 +23,12 @@ struct EndDivisions {
   int start = 0, end = 0;
 };
 
-// Divisions at the place where one piece ends and the next begins.
+// Rule that gives the number of divisions of elements at the place where one piece ends and the next begins.
 using DivisionRule = std::function<int(const BoundaryPiece& before, const BoundaryPiece& after)>;
 
-// Five divisions where stress is generally unbounded: at re-entrant corners, and at ends of supports that do not act as
-// planes of symmetry (M. L. Williams, J. Appl. Mech. 19, 1952). Ends of interfaces are left out, because their
-// singularity depends on the other body too.
+// Usual number of divisions: five where stress is generally unbounded, which is at re-entrant corners and at ends of
+// supports that do not act as planes of symmetry (M. L. Williams, J. Appl. Mech. 19, 1952), else none. Ends of
+// interfaces have none, because their singularity depends on the other body too.
 int usual_divisions(const BoundaryPiece& before, const BoundaryPiece& after);
 
 // Divisions at these places, and where loads begin or end, that make the error of displacements at the place less
@@ -38,7 +38,8 @@ DivisionRule divisions_for(double wanted, const PlaneElasticity& elasticity);
 // Divisions at the ends of the pieces of one closed loop.
 std::vector<EndDivisions> end_divisions(const std::vector<BoundaryPiece>& loop, const DivisionRule& rule);
 
-// Element ends `stations` (fractions of the piece) with the elements at the piece's ends divided towards them.
-std::vector<double> divided(const EndDivisions& divisions, const std::vector<double>& stations);
+// Element ends `stations` (fractions of the piece) with the elements at the piece's ends divided towards them, as often
+// as all elements stay longer than `least`, a fraction too.
+std::vector<double> divided(const EndDivisions& divisions, const std::vector<double>& stations, double least);
 
 }  // namespace bempd::regions

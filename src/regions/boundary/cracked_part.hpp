@@ -35,9 +35,9 @@ struct CrackedPart {
   const bem::CrackMesh& elements() const { return cracks->elements(); }
   Eigen::Index openings() const { return 2 * static_cast<Eigen::Index>(elements().nodes.size()); }
   std::size_t constraints() const { return closing ? closing->size() : 0; }
-  // Rows of its nodes, of values at all places of the region.
+  // Values at the part's nodes (rows), taken from those at all places of the region.
   Eigen::MatrixXd own(const Eigen::MatrixXd& all) const;
-  // Adds values at its nodes to those at all places.
+  // Adds values at the part's nodes to those at all places of the region.
   void add(const Eigen::VectorXd& own, Eigen::VectorXd& all) const;
 
   // Pieces into which cracks cut the part; none if they do not. `node_at` gives the scene's node at a place of the

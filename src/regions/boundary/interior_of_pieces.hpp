@@ -15,7 +15,7 @@ class InteriorOfPieces {
   // Creates the evaluator for a region of one piece.
   explicit InteriorOfPieces(bem::InteriorEvaluator whole) { interiors_.push_back(std::move(whole)); }
   InteriorOfPieces() = default;
-  // Adds a piece with this boundary; then the pieces of a part with cracks.
+  // Adds a piece with this boundary, or all pieces of a part that has cracks.
   void add(bem::InteriorEvaluator piece, const BoundaryMesh& mesh);
   void add(const bem::CrackedOperator& body, const bem::CrackedState& state, double tolerance);
 

@@ -9,7 +9,8 @@ namespace bempd::regions {
 
 namespace {
 
-// Merges the elements of a crack line in pairs `times` times, but those between bends, tips and joints by themselves.
+// Merges the elements of a crack line in pairs, `times` times. Bends and joints stay ends of elements, and the element
+// at a tip stays as it is.
 std::vector<double> merged(const std::vector<double>& stations, const CrackLine& line, int times) {
   std::vector<double> bends{0.0};
   for (std::size_t i = 0; i + 1 < line.points.size(); ++i)

@@ -75,7 +75,7 @@ double least_memory_of_region(double elements) {
 
 namespace {
 
-// Sizes from which on a region is cut, and to which.
+// Numbers of elements: a region with more than the first is cut, into subdomains with at most the second.
 struct CutSizes {
   std::size_t most_undivided, most_elements;
 };
@@ -119,8 +119,6 @@ RegionSubdomains::RegionSubdomains(Subdivision subdivision, const BoundaryMesh& 
 }
 
 void RegionSubdomains::number(const BoundaryMesh& body) {
-  places_ = body.nodes;
-  places_.insert(places_.end(), subdivision_.cut_nodes.begin(), subdivision_.cut_nodes.end());
   traction_node_count_ = body.traction_node_count;
   traction_nodes_.clear();
   for (const BoundaryElement& element : body.elements) traction_nodes_.push_back(element.traction_nodes);

@@ -26,14 +26,14 @@ double least_memory_of_region(double elements);
 
 // Subdomains into which a large region is cut, because the cost of one dense operator grows with the square and cube of
 // its nodes. Each subdomain has a boundary operator of its own, and the nodes on cuts join them. The region's mesh,
-// fields and loads stay those of its outline. Displacements are those of the mesh's nodes, then of the nodes on cuts.
+// fields and loads stay those of its outline. Its places are those of the mesh's nodes, then of the nodes on cuts.
 class RegionSubdomains {
  public:
   // Cuts the body of a mesh; null if it is so small that one operator serves, or if no cut was found.
   static std::unique_ptr<RegionSubdomains> of(const BoundaryMesh& body, const scene::Options& options);
 
-  // Cuts a body with cracks, whose elements end at these places, around them: first as without cracks, in which case
-  // its mesh is `uncracked`. These cuts are taken from `before` (null: none) if that had the same ones.
+  // Cuts a body around its cracks, whose elements end at `cracks`. Cuts are first chosen in its mesh without cracks,
+  // `uncracked`, or taken from `before` (null: none) if it had the same; those that meet cracks are then replaced.
   static std::unique_ptr<RegionSubdomains> around(const std::vector<Stations>& cracks, const BoundaryMesh& body,
                                                   BoundaryMesh uncracked, const scene::Options& options,
                                                   const RegionSubdomains* before);
@@ -45,7 +45,6 @@ class RegionSubdomains {
 
   std::size_t count() const { return subdivision_.subdomains.size(); }
   const std::vector<Point>& cut_nodes() const { return subdivision_.cut_nodes; }
-  const std::vector<Point>& places() const { return places_; }  // of the mesh's nodes, then of those on cuts
 
   // Meshes the cracks in subdomains. Nodes and elements that this adds to them are added to the body's mesh, too.
   std::vector<CrackedPart> mesh_cracks(const RegionCracks& cracks, BoundaryMesh& body);
@@ -59,15 +58,16 @@ class RegionSubdomains {
     operators_[subdomain] = std::move(its);
   }
 
-  // Nodes of each operator, and the operators themselves. `nodes` are the region's nodes by their numbers in the scene,
-  // `trace` has the displacements of places() for theirs, `rest` is their rest displacement, or empty.
+  // Nodes of each operator, and the operators themselves. `nodes` are the region's nodes by their numbers in the scene;
+  // the matrix `trace` gives the displacements of all places of the mesh from those of these nodes; `rest` is the
+  // nodes' rest displacement, or empty.
   std::vector<OperatorNodes> nodes_of_operators(const std::vector<int>& nodes, const Eigen::SparseMatrix<double>& trace,
                                                 const coupling::Affine& rest) const;
   std::vector<coupling::DenseOperator> dense_operators(const std::vector<int>& nodes,
                                                        const Eigen::SparseMatrix<double>& trace,
                                                        const coupling::Affine& rest) const;
 
-  // Displacements of a subdomain's nodes from those of the nodes of its operator.
+  // Matrix that gives the displacements of a subdomain's nodes from those of the nodes of its operator.
   Eigen::SparseMatrix<double> trace_of_subdomain(std::size_t subdomain, const Eigen::SparseMatrix<double>& trace) const;
 
   // Tractions on the traction nodes of the body's mesh: the mean of the subdomains that meet there. `states` are those
@@ -101,7 +101,6 @@ class RegionSubdomains {
   void for_each_outline_element(const std::function<void(std::size_t, int, int)>& visit) const;
 
   Subdivision subdivision_;
-  std::vector<Point> places_;
   std::vector<std::array<int, 3>> traction_nodes_;  // of the body's elements
   int traction_node_count_ = 0;
   std::shared_ptr<const Uncracked> uncracked_;  // of a body with cracks

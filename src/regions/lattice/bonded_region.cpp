@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "coupling/interface_trace.hpp"
 #include "crack/growth_law.hpp"
 #include "error.hpp"
 #include "pd/cell_squares.hpp"
@@ -14,20 +13,21 @@ namespace bempd::regions {
 
 double BondedRegion::critical_stretch(const scene::Options& options) const {
   const bool as_printed = options.text_value("critical_stretch") == "printed";
-  return material().critical_stretch_for(horizon_ratio_ * spacing(), as_printed);
+  return material().critical_stretch_for(horizon_ratio() * spacing(), as_printed);
 }
 
 double BondedRegion::critical_stretch(const Preparation& preparation) const {
   const double of_the_material = critical_stretch(preparation.options);
   const bool of_running =
       material().fracture_energy > 0 && preparation.options.text_value("critical_stretch") == "running";
-  return of_running ? of_the_material / std::sqrt(pd::running_energy(horizon_ratio_)) : of_the_material;
+  return of_running ? of_the_material / std::sqrt(pd::running_energy(horizon_ratio())) : of_the_material;
 }
 
 std::vector<int> BondedRegion::terms() const {
   std::vector<int> all;
   all.reserve(network()->bonds.size());
-  for (std::size_t bond = 0; bond < network()->bonds.size(); ++bond) all.push_back(static_cast<int>(scene_bond(bond)));
+  for (std::size_t bond = 0; bond < network()->bonds.size(); ++bond)
+    all.push_back(static_cast<int>(bonds_.number(bond)));
   const auto of_a_cell = static_cast<int>(bonds_.squares.empty() ? 0 : pd::cell_squares(elasticity()).size());
   for (const int first : bonds_.squares)
     for (int k = 0; first >= 0 && k < of_a_cell; ++k) all.push_back(first + k);
@@ -42,7 +42,7 @@ Contributions::Breaking BondedRegion::breaking(const Preparation& preparation,
 }
 
 std::optional<pd::TipLaw> BondedRegion::tip_law(const scene::Options& options) const {
-  const double horizon = horizon_ratio_ * spacing();
+  const double horizon = horizon_ratio() * spacing();
   const PlaneElasticity& e = elasticity();
   const double energy = pd::fracture_energy(critical_stretch(options), e, horizon);
   const double modulus =
@@ -63,7 +63,8 @@ void BondedRegion::add_own_bonds(const Preparation& preparation, const Contribut
                            breaking.between(shares, bond.first, bond.second));
 }
 
-// Nodal forces for the stress at each node, from the tractions on this edge only.
+// Nodal force at each node by the tractions on this edge alone, which are those of the stress at the node. (Edges that
+// meet in a node share its reaction in the ratio of these forces.)
 std::vector<Point> BondedRegion::forces_on_edge(const EdgeSpan& span, const std::vector<int>& nodes_of_scene,
                                                 const FieldsOfRegion& fields) const {
   const std::vector<double>& stress = fields(Field::stress).values;
@@ -98,21 +99,6 @@ void BondedRegion::add_body_force(const BodyForce& body_force, Eigen::Ref<Eigen:
   }
 }
 
-std::vector<Point> BondedRegion::bond_ends() const {
-  std::vector<Point> ends = points_;
-  ends.insert(ends.end(), bonds_.far_points.begin(), bonds_.far_points.end());
-  return ends;
-}
-
-pd::FeltEnd BondedRegion::end_felt_at(const Point& tip, const Point& direction, double backward) const {
-  pd::FeltEnd found =
-      pd::end_felt_at(bond_ends(), network()->bonds, to_grid(tip), direction, horizon_ratio(), backward / spacing());
-  found.end = from_grid(found.end);
-  if (found.even_ahead) *found.even_ahead *= spacing();
-  for (int& bond : found.weakened) bond = static_cast<int>(scene_bond(static_cast<std::size_t>(bond)));
-  return found;
-}
-
 std::vector<Point> BondedRegion::on_grid(const scene::Crack& crack) const {
   std::vector<Point> polyline;
   for (const Point& p : crack.points) polyline.push_back(to_grid(p));
@@ -136,13 +122,16 @@ void BondedRegion::cut(const scene::Crack& crack, int number, std::vector<int>& 
         text("crack ", number, " passes through ", touched.size(), " material points of region ", id(),
              ", the first at (", where.x(), ", ", where.y(), ")");
     require(cracks_may_meet_points(), finding,
-            "; a point on a crack belongs to neither side: shift the crack or the region by half a spacing (",
+            "; a point on a crack belongs to neither side: shift the crack or "
+            "the region by half a spacing (",
             0.5 * spacing(), ")");
     warnings.push_back(finding + "; they stay bonded to both of its faces and bridge it");
   }
   const pd::Touching touching = cracks_may_meet_points() ? pd::Touching::of_ends_keeps : pd::Touching::cuts;
-  for (int bond : pd::bonds_cut_by(bond_ends(), network()->bonds, polyline, touching))
-    bonds.push_back(static_cast<int>(scene_bond(bond)));
+  std::vector<Point> bond_ends = points_;
+  bond_ends.insert(bond_ends.end(), bonds_.far_points.begin(), bonds_.far_points.end());
+  for (int bond : pd::bonds_cut_by(bond_ends, network()->bonds, polyline, touching))
+    bonds.push_back(static_cast<int>(bonds_.number(bond)));
 }
 
 void BondedRegion::add_statistics(RegionStatistics& statistics) const {
@@ -150,28 +139,13 @@ void BondedRegion::add_statistics(RegionStatistics& statistics) const {
   statistics.seconds_lattice += seconds_preparing;
 }
 
-void BondedRegion::tie_points(const LeadingElements& leading, int leader, const std::vector<int>& points, double apart,
-                              coupling::NodeTies& ties) const {
-  const Point &start = leading.places.front(), &end = leading.places.back();
-  // An interface that ends at the mouth of a crack reaches half a spacing beyond its last point.
-  const bool from_point = (position(points.front()) - start).norm() < 0.25 * apart;
-  const bool to_point = (position(points.back()) - end).norm() < 0.25 * apart;
-  std::vector<double> stations;
-  for (std::size_t a = 0; a < leading.places.size(); a += 2)
-    stations.push_back((leading.places[a] - start).norm() / apart - (from_point ? 0 : 0.5));
-  stations.back() = static_cast<double>(points.size() - 1) + (to_point ? 0 : 0.5);
-  const auto trace = coupling::interface_trace(stations);
-  require(trace.has_value(), "edge ", leading.edge, " of region ", leader,
-          " has elements of its own on the interface with region ", id(), ", from (", start.x(), ", ", start.y(),
-          ") to (", end.x(), ", ", end.y(), "), that cannot be joined to its ", points.size(),
-          " material points; leave out bempd_set_edge_mesh() for this edge, so that its elements follow them");
-  for (std::size_t i = from_point ? 1 : 0; i + (to_point ? 1 : 0) < points.size(); ++i) {
-    std::vector<coupling::NodeTies::Master> masters;
-    using Row = Eigen::SparseMatrix<double, Eigen::RowMajor>::InnerIterator;
-    for (Row it(*trace, static_cast<Eigen::Index>(i)); it; ++it)
-      masters.push_back({leading.nodes[static_cast<std::size_t>(it.col())], it.value()});
-    ties.add(nodes_[points[i]], std::move(masters));
+PointRow BondedRegion::row_of(const std::vector<int>& points, double apart) const {
+  PointRow row{id(), {}, {}, apart};
+  for (const int point : points) {
+    row.places.push_back(position(point));
+    row.nodes.push_back(nodes_[static_cast<std::size_t>(point)]);
   }
+  return row;
 }
 
 }  // namespace bempd::regions

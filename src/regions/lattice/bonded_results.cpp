@@ -1,4 +1,5 @@
 #include <array>
+#include <numeric>
 
 #include "error.hpp"
 #include "pd/deformation.hpp"
@@ -6,15 +7,16 @@
 
 namespace bempd::regions {
 
-std::vector<std::uint8_t> BondedRegion::broken_bonds(const std::vector<char>& intact) const {
-  std::vector<std::uint8_t> broken(network()->bonds.size());
-  for (std::size_t b = 0; b < broken.size(); ++b) broken[b] = intact[scene_bond(b)] ? 0 : 1;
-  return broken;
+std::vector<int> BondedRegion::entries_of_nodes() const {
+  std::vector<int> entries(nodes_.size());
+  std::iota(entries.begin(), entries.end(), 0);
+  return entries;
 }
 
 FieldSize BondedRegion::field_size(Field field) const {
   require(field != Field::traction && field != Field::element_stress, "region ", id(),
-          " is peridynamic and has no tractions and no boundary elements; ask a BEM region");
+          " is peridynamic and has no tractions and no boundary elements; ask "
+          "a BEM region");
   const std::int64_t count = field == Field::bond_stretch ? static_cast<std::int64_t>(bonds_.listed) : point_count();
   return {count, components_of(field)};
 }
@@ -38,7 +40,7 @@ FieldValues BondedRegion::field(Field field, const Solution& solution) const {
     case Field::stress:
       return stress(solution);
     case Field::bond_stretch:
-      return bond_stretch(solution);
+      return {bonds_.stretch(solution), 1};
     case Field::traction:
     case Field::element_stress:  // refused by field_size()
     case Field::stress_order:    // a matter of the whole scene
@@ -48,34 +50,7 @@ FieldValues BondedRegion::field(Field field, const Solution& solution) const {
 }
 
 FieldValues BondedRegion::damage(const std::vector<char>& intact) const {
-  std::vector<int> all(points_.size() + bonds_.far_points.size(), 0), left(all.size(), 0);
-  for (std::size_t b = 0; b < network()->bonds.size(); ++b) {
-    for (int point : {network()->bonds[b].first, network()->bonds[b].second}) {
-      ++all[point];
-      left[point] += intact[scene_bond(b)];
-    }
-  }
-  FieldValues field{std::vector<double>(points_.size(), 0.0), 1};
-  for (std::size_t i = 0; i < points_.size(); ++i) {
-    if (all[i] > 0) field.values[i] = 1 - static_cast<double>(left[i]) / all[i];
-  }
-  return field;
-}
-
-pd::BondStates BondedRegion::bond_states(const Solution& solution) const {
-  const coupling::Terms& terms = solution.bonds;
-  pd::BondStates states;
-  for (std::size_t b = 0; b < network()->bonds.size(); ++b) {
-    const std::size_t term = scene_bond(b);
-    const double share = !solution.intact[term] ? 0
-                         : solution.stages      ? terms.law_of(term).stiffness_share((*solution.stages)[term])
-                                                : 1;
-    states.share.push_back(share);
-    if (!terms.have_offsets()) continue;
-    const double rest = terms.rest(term, 0) + solution.load_factor * terms.rest(term, 1);
-    states.rest_stretch.push_back(rest / terms.length[term]);
-  }
-  return states;
+  return {bonds_.damage(intact, points_.size()), 1};
 }
 
 FieldValues BondedRegion::stress(const Solution& solution) const {
@@ -85,37 +60,22 @@ FieldValues BondedRegion::stress(const Solution& solution) const {
   for (int i = own; i < count; ++i)
     displacement.segment<2>(2 * i) = solution.displacement.segment<2>(2 * bonds_.far_nodes[i - own]);
   displacement /= spacing();
-  const pd::BondStates states = bond_states(solution);
+  const pd::BondStates states = bonds_.states(solution);
   auto strains = pd::bond_strains(count, *network(), states, displacement);
   strains.resize(own);  // at the others some bonds are missing
   std::vector<Eigen::Vector3d> stresses;
   stresses.reserve(strains.size());
   for (const Eigen::Vector3d& strain : strains) stresses.push_back(pd::stress_of(strain, elasticity()));
-  correct_at_losses(solution, strains, states, stresses);
+  if (squares()) squares()->correct_at_losses(solution, strains, states, stresses);
   FieldValues field{{}, 3};
   for (const Eigen::Vector3d& stress : stresses)
     field.values.insert(field.values.end(), {stress[0], stress[1], stress[2]});
   return field;
 }
 
-FieldValues BondedRegion::bond_stretch(const Solution& solution) const {
-  FieldValues field{{}, 1};
-  for (std::size_t b = bonds_.first; b < bonds_.first + bonds_.listed; ++b)
-    field.values.push_back(solution.bonds.elastic_elongation(b, solution.displacement.data(), solution.load_factor) /
-                           solution.bonds.length[b]);
-  return field;
-}
-
-std::vector<Point> BondedRegion::positions() const {
-  std::vector<Point> all;
-  all.reserve(static_cast<std::size_t>(point_count()));
-  for (int i = 0; i < point_count(); ++i) all.push_back(position(i));
-  return all;
-}
-
 // Cells of the region for a picture, split along broken bonds between neighbouring points.
 RegionPicture BondedRegion::picture(const Solution& solution) const {
-  const std::vector<std::uint8_t> broken = broken_bonds(solution.intact);
+  const std::vector<std::uint8_t> broken = bonds_.broken(solution.intact);
   std::vector<std::array<int, 2>> parted;
   for (std::size_t b = 0; b < broken.size(); ++b) {
     const pd::Bond& bond = network()->bonds[b];

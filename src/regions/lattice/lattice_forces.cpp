@@ -13,7 +13,7 @@ std::vector<LatticeRegion::EdgePoint> LatticeRegion::edge_points(int edge) const
   const LatticePoint step = span / count;
   std::vector<EdgePoint> found;
   for (int i = 0; i <= count; ++i)
-    found.push_back({grid_->find_point(start + step * i), static_cast<double>(i) / count});
+    found.push_back({grid_.find_point(start + step * i), static_cast<double>(i) / count});
   return found;
 }
 
@@ -30,7 +30,7 @@ std::vector<PlacedNode> LatticeRegion::nodes_on(const EdgeSpan& span, double tol
 
 void LatticeRegion::add_edge_forces(const Point& a, const Point& b, const std::function<Point(const Point&)>& traction,
                                     Eigen::Ref<Eigen::VectorXd> forces) const {
-  pd::add_face_forces(*grid_, a, b, traction, forces);
+  pd::add_face_forces(grid_, a, b, traction, forces);
 }
 
 void LatticeRegion::add_traction(const EdgeSpan& span, const std::function<Point(const Point&)>& traction,
@@ -39,7 +39,7 @@ void LatticeRegion::add_traction(const EdgeSpan& span, const std::function<Point
   const Segment piece{ends[0].cast<double>(), ends[1].cast<double>()};
   Eigen::VectorXd nodal = Eigen::VectorXd::Zero(2 * point_count());
   const auto in_cells = [&](const Point& p) { return traction(outline_.origin + spacing() * p); };
-  add_edge_forces(piece.at(span.from), piece.at(span.to), in_cells, nodal.head(2 * grid_->point_count()));
+  add_edge_forces(piece.at(span.from), piece.at(span.to), in_cells, nodal.head(2 * grid_.point_count()));
   nodal *= elasticity().thickness * spacing();
   scatter(nodal, force);
 }
@@ -48,7 +48,7 @@ void LatticeRegion::add_traction(const EdgeSpan& span, const std::function<Point
 // function.
 std::vector<double> LatticeRegion::cell_shares() const {
   std::vector<double> shares(points_.size(), 0.0);
-  for (int i = 0; i < grid_->point_count(); ++i) shares[i] = 0.25 * grid_->cells_around(i);
+  for (int i = 0; i < grid_.point_count(); ++i) shares[i] = 0.25 * grid_.cells_around(i);
   return shares;
 }
 

@@ -6,10 +6,6 @@
 
 namespace bempd::regions {
 
-// Regions that form one lattice with a region, touching it directly or through others, itself included; by ascending
-// id.
-std::vector<LatticeRegion*> regions_acting_as_one(LatticeRegion& region, const Preparation& preparation);
-
 // Group of lattice regions that touch and form one lattice: bonds are made for the union of their cells.
 class LatticeGroup {
  public:

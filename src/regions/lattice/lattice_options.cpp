@@ -55,12 +55,7 @@ const scene::OptionGroup hooks(scene::OptionPlace::test_hooks, [] {
       scene::text_option("test.outline_points",
                          "Where peridynamic regions that are added from now on have points on their outline instead of "
                          "lattice rows: where an edge is round or not parallel to the axes, or always.",
-                         "slanted | always", "slanted"),
-      scene::text_option(
-          "test.outline_balance",
-          "What bonds near outlines with points on them carry exactly: constant stress, or, nearly, also "
-          "stress that varies linearly.",
-          "constant | linear", "constant")};
+                         "slanted | always", "slanted")};
 });
 
 }  // namespace

@@ -5,29 +5,36 @@
 #include <typeinfo>
 
 #include "error.hpp"
+#include "regions/lattice/acting_as_one.hpp"
 #include "regions/lattice/lattice_group.hpp"
 
 namespace bempd::regions {
 
 LatticeRegion::LatticeRegion(int id, const PeridynamicDescription& described, const scene::Material& material)
     : BondedRegion(id, material, described.spacing(), described.horizon_ratio()),
-      outline_(described.lattice().value()) {
-  use_grid(pd::CellLattice(outline_.loops), outline_.origin);
+      outline_(described.lattice().value()),
+      grid_(outline_.loops),
+      squares_(elasticity(), *this, grid_, bonds_) {
+  place_points_of_grid(outline_.origin);
 }
 
 void LatticeRegion::use_grid(pd::CellLattice grid, const Point& origin) {
-  grid_ = std::make_unique<pd::CellLattice>(std::move(grid));
+  grid_ = std::move(grid);
+  place_points_of_grid(origin);
+}
+
+void LatticeRegion::place_points_of_grid(const Point& origin) {
   origin_ = origin;
   points_.clear();
-  for (int i = 0; i < grid_->point_count(); ++i) points_.push_back(grid_->point(i).cast<double>());
+  for (int i = 0; i < grid_.point_count(); ++i) points_.push_back(grid_.point(i).cast<double>());
 }
 
 std::vector<int> LatticeRegion::points_along(const Point& start, const Point& end) const {
   const LatticePoint from = to_grid(start).array().round().cast<int>().matrix();
   const LatticePoint span = LatticePoint(to_grid(end).array().round().cast<int>().matrix()) - from;
   const int count = span.cwiseAbs().maxCoeff();
-  std::vector<int> found{grid_->find_point(from)};
-  for (int i = 1; i <= count; ++i) found.push_back(grid_->find_point(from + span / count * i));
+  std::vector<int> found{grid_.find_point(from)};
+  for (int i = 1; i <= count; ++i) found.push_back(grid_.find_point(from + span / count * i));
   return found;
 }
 
@@ -55,7 +62,7 @@ std::vector<char> LatticeRegion::shared_points(const Preparation& preparation) c
 
 void LatticeRegion::mesh(const Preparation& preparation) {
   if (group_) return;
-  std::vector<LatticeRegion*> members = regions_acting_as_one(*this, preparation);
+  std::vector<LatticeRegion*> members = touching_that_act_as_one(*this, preparation);
   if (members.size() < 2) return;
   const auto group = std::make_shared<LatticeGroup>(std::move(members));
   for (LatticeRegion* member : group->members()) member->group_ = group;
@@ -86,6 +93,12 @@ bool LatticeRegion::acts_as_one_with(const LatticeRegion& other) const {
   return typeid(other) == typeid(*this) && horizon_ratio() == other.horizon_ratio() && material() == other.material();
 }
 
+bool LatticeRegion::shares_bonds_with(const BondedRegion& other) const {
+  if (this == &other) return true;  // also where none acts as one with another, as in scheme paper
+  const auto* lattice = dynamic_cast<const LatticeRegion*>(&other);
+  return lattice && acts_as_one_with(*lattice);
+}
+
 bool LatticeRegion::is_alike(const LatticeRegion& other) const {
   return outline_.loops == other.outline_.loops && points_ == other.points_ &&
          horizon_ratio() == other.horizon_ratio() && elasticity() == other.elasticity();
@@ -108,10 +121,12 @@ void LatticeRegion::take_network(const Preparation& preparation, std::vector<std
   }
   if (!network()) {
     const int threads = preparation.options.whole_number("threads");
-    bonds_.network = std::make_shared<const pd::Network>(make_network(*grid_, threads));
+    bonds_.network = std::make_shared<const pd::Network>(make_network(grid_, threads));
   }
   if (network()->reduced) {
-    warnings.push_back(text("region ", id(), " has a shape for which no network of positive bonds with horizon ratio ",
+    warnings.push_back(text("region ", id(),
+                            " has a shape for which no network of positive bonds with horizon "
+                            "ratio ",
                             horizon_ratio(), " was found; it has bonds between nearest neighbours only"));
   }
 }
@@ -121,7 +136,7 @@ void LatticeRegion::bond_alone(const Preparation& preparation, Contributions& co
   add_own_bonds(preparation, contributions);
   const auto node = [&](int point) { return nodes_[point]; };
   const auto term = [&](int bond) { return static_cast<int>(bonds_.first) + bond; };
-  bonds_.squares = contributions.add_squares(*grid_, network()->bonds, elasticity(), spacing(), node, term);
+  bonds_.squares = contributions.add_squares(grid_, network()->bonds, elasticity(), spacing(), node, term);
 }
 
 void LatticeRegion::follow(const LeadingElements& leading, int leader, coupling::NodeTies& ties) const {
@@ -133,7 +148,7 @@ void LatticeRegion::follow(const LeadingElements& leading, int leader, coupling:
   };
   // An interface that ends at the mouth of a crack reaches half a spacing beyond its last point.
   const Point first = is_point(start) ? start : start + half, last = is_point(end) ? end : end - half;
-  tie_points(leading, leader, points_along(first, last), spacing(), ties);
+  tie(row_of(points_along(first, last), spacing()), leading, leader, ties);
 }
 
 }  // namespace bempd::regions

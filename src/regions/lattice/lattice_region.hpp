@@ -6,6 +6,7 @@
 #include "geometry/rectilinear.hpp"
 #include "pd/cell_lattice.hpp"
 #include "regions/lattice/bonded_region.hpp"
+#include "regions/lattice/grid_squares.hpp"
 #include "regions/lattice/peridynamic_description.hpp"
 
 namespace bempd::regions {
@@ -32,7 +33,9 @@ class LatticeRegion : public BondedRegion {
   }
   std::optional<pd::FaceLattice> face_lattice() const override { return pd::FaceLattice{origin_, spacing(), 0}; }
 
-  std::int64_t cell_count() const override { return grid_->cell_count(); }
+  std::vector<double> cell_shares() const override;
+
+  std::int64_t cell_count() const override { return grid_.cell_count(); }
   Cells cells() const override;
   std::unique_ptr<Evaluator> evaluator(const Solution& solution, const FieldsOfRegion& fields,
                                        bool with_stress) const override;
@@ -42,10 +45,10 @@ class LatticeRegion : public BondedRegion {
   // Whether two regions form one lattice where they touch along an edge: material, spacing and horizon are equal.
   virtual bool acts_as_one_with(const LatticeRegion& other) const;
   virtual pd::Network make_network(const pd::CellLattice& cells, int threads) const;
-  const pd::CellLattice& grid() const { return *grid_; }
+  const pd::CellLattice& grid() const { return grid_; }
 
-  void set_rests(const LatticeSwelling& lattices, coupling::Terms& terms) const override;
   bool shares_bonds_with(const BondedRegion& other) const override;
+  const RegionSquares* squares() const override { return &squares_; }
 
  protected:
   // Material point on which supports and loads on an edge act.
@@ -65,7 +68,6 @@ class LatticeRegion : public BondedRegion {
   // Adds the nodal forces of a traction on the straight piece of boundary from a to b, in grid coordinates.
   virtual void add_edge_forces(const Point& a, const Point& b, const std::function<Point(const Point&)>& traction,
                                Eigen::Ref<Eigen::VectorXd> forces) const;
-  std::vector<double> cell_shares() const override;
   // Distance in spacings outside the grid's cells up to which places are still evaluated.
   virtual double reach_beyond_cells() const { return 0; }
 
@@ -79,17 +81,14 @@ class LatticeRegion : public BondedRegion {
  private:
   class LatticeEvaluator;
 
-  // Corrects stresses at points where bonds or squares of cells are broken: the mean over the cells at the point of
-  // what the remaining bonds and squares carry.
-  void correct_at_losses(const Solution& solution, const std::vector<Eigen::Vector3d>& strains,
-                         const pd::BondStates& states, std::vector<Eigen::Vector3d>& stresses) const override;
-  Eigen::Vector3d stress_of_squares(const Solution& solution, int first_square) const;
+  void place_points_of_grid(const Point& origin);
   void bond_alone(const Preparation& preparation, Contributions& contributions);
   void take_network(const Preparation& preparation, std::vector<std::string>& warnings);
 
-  LatticeOutline outline_;                 // of the cells
-  std::unique_ptr<pd::CellLattice> grid_;  // points of the grid and the cells between them
-  std::shared_ptr<LatticeGroup> group_;    // null if the region is alone, or once its bonds exist
+  LatticeOutline outline_;  // of the cells
+  pd::CellLattice grid_;    // points of the grid and the cells between them
+  GridSquares squares_;
+  std::shared_ptr<LatticeGroup> group_;  // null if the region is alone, or once its bonds exist
 };
 
 }  // namespace bempd::regions

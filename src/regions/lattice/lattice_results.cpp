@@ -1,60 +1,16 @@
-#include <algorithm>
 #include <cmath>
 
 #include "error.hpp"
-#include "pd/cell_squares.hpp"
-#include "pd/deformation.hpp"
 #include "regions/lattice/lattice_region.hpp"
 
 namespace bempd::regions {
 
-Eigen::Vector3d LatticeRegion::stress_of_squares(const Solution& solution, int first_square) const {
-  Eigen::Vector3d stress = Eigen::Vector3d::Zero();
-  auto term = static_cast<std::size_t>(first_square);
-  for (const pd::CellSquare& square : pd::cell_squares(elasticity())) {
-    const double force = solution.bonds.tension(term, solution.bonds.stiffness[term], solution.displacement.data(),
-                                                solution.load_factor);
-    stress += force / (spacing() * elasticity().thickness) * pd::unit_stress(square);
-    ++term;
-  }
-  return stress;
-}
-
-void LatticeRegion::correct_at_losses(const Solution& solution, const std::vector<Eigen::Vector3d>& strains,
-                                      const pd::BondStates& states, std::vector<Eigen::Vector3d>& stresses) const {
-  if (bonds_.squares.empty()) return;
-  std::vector<char> lost(points_.size() + bonds_.far_points.size(), 0);
-  for (std::size_t b = 0; b < states.share.size(); ++b) {
-    if (states.share[b] < 1) lost[network()->bonds[b].first] = lost[network()->bonds[b].second] = 1;
-  }
-  const auto each_cell = [&](const auto& visit) {
-    for (int i = 0; i < grid_->point_count(); ++i) {
-      const int square = bonds_.squares[i];
-      if (square >= 0) visit(square, solution.intact[square] != 0, grid_->cell_corners(grid_->point(i)));
-    }
-  };
-  each_cell([&](int, bool intact, const std::array<int, 4>& corners) {
-    for (const int corner : corners) lost[corner] = lost[corner] || !intact;
-  });
-  for (std::size_t i = 0; i < stresses.size(); ++i) {
-    if (lost[i]) stresses[i] = pd::bond_stress(strains[i], elasticity());
-  }
-  each_cell([&](int square, bool intact, const std::array<int, 4>& corners) {
-    const bool counts = intact && std::any_of(corners.begin(), corners.end(), [&](int corner) { return lost[corner]; });
-    if (!counts) return;
-    const Eigen::Vector3d stress = stress_of_squares(solution, square);
-    for (const int corner : corners) {
-      if (lost[corner]) stresses[corner] += stress / grid_->cells_around(corner);
-    }
-  });
-}
-
 Cells LatticeRegion::cells() const {
   Cells cells{4, {}};
-  for (int i = 0; i < grid_->point_count(); ++i) {
-    const Eigen::Vector2i corner = grid_->point(i);
-    if (!grid_->has_cell(corner)) continue;
-    const auto corners = grid_->cell_corners(corner);
+  for (int i = 0; i < grid_.point_count(); ++i) {
+    const Eigen::Vector2i corner = grid_.point(i);
+    if (!grid_.has_cell(corner)) continue;
+    const auto corners = grid_.cell_corners(corner);
     // Corners are reordered from rows to counter-clockwise.
     cells.nodes.insert(cells.nodes.end(), {corners[0], corners[1], corners[3], corners[2]});
   }

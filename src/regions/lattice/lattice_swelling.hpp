@@ -10,8 +10,8 @@ namespace bempd::regions {
 
 class BondedRegion;
 
-// Swelling strains at the nodes of lattices. Regions that share bonds have one field, with the mean of their strains at
-// nodes where these differ.
+// Swelling strains at the nodes of lattices. Regions that share bonds have one field. At nodes where their strains
+// differ it is the mean of these, weighted by the regions' shares of the node's area.
 class LatticeSwelling {
  public:
   explicit LatticeSwelling(const std::vector<Point>& positions) : positions_(positions) {}
@@ -24,7 +24,7 @@ class LatticeSwelling {
   struct Body {
     const BondedRegion* first;
     coupling::Affine sum;
-    std::vector<int> count;
+    std::vector<double> weight;
   };
 
   const Body& body_of(const BondedRegion& region) const;

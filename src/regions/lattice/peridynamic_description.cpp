@@ -138,7 +138,6 @@ void PeridynamicDescription::identify(Hash& hash) const {
   Region::identify(hash);
   hash.add(horizon_ratio_);
   hash.add(spacing_);
-  if (choice_.balance != pd::OutlineBalance::constant_stress && !lattice_) hash.add(2);
   if (choice_.is_plain()) return;
   hash.add(choice_.on_outline ? 1 : 0);
   hash.add(choice_.angle);

@@ -4,7 +4,6 @@
 #include <vector>
 
 #include "geometry/rectilinear.hpp"
-#include "pd/outlined/outline_balance.hpp"
 #include "scene/scene.hpp"
 
 namespace bempd::regions {
@@ -13,8 +12,6 @@ namespace bempd::regions {
 struct PointChoice {
   bool on_outline = false;  // whether points lie on the outline even if it follows lattice rows
   double angle = 0;         // of the lattice's rows [rad]
-  // Goal for the bonds near an outline that has points on it.
-  pd::OutlineBalance balance = pd::OutlineBalance::constant_stress;
 
   bool is_plain() const { return !on_outline && angle == 0; }
 };

@@ -3,12 +3,15 @@
 #include <memory>
 #include <vector>
 
-#include "pd/outlined/cell_stencils.hpp"
 #include "pd/outlined/outlined_body.hpp"
 #include "regions/lattice/bonded_region.hpp"
 #include "regions/lattice/peridynamic_description.hpp"
+#include "regions/outlined/divided_outline.hpp"
+#include "regions/outlined/stencil_squares.hpp"
 
 namespace bempd::regions {
+
+class OutlinedGroup;
 
 // Peridynamic region with any outline: material points on equal chords along its edges and, inside, on a lattice.
 // Uniform stress is in balance with the tractions on the chords, which coincide with straight edges.
@@ -33,52 +36,50 @@ class OutlinedRegion final : public BondedRegion {
     return pd::FaceLattice{from_grid(body_.place.origin), spacing(), choice_.angle};
   }
 
-  void set_rests(const LatticeSwelling& lattices, coupling::Terms& terms) const override;
+  std::vector<double> cell_shares() const override { return part_.shares.empty() ? body_.areas : part_.shares; }
+  const RegionSquares* squares() const override { return &squares_; }
+  bool shares_bonds_with(const BondedRegion& other) const override;
 
   std::int64_t cell_count() const override { return static_cast<std::int64_t>(body_.cells.size()); }
   Cells cells() const override;
   std::unique_ptr<Evaluator> evaluator(const Solution& solution, const FieldsOfRegion& fields,
                                        bool with_stress) const override;
 
- protected:
-  std::vector<double> cell_shares() const override { return body_.areas; }
+  // --- Functions for the group of regions that are one body
+
+  static constexpr double most_places = 1e8;  // of a lattice in the rectangle around a body
+
+  // Whether two regions are one body where they touch along an edge: material, spacing, horizon and angle are equal.
+  bool acts_as_one_with(const OutlinedRegion& other) const;
+  pd::LatticePlace place_of_lattice(const Preparation& preparation) const;
+  void move_origin(const Point& origin) { origin_ = origin; }
+  // The region's part of a body of several: its points (those of others at which its bonds end follow) and cells.
+  struct Part {
+    std::shared_ptr<DividedOutline> outline;  // of the body
+    std::vector<int> own_number;              // of the body's points; -1 for points of others
+    std::vector<double> shares;               // of the points' areas, which lie in the region
+  };
+  void join(std::shared_ptr<OutlinedGroup> group, Part part, pd::OutlinedBody body);
+  void take(pd::CellStencils stencils);
 
  private:
   class CellEvaluator;
-  // Piece of an edge that is divided into equal chords.
-  struct Piece {
-    int edge;  // number
-    double from, to;
-    Arc arc;  // in grid coordinates
-  };
 
-  // Terms called squares of cells (outlined_squares.cpp).
-  void add_squares(const Contributions& contributions);
-  void correct_at_losses(const Solution& solution, const std::vector<Eigen::Vector3d>& strains,
-                         const pd::BondStates& states, std::vector<Eigen::Vector3d>& stresses) const override;
-  // Mean stress [Pa] that the squares cause in a patch of cells.
-  Eigen::Vector3d stress_of_squares(const Solution& solution, std::size_t patch) const;
-
+  // Divides the outline, or that of the group, unless that is done: neighbours may ask for points before the region is
+  // meshed.
+  void divide(const Preparation& preparation);
+  void build_alone(const Preparation& preparation, Contributions& contributions);
   void require_common_points(const Preparation& preparation, const Contact& contact) const;
-  void divide_outline(const Preparation& preparation);
-  std::vector<char> pieces_that_may_vary(const Preparation& preparation) const;
-  // Flags of material points that are nodes of other regions too: all points on matching interfaces, only the end
-  // points of others. The surface vectors of these points are marked to be kept when the outline is balanced.
-  std::vector<char> shared_points(const Preparation& preparation);
-  // Fractions of an edge at which pieces end: the ends of interfaces, and other required places where there is room for
-  // chords.
-  std::vector<double> stations_on(const Preparation& preparation, int edge) const;
-  pd::LatticePlace place_of_lattice(const Preparation& preparation) const;
-  void require_possible_corners() const;
-  double fraction(const pd::Chord& chord, double part) const;
-  template <class Visit>
-  void for_chords_on(const EdgeSpan& span, const Visit& visit) const;
+  const DividedOutline& outline() const { return *part_.outline; }
+  int own(int node_of_outline) const {
+    return part_.own_number.empty() ? node_of_outline : part_.own_number[static_cast<std::size_t>(node_of_outline)];
+  }
 
   PointChoice choice_;
-  std::vector<Piece> pieces_;
-  std::vector<std::vector<Arc>> loops_;
+  Part part_;  // all of the body if the region is alone
   pd::OutlinedBody body_;
-  pd::CellStencils stencils_;  // empty where bonds alone make the material
+  std::shared_ptr<OutlinedGroup> group_;  // null if the region is alone, or once its bonds exist
+  StencilSquares squares_;
 };
 
 }  // namespace bempd::regions

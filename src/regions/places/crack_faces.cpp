@@ -32,7 +32,7 @@ void CrackFaces::add_to_elements(const scene::Scene& scene, const Discretization
   for (const auto& region : d.regions) {
     if (!d.cracks[static_cast<std::size_t>(crack_) - 1].has_elements_in(region->id())) continue;
     for (int part = 0; part < 2; ++part)
-      region->add_crack_load(conditions.crack_loads.back(), part, conditions.force.col(part));
+      region->crack_elements()->add_load(conditions.crack_loads.back(), part, conditions.force.col(part));
   }
 }
 

@@ -32,7 +32,7 @@ std::vector<PlacedNode> EdgePart::nodes(const scene::Scene& scene, const Discret
 
 std::vector<PlacedNode> EdgePart::held_nodes(const scene::Scene& scene, const Discretization& d, int support) const {
   std::vector<PlacedNode> nodes =
-      d.region(region_).nodes_on({edge_, scene.region(region_).edge(edge_), from_, to_}, d.tolerance);
+      d.region(region_).loads().nodes_on({edge_, scene.region(region_).edge(edge_), from_, to_}, d.tolerance);
   require(!nodes.empty(), "support ", support + 1, " holds no node: its part of edge ", edge_, " of region ", region_,
           " lies between two material points; widen it");
   return nodes;
@@ -62,7 +62,7 @@ void EdgePart::add_load(const scene::Scene& scene, const Discretization& d, int 
       require(result.allFinite(), "load ", load + 1, " is not a finite number at (", p.x(), ", ", p.y(), ")");
       return this->traction(edge, fraction, result);
     };
-    d.region(region_).add_traction({edge_, edge, from_, to_}, traction, conditions.force.col(column));
+    d.region(region_).loads().add_traction({edge_, edge, from_, to_}, traction, conditions.force.col(column));
   }
 }
 

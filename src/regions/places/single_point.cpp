@@ -26,7 +26,7 @@ int SinglePoint::node_in(const Discretization& d) const {
   // Nodes on cuts between subdomains have no entry in fields: they are no places of the host's.
   std::vector<char> is_hidden(d.positions.size(), 0);
   for (const auto& region : d.regions) {
-    const std::vector<int> entries = region->entries_of_nodes();
+    const std::vector<int> entries = region->results().entries_of_nodes();
     for (std::size_t i = 0; i < entries.size(); ++i)
       if (entries[i] < 0) is_hidden[static_cast<std::size_t>(region->nodes()[i])] = 1;
   }

@@ -23,7 +23,7 @@ void WholeRegion::add_load(const scene::Scene& scene, const Discretization& d, i
     require(body_force.uniform.allFinite() && std::isfinite(body_force.growth), "load ", load + 1, " on region ",
             region_, " is not a finite number");
     for (const int id : with_parts(scene, region_)) {
-      d.region(id).add_body_force(body_force, conditions.force.col(column));
+      d.region(id).loads().add_body_force(body_force, conditions.force.col(column));
       conditions.body_force.col(column).segment<3>(3 * (id - 1)) +=
           Eigen::Vector3d(body_force.uniform.x(), body_force.uniform.y(), body_force.growth);
     }

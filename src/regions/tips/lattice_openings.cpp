@@ -115,8 +115,9 @@ class OpeningsOfCrack {
     return std::sqrt(std::max(0.0, 1 - x * x - y * y));
   }
 
-  // Displacement at a place from a fit of 6 terms (quadratic) or 3 (linear). Empty if the points do not determine it,
-  // as those of two rows only: the fit of a constant then differs from it.
+  // Displacement at a place by a least-squares fit to the nodes around it, of 6 terms (quadratic) or 3 (linear). Empty
+  // if the nodes do not determine the terms, as those of two rows do not: the same fit to the constant 1 then does not
+  // give 1.
   std::optional<Point> fitted(const Place& place, double reach, const std::vector<int>& nodes,
                               const Eigen::VectorXd& displacement, Eigen::Index term_count) const {
     Eigen::MatrixXd terms(static_cast<Eigen::Index>(nodes.size()), term_count);

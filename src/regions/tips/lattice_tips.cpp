@@ -23,7 +23,7 @@ constexpr double inner_part = 0.5;
 // Limits on the radius of the largest ring, in horizons. A smaller ring is affected by the lattice; a larger one gives
 // nothing new and takes longer.
 constexpr double least_horizons = 2, most_horizons = 10;
-constexpr double nearly = 1 - 1e-9;  // so that rounding does not decide about equal lengths
+constexpr double nearly_one = 1 - 1e-9;  // so that rounding does not decide about equal lengths
 
 // Radius of the largest ring over the radius around the tip that is free of other tips, mouths and bends.
 constexpr double part_of_clear = 0.9;
@@ -68,9 +68,10 @@ std::optional<coupling::Affine> free_displacement(const BondedBody& body, const 
   const PlaneElasticity& elasticity = tip.axes.elasticity;
   const Eigen::RowVector2d strain = -pressure_in(body, tip) / (elasticity.c11() + elasticity.c12());
   const std::vector<Point>& positions = body.discretization.positions;
+  const RegionSwelling* swelling = body.discretization.region(tip.region).swelling();
   coupling::Affine free(2 * static_cast<Eigen::Index>(positions.size()), 2);
   for (std::size_t node = 0; node < positions.size(); ++node) {
-    const auto at = body.discretization.region(tip.region).free_displacement(positions[node]);
+    const auto at = swelling ? swelling->free_displacement(positions[node]) : Eigen::Matrix2d(Eigen::Matrix2d::Zero());
     if (!at) return std::nullopt;
     free.middleRows<2>(2 * static_cast<Eigen::Index>(node)) = *at + (positions[node] - tip.axes.place) * strain;
   }
@@ -85,7 +86,7 @@ bool is_shut(const BondedBody& body, const LatticeTip& tip, const TipValues& val
 
 TipValues values_of(const BondedBody& body, const LatticeTip& tip, double toughness, const Solution& solution) {
   TipValues values = without_contours(tip);
-  if (tip.clear < nearly * least_horizons * tip.horizon) return values;
+  if (tip.clear < nearly_one * least_horizons * tip.horizon) return values;
   const std::optional<coupling::Affine> free = free_displacement(body, tip);
   if (!free) return values;
   const double radius = std::min(part_of_clear * tip.clear, most_horizons * tip.horizon);
@@ -129,8 +130,8 @@ std::vector<TipValues> lattice_tips(const BondedBody& body, const std::vector<La
   std::vector<TipValues> values;
   for (const LatticeTip& tip : tips) {
     check_cancelled();
-    const std::optional<pd::TipLaw> law =
-        tip.region > 0 ? body.discretization.region(tip.region).tip_law(options) : std::nullopt;
+    const RegionBonds* bonds = tip.region > 0 ? body.discretization.region(tip.region).bonds() : nullptr;
+    const std::optional<pd::TipLaw> law = bonds ? bonds->tip_law(options) : std::nullopt;
     values.push_back(values_of(body, tip, law ? law->at(tip.axes.place, 0).toughness : 0, solution));
   }
   return values;

@@ -3,10 +3,6 @@
 #include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
-#include <limits>
-#include <numbers>
-
-#include "geometry/segment.hpp"
 
 namespace bempd::regions {
 
@@ -18,20 +14,6 @@ double weight_at(double radius, double inner, double outer) {
   return 1 - t * t * (3 - 2 * t);
 }
 
-// Whether a place lies to the left of the segment of a path that is nearest to it.
-bool is_left_of(const std::vector<Point>& path, const Point& place) {
-  double least = std::numeric_limits<double>::infinity();
-  bool left = true;
-  for (std::size_t i = 0; i + 1 < path.size(); ++i) {
-    const Segment segment{path[i], path[i + 1]};
-    const double gap = distance(segment, place);
-    if (gap >= least) continue;
-    least = gap;
-    left = cross(segment.direction(), place - segment.start) > 0;
-  }
-  return left;
-}
-
 double elongation(const std::vector<std::pair<int, Point>>& pulls, const std::vector<Point>& displacement) {
   if (pulls.size() == 2) return pulls[1].second.dot(displacement[pulls[1].first] - displacement[pulls[0].first]);
   double sum = 0;
@@ -39,10 +21,16 @@ double elongation(const std::vector<std::pair<int, Point>>& pulls, const std::ve
   return sum;
 }
 
+std::vector<Point> path_in_axes(const TipAxes& axes) {
+  std::vector<Point> path;
+  for (const Point& p : axes.path) path.push_back(axes.into(p - axes.place));
+  return path;
+}
+
 }  // namespace
 
 TipRings::TipRings(const BondedBody& body, TipAxes axes, double radius)
-    : body_(body), axes_(std::move(axes)), radius_(radius) {
+    : body_(body), axes_(std::move(axes)), radius_(radius), crack_(path_in_axes(axes_), radius) {
   const coupling::Terms& terms = body.bonds;
   const std::vector<char> usable = terms_of_material();
   const std::vector<Point>& positions = body.discretization.positions;
@@ -61,6 +49,10 @@ TipRings::TipRings(const BondedBody& body, TipAxes axes, double radius)
     terms.for_each_entry(b, [&](int node, double x, double y) { term.pulls.emplace_back(number(node), Point(x, y)); });
   }
   collect_faces();
+  if (axes_.is_rough) return;
+  std::vector<Point> places;
+  for (const int node : nodes_) places.push_back(axes_.into(positions[node] - axes_.place));
+  crack_.divide(places, axes_.spacing);
 }
 
 // Flag of each term: whether all its nodes lie in lattices of the material at the tip. Lattices of other materials are
@@ -71,8 +63,8 @@ std::vector<char> TipRings::terms_of_material() const {
   for (const auto& region : body_.discretization.regions) {
     if (is_of_material(*region))
       for (const int node : region->nodes()) inside[node] = 1;
-    else if (const auto listed = region->bonds())
-      std::fill_n(usable.begin() + static_cast<std::ptrdiff_t>(region->first_bond()), listed->size(), 0);
+    else if (const RegionBonds* bonds = region->bonds())
+      std::fill_n(usable.begin() + static_cast<std::ptrdiff_t>(bonds->first_bond()), bonds->list().size(), 0);
   }
   for (std::size_t b = 0; b < terms.size(); ++b)
     terms.for_each_node(b, [&](int node) { usable[b] = usable[b] && inside[node]; });
@@ -103,20 +95,16 @@ void TipRings::collect_faces() {
 }
 
 TipPolar TipRings::polar(const Point& place, const Point& centre) const {
-  const Point local = axes_.into(place - centre);
-  TipPolar found{std::max(local.norm(), 1e-3 * axes_.spacing), std::atan2(local.y(), local.x())};
-  // The side of the crack decides about the sign of a nearby point's angle, even if the point lies on the other side of
-  // the tip's straight line.
-  if (local.x() < 0 && std::abs(local.y()) < 2.5 * axes_.spacing) {
-    const bool left = is_left_of(axes_.path, place);
-    if (left && found.angle < 0) found.angle += 2 * std::numbers::pi;
-    if (!left && found.angle > 0) found.angle -= 2 * std::numbers::pi;
-  }
+  TipPolar found = crack_.polar(axes_.into(place - axes_.place), axes_.into(centre - axes_.place));
+  found.radius = std::max(found.radius, 1e-3 * axes_.spacing);
   return found;
 }
 
 Eigen::VectorXd TipRings::face_forces(const CrackTipField& dual, const Point& centre) const {
   Eigen::VectorXd own = Eigen::VectorXd::Zero(2 * static_cast<Eigen::Index>(nodes_.size()));
+  crack_.add_forces(dual, axes_.into(centre - axes_.place), [&](int node, const Point& force) {
+    own.segment<2>(2 * static_cast<Eigen::Index>(node)) += axes_.elasticity.thickness * axes_.out_of(force);
+  });
   if (faces_.empty()) return own;
   Eigen::VectorXd forces = Eigen::VectorXd::Zero(2 * static_cast<Eigen::Index>(body_.discretization.positions.size()));
   for (const FacePart& face : faces_) {
@@ -128,9 +116,9 @@ Eigen::VectorXd TipRings::face_forces(const CrackTipField& dual, const Point& ce
       const Eigen::Vector3d s = dual.stress(polar(place, centre));
       return axes_.out_of({s[0] * normal.x() + s[2] * normal.y(), s[2] * normal.x() + s[1] * normal.y()});
     };
-    face.region->add_traction(face.span, traction, forces);
+    face.region->loads().add_traction(face.span, traction, forces);
   }
-  for (std::size_t i = 0; i < nodes_.size(); ++i) own.segment<2>(2 * i) = forces.segment<2>(2 * nodes_[i]);
+  for (std::size_t i = 0; i < nodes_.size(); ++i) own.segment<2>(2 * i) += forces.segment<2>(2 * nodes_[i]);
   return own;
 }
 

@@ -8,6 +8,7 @@
 #include "coupling/constraints.hpp"
 #include "elasticity/crack_tip_field.hpp"
 #include "regions/discretization.hpp"
+#include "regions/tips/bent_crack.hpp"
 
 namespace bempd::regions {
 
@@ -30,6 +31,7 @@ struct TipAxes {
   std::vector<Point> path;  // of the crack, ending at the tip
   double spacing;           // of the lattice
   PlaneElasticity elasticity;
+  bool is_rough = false;  // the path leads over broken cells, from middle to middle
 
   Point into(const Point& vector) const {
     return {direction.dot(vector), direction.x() * vector.y() - direction.y() * vector.x()};
@@ -49,7 +51,7 @@ struct TipAxes {
 // no displacement differentiated. The second part vanishes where u is in balance without forces, which leaves
 //   H = sum k e(u*) e(q u) - sum q F*.u,
 // where F* are the forces of the dual field's tractions on the lattice's outline: where the ring meets the outline, the
-// path around the tip continues along it.
+// path around the tip continues along it. Faces of a crack that bends behind the tip count likewise.
 class TipRings {
  public:
   TipRings(const BondedBody& body, TipAxes axes, double radius);
@@ -76,7 +78,8 @@ class TipRings {
   // Displacements of the nodes around the tip without their rigid motion; `displacement` is that of all nodes of the
   // scene.
   Eigen::VectorXd around(const Eigen::VectorXd& displacement) const;
-  // Coefficients from the ring between two radii. `around` is the result of the function around().
+  // Coefficients of Williams' terms at the tip from the ring between the radii `inner` and `outer`. `around` holds the
+  // displacements that the function around() gives.
   Expansion expansion(const View& view, double inner, double outer, const Eigen::VectorXd& around) const;
 
  private:
@@ -105,6 +108,7 @@ class TipRings {
   std::vector<int> nodes_;  // of the scene
   std::vector<LocalTerm> terms_;
   std::vector<FacePart> faces_;
+  BentCrack crack_;
 };
 
 }  // namespace bempd::regions

@@ -49,8 +49,8 @@ class BrokenFaces {
     std::vector<Point> cells;  // to the farthest one, empty if there is none
     std::vector<Point> all;    // that can be reached
   };
-  // Path of broken cells from those around a crack's end to the cell that is the most steps away. Cells that meet at a
-  // corner only count as neighbours, because bonds along a slanted crack break later or never.
+  // Path of broken cells from those around a crack's end to the cell that is the most steps away. Cells that share no
+  // more than a corner are neighbours, too, because bonds along a slanted crack break later or never.
   Way way_from(const Point& end) const {
     std::map<Cell, Cell> came_from;
     std::queue<Cell> next;
@@ -120,12 +120,12 @@ void fit_end(TipAxes& axes, double part) {
   axes.place = middle + along.dot(end - middle) * along;
 }
 
-// Length [m] over which the crack is straight behind its tip, within one spacing.
+// Length [m] over which a crack of broken cells is straight behind its tip, within one spacing.
 double straight_length(const TipAxes& axes) {
   double reached = 0;
   for (std::size_t i = axes.path.size() - 1; i > 0; --i) {
     const Segment piece{axes.path[i], axes.path[i - 1]};
-    const int parts = std::max(1, static_cast<int>(std::ceil(2 * piece.length() / axes.spacing)));
+    const int parts = std::max(1, static_cast<int>(std::ceil(2 * piece.length() / axes.spacing - 1e-6)));
     for (int k = 1; k <= parts; ++k) {
       const Point local = axes.into(piece.at(static_cast<double>(k) / parts) - axes.place);
       if (std::abs(local.y()) > axes.spacing || local.x() > axes.spacing) return reached;
@@ -135,8 +135,29 @@ double straight_length(const TipAxes& axes) {
   return reached;
 }
 
+// Radius of the largest circle around the tip within which the crack is one piece that ends at the tip.
+double reach_of(const TipAxes& axes) {
+  std::vector<double> from_tip;  // from the far end on
+  for (std::size_t i = 0; i + 1 < axes.path.size(); ++i) {
+    const Segment piece{axes.path[i], axes.path[i + 1]};
+    const int parts = std::max(1, static_cast<int>(std::ceil(2 * piece.length() / axes.spacing - 1e-6)));
+    for (int k = 0; k < parts; ++k) from_tip.push_back((piece.at(static_cast<double>(k) / parts) - axes.place).norm());
+  }
+  double radius = from_tip.empty() ? 0 : from_tip.front(), before = 0;
+  // A circle that leaves out a part, but not all parts beyond it, is smaller than all of these.
+  while (radius != before) {
+    before = radius;
+    double nearest = radius;
+    for (const double distance : from_tip) {
+      nearest = std::min(nearest, distance);
+      if (nearest < radius && radius <= distance) radius = nearest;
+    }
+  }
+  return radius;
+}
+
 double clear_radius(const LatticeTip& tip, const std::vector<Point>& broken) {
-  double radius = straight_length(tip.axes);
+  double radius = tip.axes.is_rough ? straight_length(tip.axes) : reach_of(tip.axes);
   const double beside = std::max(1.5 * tip.axes.spacing, 0.5 * tip.horizon);
   for (const Point& middle : broken) {
     const double from_tip = (middle - tip.axes.place).norm();
@@ -169,6 +190,7 @@ class TipSearch {
       if (!std::all_of(way.all.begin(), way.all.end(),
                        [&](const Point& cell) { return is_in(body_.scene, body_.discretization, cell, false); }))
         return;
+      tip.axes.is_rough = true;
       fit_end(tip.axes, 2 * tip.horizon);
       tip.branched = std::any_of(way.all.begin(), way.all.end(),
                                  [&](const Point& cell) { return distance_to(tip.axes.path, cell) > tip.horizon; });

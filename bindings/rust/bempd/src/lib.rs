@@ -69,7 +69,7 @@ pub use options::{options, OptionInfo, OptionKind};
 pub use raw::{State, View};
 pub use reports::{
     BodyPlan, CrackExtension, CrackTip, Errors, Explanation, FatigueRecord, FatigueReport, Growth, HistoryEntry,
-    PathVertex, PhaseProgress, Piece, Progress, Singularity, Statistics, StepReport, TipRecord,
+    PathVertex, PhaseProgress, Piece, Progress, RunErrors, Singularity, Statistics, StepReport, TipRecord,
 };
 pub use results::{Bond, CrackOpening, EdgeReaction, Elements, HistorySupport, PointValues};
 

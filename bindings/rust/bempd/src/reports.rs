@@ -275,6 +275,32 @@ mirror! {
 }
 
 mirror! {
+    /// Errors of a run in which cracks have grown, by source; sources are never added. NaN where they were not estimated.
+    RunErrors of bempd_run_errors {
+        /// Time that the estimate takes, roughly [s].
+        expected_seconds: f64,
+        /// Time that it took; 0 if it was not made [s].
+        seconds: f64,
+        /// Error of the load factor of the first growth, from boundary elements, relative [-].
+        first_growth: f64,
+        /// Error of the peak resistance, from elements and lengths of extensions, relative [-].
+        peak: f64,
+        /// Error of the paths of cracks, likewise [m].
+        path: f64,
+        /// Error of the first growth from lattice patches in place of elements [-].
+        lattice_first_growth: f64,
+        /// Error of the peak resistance from these [-].
+        lattice_peak: f64,
+        /// Error of the paths of cracks from these [m].
+        lattice_path: f64,
+        /// Crack with the largest of the errors of paths.
+        path_crack: CrackId,
+        /// Whether the estimate was made; else it takes longer than allowed.
+        is_made: bool,
+    }
+}
+
+mirror! {
     /// A place where the stress of the elastic body is unbounded: it grows as r to the power of exponent - 1.
     Singularity of bempd_singularity {
         /// Why it is.

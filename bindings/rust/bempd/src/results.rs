@@ -1,6 +1,7 @@
 use crate::{
     BodyPlan, BondState, CrackExtension, CrackId, CrackTip, Errors, Explanation, Face, Field, Growth, HistoryEntry,
-    LoadId, Model, PathVertex, Piece, RegionId, Result, Singularity, Statistics, SupportId, TipEnd, TipRecord, View,
+    LoadId, Model, PathVertex, Piece, RegionId, Result, RunErrors, Singularity, Statistics, SupportId, TipEnd,
+    TipRecord, View,
 };
 
 /// Node indices, from 0, of the boundary elements or lattice cells of a region.
@@ -153,6 +154,11 @@ impl Model {
     pub fn evaluate(&self, places: &[[f64; 2]]) -> Result<PointValues> {
         let (displacement, stress, regions) = self.handle.evaluate(places)?;
         Ok(PointValues { displacement, stress, regions: regions.into_iter().map(RegionId).collect() })
+    }
+
+    /// Errors [m], [Pa] of the displacements and stresses that [`Model::evaluate`] gives; NaN where they are not known.
+    pub fn evaluate_errors(&self, places: &[[f64; 2]]) -> Result<(Vec<f64>, Vec<f64>)> {
+        self.handle.evaluate_errors(places)
     }
 
     /// Displacement as [`Model::evaluate`] computes it, without the cost of the stress.
@@ -393,6 +399,11 @@ impl Model {
     /// Errors of the present results by source; it solves the scene with longer elements.
     pub fn error_estimate(&self) -> Result<Errors> {
         Ok(Errors::from_raw(&self.handle.error_estimate()?))
+    }
+
+    /// Errors of peak and paths of the run so far, which is run again if that takes at most `seconds_allowed`.
+    pub fn run_error_estimate(&self, seconds_allowed: f64) -> Result<RunErrors> {
+        Ok(RunErrors::from_raw(&self.handle.run_error_estimate(seconds_allowed)?))
     }
 
     /// Sizes, counters and times so far.

@@ -150,6 +150,14 @@ impl Handle {
         Ok((displacement, stress, regions))
     }
 
+    pub(crate) fn evaluate_errors(&self, places: &[[f64; 2]]) -> Result<(Vec<f64>, Vec<f64>)> {
+        let (mut displacement, mut stress) = (vec![0.0; places.len()], vec![0.0; places.len()]);
+        let (count, places) = points(places);
+        let outputs = (displacement.as_mut_ptr(), stress.as_mut_ptr());
+        self.call(|model| unsafe { sys::bempd_evaluate_errors(model, count, places, outputs.0, outputs.1) })?;
+        Ok((displacement, stress))
+    }
+
     pub(crate) fn stress_orders(&self, places: &[[f64; 2]]) -> Result<Vec<f64>> {
         let mut orders = vec![0.0; places.len()];
         let (count, places) = points(places);
@@ -406,6 +414,12 @@ impl Handle {
     pub(crate) fn error_estimate(&self) -> Result<sys::bempd_errors> {
         let mut errors = filled(sys::bempd_errors_init)?;
         self.call(|model| unsafe { sys::bempd_error_estimate(model, &mut errors) })?;
+        Ok(errors)
+    }
+
+    pub(crate) fn run_error_estimate(&self, seconds_allowed: f64) -> Result<sys::bempd_run_errors> {
+        let mut errors = filled(sys::bempd_run_errors_init)?;
+        self.call(|model| unsafe { sys::bempd_run_error_estimate(model, seconds_allowed, &mut errors) })?;
         Ok(errors)
     }
 

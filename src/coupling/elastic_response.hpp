@@ -1,0 +1,38 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <span>
+
+#include "coupling/system_parts.hpp"
+
+namespace bempd::coupling {
+
+// Forces and energies of a system's operators, terms and closed penalties (not of holding springs) at given
+// displacements, 2 * node + component. The load factor matters where rest elongations or rest displacements depend on
+// it. The operators must be condensed before.
+class ElasticResponse {
+ public:
+  explicit ElasticResponse(const SystemParts& parts) : parts_(parts) {}
+
+  // Whether there can be forces at zero displacement: by rest elongations or displacements, or closed exact
+  // constraints.
+  bool has_offsets() const;
+
+  // Nodal forces. Those on tied nodes are moved to their masters.
+  Eigen::VectorXd internal_force(const Eigen::VectorXd& displacement, double load_factor = 0) const;
+  // Nodal forces of the numbered terms alone; forces on tied nodes are not moved to their masters.
+  Eigen::VectorXd force_of_terms(std::span<const int> terms, const Eigen::VectorXd& displacement,
+                                 double load_factor) const;
+
+  // Energy; then its derivative by the load factor at a fixed displacement, which the proportional parts of rest
+  // elongations and rest displacements cause.
+  double energy(const Eigen::VectorXd& displacement, double load_factor = 0) const;
+  double energy_slope(const Eigen::VectorXd& displacement, double load_factor) const;
+  // Strain energy of the proportional part of a displacement, with the proportional parts of rest elongations.
+  double unit_energy(const Eigen::VectorXd& proportional) const;
+
+ private:
+  const SystemParts& parts_;
+};
+
+}  // namespace bempd::coupling

@@ -1,0 +1,41 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <span>
+#include <vector>
+
+#include "coupling/repeatable_factor.hpp"
+#include "coupling/system_parts.hpp"
+
+namespace bempd::coupling {
+
+// Motion with little resistance: displacements (2 * node + component, the largest 1), and the energy that they need
+// over that of the same displacements with the matrix's diagonal alone.
+struct SoftMotion {
+  Eigen::VectorXd motion;
+  double resistance;
+};
+
+// Resistance of a system to motions of its parts, which broken terms and open cracks may have taken away.
+class MotionResistance {
+ public:
+  MotionResistance(SystemParts& parts, const SystemMatrix& matrix, RepeatableFactor& factor)
+      : parts_(parts), matrix_(matrix), factor_(factor) {}
+
+  // Whether every motion still meets resistance after the terms `broken` have broken; if not, softest() finds one that
+  // does not. The loss need not show in elongations under the present load.
+  bool resists_all(std::span<const int> broken);
+
+  // Motions that nothing but these springs resists, with all constraints open. A motion need not belong to one spring.
+  std::vector<Eigen::VectorXd> held_by(std::span<const HoldingSpring> springs);
+
+  // Motion with the least resistance: the free one, after solve() has failed or displacements have grown without bound.
+  SoftMotion softest();
+
+ private:
+  SystemParts& parts_;
+  const SystemMatrix& matrix_;
+  RepeatableFactor& factor_;
+};
+
+}  // namespace bempd::coupling

@@ -1,0 +1,62 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "coupling/term_law.hpp"
+#include "coupling/terms.hpp"
+#include "linalg/adjacency.hpp"
+
+namespace bempd::coupling {
+
+// Stage of every term of a body in its law, and what follows from it: the present stiffness, and whether the term is
+// intact (not broken).
+class TermStages {
+ public:
+  // All terms begin in their first stage. `terms` must outlive the object.
+  explicit TermStages(const Terms& terms);
+  TermStages(const TermStages&) = delete;
+  TermStages& operator=(const TermStages&) = delete;
+
+  const std::vector<std::uint8_t>& numbers() const { return numbers_; }
+  const std::vector<char>& intact() const { return intact_; }
+  const std::vector<double>& stiffness() const { return stiffness_; }  // present one of each term [N/m]
+  double stiffness_after(const StageChange& change) const {
+    return terms_.law_of(static_cast<std::size_t>(change.term)).stiffness_share(change.stage) *
+           terms_.stiffness[change.term];
+  }
+  // Critical elongation of a term in its present stage, as a share of the term's nominal critical elongation.
+  double critical_share(int term) const {
+    return terms_.law_of(static_cast<std::size_t>(term)).critical_share(numbers_[term]);
+  }
+
+  // Stage change of a term that has reached the critical elongation of its present stage.
+  StageChange after_critical(int term) const {
+    return {term, terms_.law_of(static_cast<std::size_t>(term)).after_critical(numbers_[term])};
+  }
+  // Completes `changes` with the breaks of all terms that follow broken ones; sorted by terms, each once.
+  std::vector<StageChange> with_followers(std::vector<StageChange> changes) const;
+  // Changes that break `terms` and all terms that follow them.
+  std::vector<StageChange> breaking(std::span<const int> terms) const;
+  // Number of terms that the changes break, without those that merely follow others.
+  std::int64_t count_broken(std::span<const StageChange> changes) const;
+
+  // Writes down the new stages of terms but not their stiffness, so that fragments can be found before a system loses
+  // their resistance.
+  void mark(std::span<const StageChange> changes);
+  // Puts terms into other stages. A system's factor then belongs to another matrix; EquilibriumSystem::commit() changes
+  // the factor, too.
+  void enter(std::span<const StageChange> changes);
+  void enter_all(std::span<const std::uint8_t> numbers);  // one for each term
+
+ private:
+  const Terms& terms_;
+  std::vector<std::uint8_t> numbers_;
+  std::vector<char> intact_;
+  std::vector<double> stiffness_;
+  linalg::Adjacency followers_of_;  // of every term; empty if none follows
+};
+
+}  // namespace bempd::coupling

@@ -1,0 +1,191 @@
+#include "fracture/body_growth.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "error.hpp"
+#include "fracture/balance.hpp"
+#include "number_range.hpp"
+
+namespace bempd::fracture {
+
+using coupling::Affine;
+
+namespace {
+
+// Potential, at the displacements before, of the loads that nodes have lost since then: these loads did no further
+// work.
+double potential_of_lost_loads(const Affine& force, const std::vector<char>& lost, const std::vector<char>& lost_before,
+                               const Eigen::VectorXd& displacement, double load_factor) {
+  double sum = 0;
+  for (std::size_t node = 0; node < lost.size(); ++node) {
+    if (lost[node] == lost_before[node]) continue;
+    const auto dof = 2 * static_cast<Eigen::Index>(node);
+    sum += coupling::evaluate(force.middleRows<2>(dof), load_factor).dot(displacement.segment<2>(dof));
+  }
+  return sum;
+}
+
+}  // namespace
+
+// Takes over the stages of terms. Bonds that longer cracks cut are broken too, and cracks that have entered a lattice
+// get their tips there.
+void BodyGrowth::take_over_lattices(const BodyState& old, const FormerBody& former,
+                                    const std::vector<crack::TipId>& entering) {
+  for (std::size_t t = 0; t < old.stages.size(); ++t) {
+    if (old.stages[t] == 0) continue;
+    std::uint8_t& now = state_.stages[static_cast<std::size_t>(former.now(static_cast<int>(t)))];
+    now = std::max(now, old.stages[t]);
+  }
+  std::vector<GrowingTip> tips = old.tips;
+  for (const GrowingTip& tip : state_.tips) {
+    if (std::find(entering.begin(), entering.end(), tip.id) == entering.end()) continue;
+    std::erase_if(tips, [&](const GrowingTip& other) { return other.id == tip.id; });
+    tips.push_back(tip);
+  }
+  state_.tips = std::move(tips);
+}
+
+// Takes over the contact state. Exact constraints of longer cracks are determined anew. If a crack has entered a
+// lattice, so are the places on initial cracks: all are open at first, and some places of broken bonds may have become
+// places of the crack.
+void BodyGrowth::take_over_faces(const CrackFaces& before, const FaceState& old, const FormerBody& former) {
+  FaceState& faces = state_.faces;
+  const std::size_t exact_before = before.constraints().exact_count(), exact = system_.constraints().exact_count();
+  const bool same_places = before.first_grown() - exact_before == body_.faces().first_grown() - exact;
+  const auto initial = old.closed.begin() + static_cast<std::ptrdiff_t>(exact_before);
+  const auto grown = old.closed.begin() + static_cast<std::ptrdiff_t>(before.first_grown());
+  if (same_places) std::copy(initial, grown, faces.closed.begin() + static_cast<std::ptrdiff_t>(exact));
+  for (std::size_t k = 0; k < old.grown.size(); ++k) {
+    GrownFace face = old.grown[k];
+    face.term = former.now(face.term);
+    if (!same_places && state_.stages[static_cast<std::size_t>(face.term)] != 0) continue;
+    faces.grown.push_back(face);
+    faces.closed.push_back(grown[static_cast<std::ptrdiff_t>(k)]);
+  }
+  faces.pending = old.pending;
+  for (std::vector<int>& terms : faces.pending)
+    for (int& term : terms) term = former.now(term);
+}
+
+// Takes over the body's state: what is broken, and what holds separated parts.
+void BodyGrowth::take_over_body(const BodyState& old, const FormerBody& former,
+                                const std::vector<crack::TipId>& entering) {
+  state_.load_factor = old.load_factor;
+  state_.largest_force = old.largest_force;
+  state_.separated = old.separated;
+  state_.stopped = old.stopped;
+  state_.first_unit_energy = old.first_unit_energy;
+  take_over_lattices(old, former, entering);
+  for (std::size_t node = 0; node < former.node.size(); ++node) {
+    const auto before = static_cast<std::size_t>(former.node[node]);
+    state_.unloaded[node] = old.unloaded[before];
+    state_.total_displacement.segment<2>(2 * static_cast<Eigen::Index>(node)) =
+        old.total_displacement.segment<2>(2 * static_cast<Eigen::Index>(before));
+  }
+  for (coupling::HoldingSpring spring : old.springs) {
+    spring.node = former.node_now[static_cast<std::size_t>(spring.node)];
+    if (spring.node >= 0) state_.springs.push_back(spring);
+  }
+  sources_.abandon();
+  sources_.refresh();
+}
+
+// Equilibrium after growth. A piece that comes off is held at its present position. If that is far from its unloaded
+// position, the rounding errors of its stiffness cause forces; it is then held at its unloaded position instead.
+LoadedBody::FirstEquilibrium BodyGrowth::find_equilibrium_of_pieces() {
+  constexpr double balanced = 1e-8;
+  BodyState given = state_;
+  // If bonds are broken as well, residuals above `balanced` look like a motion that no spring holds. The solution then
+  // throws, and the unloaded position is tried as well.
+  try {
+    const LoadedBody::FirstEquilibrium found = body_.find_equilibrium();
+    if (found.held.empty() || body_.response().residual() <= balanced) return found;
+  } catch (const Error& error) {
+    if (error.failure() != Failure::unsolvable) throw;
+  }
+  static_cast<BodyState&>(state_) = std::move(given);
+  state_.total_displacement.setZero();
+  sources_.abandon();
+  sources_.refresh();
+  return body_.find_equilibrium();
+}
+
+// Continues the run of the body `before`. At constant loads the potential energy falls by what the crack growth
+// releases; the work of the loads follows from that and the stored energy.
+void BodyGrowth::go_on_from(BodyGrowth& before, const FormerBody& former, const std::vector<crack::TipId>& entering) {
+  before.sources_.look();
+  const EvolutionState& old = before.state_;
+  static_cast<Sums&>(state_) = old;
+  state_.history = old.history;
+  state_.reactions = old.reactions;
+  state_.reactions_before = old.reactions_before;
+  state_.support_displacements = old.support_displacements;
+  state_.extensions = old.extensions;
+  state_.layouts = old.layouts;
+  take_over_faces(before.body_.faces(), old.faces, former);
+  take_over_body(old, former, entering);
+  const std::vector<char> lost_before = state_.unloaded;
+  const Eigen::VectorXd displacement = state_.total_displacement;
+  const LoadedBody::FirstEquilibrium found = find_equilibrium_of_pieces();
+  records_.set_held(found.held);
+  const double f = state_.load_factor;
+  const double lost =
+      potential_of_lost_loads(body_.loads().acting().force, state_.unloaded, lost_before, displacement, f);
+  outcome_ = {};
+  outcome_.work = body_.response().potential_of_loads() - (before.body_.response().potential_of_loads() - lost) +
+                  inner_work_.at(f) - before.inner_work_.at(f);
+  outcome_.stored_energy_before = before.body_.response().stored_energy();
+  outcome_.within_before = before.inner_work_.at(f);
+  outcome_.stored_energy = body_.response().stored_energy();
+  outcome_.released_energy = outcome_.work + outcome_.stored_energy_before - outcome_.stored_energy;
+  outcome_.unit_energy = body_.response().unit_energy();
+  outcome_.residual = body_.response().residual();
+  outcome_.energy_scale = least_energy_scale(system_, f);
+  outcome_.fragments = found.fragments;
+  outcome_.lost_balance = found.lost_balance;
+  outcome_.reactions_before = before.body_.supports().reactions();
+  outcome_.resistance_before = before.body_.supports().resistance(outcome_.reactions_before);
+  outcome_.reactions = body_.supports().reactions();
+  outcome_.resistance = body_.supports().resistance(outcome_.reactions);
+}
+
+// Negative potential energy at a load factor: potential that the loads have lost less the stored energy.
+double BodyGrowth::potential_at(double load_factor) const {
+  const double of_loads =
+      coupling::evaluate(system_.load().force(), load_factor).dot(coupling::evaluate(state_.displacement, load_factor));
+  return of_loads + inner_work_.at(load_factor) - body_.response().stored_energy_at(load_factor);
+}
+
+// Excess of the energy released at constant loads over that along the equilibrium path. The former is a quadratic
+// function R of the load factor. Along a path from a to b, the release is the bilinear form B(a, b) with B(f, f) =
+// R(f), up to the third power of the extension. It is, by Betti's theorem, half the difference of the works that each
+// crack's forces do on the other's displacements. B follows from three values of R.
+double BodyGrowth::released_beyond_path(const BodyGrowth& before, double load_factor) const {
+  const auto released = [&](double at) { return potential_at(at) - before.potential_at(at); };
+  const double present = state_.load_factor;
+  return 1.5 * released(present) - 2 * released(0.5 * (present + load_factor)) + 0.5 * released(load_factor);
+}
+
+void BodyGrowth::book(const Growth& growth) {
+  Event event;
+  event.load_factor = state_.load_factor;
+  event.ratio = growth.ratio;
+  event.critical_load_factor = growth.critical_load_factor;
+  outcome_.work -= growth.beyond_path;
+  outcome_.released_energy -= growth.beyond_path;
+  outcome_.bond_energy = growth.surface_energy;
+  outcome_.ties = growth.ties;
+  outcome_.critical_stored_energy = body_.response().stored_energy_at(event.critical_load_factor);
+  records_.book(event, outcome_);
+  records_.add_extensions(growth.extensions);
+}
+
+void BodyGrowth::book_layout(std::int64_t extension) {
+  state_.layouts.push_back(extension);
+  state_.fragments += outcome_.fragments;
+  records_.add_work(stored_by_layout());
+  records_.end_step();
+}
+
+}  // namespace bempd::fracture

@@ -1,0 +1,63 @@
+#pragma once
+
+#include <utility>
+#include <vector>
+
+#include "coupling/equilibrium_system.hpp"
+#include "fracture/crack_fluid.hpp"
+#include "fracture/evolution_state.hpp"
+
+namespace bempd::fracture {
+
+// Loads as the host has given them, and whether the body is in equilibrium under them.
+struct ActingLoads {
+  coupling::Affine force, prescribed;
+  CrackPressures pressures;
+  std::vector<int> loaded_nodes;
+  bool in_equilibrium = false;
+  double first_unit_energy = -1;
+};
+
+// Loads of a body: nodal forces and prescribed displacements that the host gives, and the fluid in cracks. The system
+// carries them, less those of parts that have come free.
+class BodyLoads {
+ public:
+  BodyLoads(coupling::EquilibriumSystem& system, const std::vector<Point>& positions, BodyState& state);
+
+  // Adds the fluid in cracks; called before the first loads.
+  void add_fluid(CrackFluid fluid) { fluid_ = std::move(fluid); }
+  bool has_fluid() const { return !fluid_.empty(); }
+  // Pressure that the host has given for a crack, constant and proportional part [Pa]; 0 if none.
+  Eigen::RowVector2d pressure_in(int crack) const;
+  // Lets the fluid enter the terms that have broken; returns the nodal forces [N] that this adds at the present load
+  // factor.
+  Eigen::VectorXd let_flow();
+
+  void set(const coupling::Affine& force, const coupling::Affine& prescribed, const CrackPressures& pressures);
+  ActingLoads acting() const;
+  void restore(ActingLoads loads) noexcept;  // apply() has to follow
+  void drop(const std::vector<int>& nodes);  // for good
+  void apply();                              // to the system
+
+  const coupling::Affine& prescribed() const { return prescribed_; }
+  const std::vector<int>& loaded_nodes() const { return loaded_nodes_; }
+  Point on(int node, double load_factor) const;  // [N]
+  // Imbalance of the loads at the present load factor, which supports have to bear: the sum of the loads, or their
+  // moment over the radius of gyration of their places, over half the sum of their magnitudes. 0 if they balance.
+  double unbalanced_share() const;
+
+ private:
+  coupling::Affine without_lost_loads(coupling::Affine force) const;
+  // Loads less those that nodes have lost, plus the forces of the fluid.
+  coupling::Affine carried(coupling::Affine force, const CrackPressures& pressures) const;
+
+  coupling::EquilibriumSystem& system_;
+  const std::vector<Point>& positions_;
+  BodyState& state_;
+  coupling::Affine force_, prescribed_;  // as the host gave them
+  CrackPressures pressures_;             // likewise
+  CrackFluid fluid_;
+  std::vector<int> loaded_nodes_;
+};
+
+}  // namespace bempd::fracture

@@ -1,0 +1,58 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "fracture/contact/crack_faces.hpp"
+#include "fracture/part_holder.hpp"
+
+namespace bempd::fracture {
+
+// Contact of the whole body at its load factor: which faces of its cracks press on each other (the active set).
+class BodyContact {
+ public:
+  BodyContact(coupling::EquilibriumSystem& system, const std::vector<Point>& positions, BodyState& state,
+              CrackFaces& faces, BodyResponse& response, PartHolder& holder)
+      : system_(system), positions_(positions), state_(state), faces_(faces), response_(response), holder_(holder) {}
+
+  // Opens and closes constraints, with a solution after each round, until all agree with their gaps at the present load
+  // factor. Where a gap is zero, its sign just ahead in `direction` decides. Parts that only closed faces held are held
+  // by springs when these open.
+  struct Settled {
+    std::int64_t switched = 0, fragments = 0;  // constraints; parts that loads push
+    std::vector<int> held;                     // nodes of parts that could move freely
+  };
+  Settled settle(double direction);
+  // Load factor up to which constraints are settled in a direction: the present one, or one a little farther if they
+  // could only be settled for that.
+  double settled_until(double direction) const;
+  // Whether constraints open or close as soon as the load factor moves in a direction.
+  bool switches_at_once(double direction) const;
+  // Settles constraints for a look at what is ahead. The caller restores the state.
+  void look_ahead(double direction);
+
+  // Adds the contact places of terms that have broken since the last update, at the state's displacements.
+  void update_faces() { faces_.update(state_.total_displacement, state_.faces); }
+  // Adds contact places as update_faces() does, and bars those on parts that only springs hold from closing.
+  void refresh_faces() {
+    update_faces();
+    bar_held_parts();
+  }
+  std::size_t changes_that_bar() const { return changes_that_bar_; }
+  void bar(std::vector<char> barred, std::size_t changes);
+
+ private:
+  void bar_held_parts();
+  double farther_on(double share, double direction) const;
+
+  coupling::EquilibriumSystem& system_;
+  const std::vector<Point>& positions_;
+  BodyState& state_;
+  CrackFaces& faces_;
+  BodyResponse& response_;
+  PartHolder& holder_;
+  double settled_at_ = 0, settled_farther_on_ = 0;  // load factors; the same where places are right at the first
+  std::size_t changes_that_bar_ = 0;                // springs and broken terms when constraints were barred
+};
+
+}  // namespace bempd::fracture

@@ -1,0 +1,50 @@
+#pragma once
+
+#include <functional>
+#include <vector>
+
+#include "fracture/event_source.hpp"
+#include "fracture/line/line_step.hpp"
+#include "fracture/line/line_way.hpp"
+#include "fracture/line/tip_fields.hpp"
+
+namespace bempd::fracture {
+
+// Growth of crack lines by steps that have been performed: moves tips, ends them at edges and faces, and remembers the
+// energy of each step, by which the loads of the next ones are corrected.
+class LineGrowth {
+ public:
+  LineGrowth(const std::vector<Point>& positions, const TipFields& fields, const LineWay& way)
+      : positions_(positions), fields_(fields), way_(way) {}
+
+  // Factor on a fit's stress intensity factors, and so on its loads: from the ratios of released to expected energy in
+  // the tip's last steps.
+  static double correction_of(const GrowingTip& tip);
+
+  // Moves the tip of a step after its event, which has released `released_energy`. The tip keeps the ratio of that to
+  // the energy expected, which corrects its next loads, or it ends. `displacement_at` returns displacements after the
+  // event, known around the given tips.
+  using DisplacementAt = std::function<const coupling::Affine&(const std::vector<GrowingTip>&)>;
+  crack::Extension take(const LineStep& step, const Event& event, double released_energy,
+                        const DisplacementAt& displacement_at, std::vector<GrowingTip>& tips) const;
+
+  // State of a tip whose crack has just begun: at a free edge or a hole it has ended.
+  crack::TipState state_of_begun(const GrowingTip& tip) const;
+
+ private:
+  void move(const LineStep& step, std::vector<GrowingTip>& tips) const;
+  crack::Extension remember(const LineStep& step, double ratio, double released_energy,
+                            const coupling::Affine& displacement, double load_factor,
+                            std::vector<GrowingTip>& tips) const;
+  crack::TipState state_at_edge(const Point& place) const;
+  // Ratio of a tip's equivalent stress intensity factor after a step to the toughness of `law`. `displacement` is that
+  // after the step.
+  double ratio_after(const GrowingTip& tip, const pd::TipLaw& law, const coupling::Affine& displacement,
+                     double load_factor) const;
+
+  const std::vector<Point>& positions_;
+  const TipFields& fields_;
+  const LineWay& way_;
+};
+
+}  // namespace bempd::fracture

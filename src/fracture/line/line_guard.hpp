@@ -1,0 +1,28 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "fracture/line/line_way.hpp"
+#include "fracture/line/tip_fields.hpp"
+
+namespace bempd::fracture {
+
+// Terms near the tips of crack lines, which do not break by themselves.
+class LineGuard {
+ public:
+  LineGuard(LoadedBody& body, const TipFields& fields, const LineWay& way) : body_(body), fields_(fields), way_(way) {}
+
+  // Whether a term is too close to a tip to break by itself.
+  bool is_spared(int term, const GrowingTip& tip) const;
+  // Marks terms near a tip as not intact in `intact`, because they do not break by themselves: all of them, or only
+  // those overloaded at a load factor.
+  void spare(const GrowingTip& tip, std::vector<char>& intact, std::optional<double> overloaded_at = {}) const;
+
+ private:
+  LoadedBody& body_;
+  const TipFields& fields_;
+  const LineWay& way_;
+};
+
+}  // namespace bempd::fracture

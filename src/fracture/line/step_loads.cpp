@@ -1,0 +1,271 @@
+#include "fracture/line/step_loads.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "elasticity/kinked_tip.hpp"
+#include "fracture/line/on_limits.hpp"
+#include "geometry/turning.hpp"
+
+namespace bempd::fracture {
+
+namespace {
+
+// Largest residual of a fit that holds, as a share of the stress; it is larger for horizons of few spacings. There the
+// field is rough, and the energy of a step, which cuts fewer bonds, gives loads within 5 % only (with four spacings
+// within 2.5 %). Behind kinks the error of loads by the fit is about 1.8 * residual - 5 %.
+constexpr double least_limit = 0.035, limit_of_residual = 0.7;  // the latter over the square of the spacings
+// Largest residual of a fit whose direction a crack still follows.
+constexpr double residual_without_direction = 0.2;
+// Residual up to which a fit fully determines how the energy release rate begins behind a kink; from here to
+// residual_without_direction its influence fades out.
+constexpr double residual_with_shape = 0.1;
+// T stress by which the energy release rate changes behind a kink, over the T stress of the fit. It is above 1 because
+// in a lattice a kink acts longer than the bonds that it cuts: measured so that loads of first growth by energy are
+// those of boundary elements for any T stress, in the mean.
+constexpr double t_stress_at_kinks = 1.2;
+// Largest K_II / K_I for which the fit holds. With more shear K_II dominates, which the fit gives less accurately.
+constexpr double largest_shear = 0.7;
+// Distances in horizons that a fit needs: to any edge, face or other tip, and as length of its own crack.
+constexpr double clear_horizons = 2, shortest_crack = 3;
+
+// Most by which the load of a fit that does not hold is too high, as a factor: a step beyond this multiple of the
+// smallest load cannot come first. It is no bound where the direction of the fit does not hold either, or where the tip
+// seems shut.
+constexpr double most_by_fit = 4;
+
+// Largest relative error of factors by sums around a tip that are taken. It is that of the smallest sum, which the
+// mouth of a crack at the border disturbs; the largest one is right to 0.3 %.
+constexpr double largest_error_around = 0.1;
+
+// Relative errors of loads: that by a fit with a small residual, how it grows with the residual beyond least_residual,
+// and that by the energy of a trial step.
+constexpr double error_of_fit = 0.02, error_by_residual = 1.8, least_residual = 0.025, error_by_energy = 0.025;
+// Relative error of a sheared tip's load by the fit: at no shear, its growth with the share of K_II^2, with the
+// residual, and beside an edge or a face.
+constexpr double error_of_sheared = 0.01, error_by_shear = 0.03, error_of_sheared_by_residual = 0.5,
+                 error_of_crowded = 0.02;
+
+// Relative error of a fit with another crack's face within a horizon of the tip, which leaves few points to it: neither
+// its load nor its direction holds. Loads were up to 12 times too high there; those by the energy are up to 2.5 times
+// those of boundary elements.
+constexpr double error_beside_face = 1, error_by_energy_beside_face = 0.65;
+
+bool direction_holds(const LineStep& step) {
+  return step.residual <= residual_without_direction && step.error < error_beside_face;
+}
+
+double largest_residual(const pd::TipLaw& law) {
+  return std::max(least_limit, limit_of_residual * std::pow(law.spacing / law.horizon, 2));
+}
+
+// Whether an edge lies within a horizon to a side of a tip. Factors by sums turn the tip towards it.
+bool runs_along_edge(const GrowingTip& tip, const pd::TipLaw& law, const LineWay& way) {
+  const int spacings = static_cast<int>(std::floor(law.horizon / law.spacing + rounding_of_places));
+  const Point left = left_of(tip.direction);
+  return way.clear_spacings(tip.place, left, law, spacings) < spacings ||
+         way.clear_spacings(tip.place, -left, law, spacings) < spacings;
+}
+
+// Change of the energy release rate along a kink, by the factors and the T stress of the fit; T counts less the larger
+// the fit's residual is. The rate is constant if the residual is too large, or if crack faces press on each other,
+// because the series is that of free faces.
+KinkShape shape_of(const WilliamsFit& fit, const TipStress& stress, double horizon, const LineStep& step) {
+  const double share = std::clamp(
+      (residual_without_direction - step.residual) / (residual_without_direction - residual_with_shape), 0.0, 1.0);
+  if (share == 0 || step.is_shut) return {};
+  return {stress.as_read(fit.factors(horizon)), share * t_stress_at_kinks * fit.t_stress(), step.angle};
+}
+
+// Relative error of the load that the fit gives for a tip under shear, whose factors K_I and K_II are `one` and `two`.
+double sheared_error(double one, double two, const LineStep& step, bool is_crowded) {
+  return error_of_sheared + error_by_shear * two * two / (one * one + two * two) +
+         error_of_sheared_by_residual * std::max(step.residual - least_residual, 0.0) +
+         (is_crowded ? error_of_crowded : 0);
+}
+
+// Replaces factors, load and turn of a step's fit by those of sums around its tip. `correction` is that of the fit.
+void set_by_factors(const TipFactors& found, const LineLoad& load, const LoadWay& way, double correction,
+                    LineStep& step) {
+  const double load_factor = way.ahead(load.load_factor);
+  const double by_fit = step.ratio_at(load_factor) / correction;
+  const double by_factors = load.constant + load.load_factor * load.growing;
+  const AffineIntensity& intensity = found.intensity;
+  step.by_factors = true, step.error = found.error;
+  step.rate_over_fit = by_fit > 0 ? std::pow(by_factors / by_fit, 2) : 1;
+  step.factors = {{intensity.one[0], intensity.two[0]}, {intensity.one[1], intensity.two[1]}};
+  step.load_factor = load_factor, step.constant = load.constant, step.growing = way.ahead(load.growing);
+  step.angle = load.angle;
+}
+
+// Direction of a step by energy where that of its fit does not hold: among directions beside that of the fit. With a
+// face within a horizon the fit may point to where the step would close; then directions up to 65 degrees off straight
+// ahead are tried.
+Point direction_by_energy(const GrowingTip& tip, const pd::TipLaw& law, const LineStep& step, const TrialSteps& trials,
+                          const coupling::Affine& displacement, TrialBody& body) {
+  const auto best_about = [&](const Point& middle) {
+    return trials.best_direction(tip, law, middle, step.load_factor, displacement, body);
+  };
+  if (step.residual > residual_without_direction) return best_about(step.direction);
+  const std::optional<TrialGrowth> own = trials.along(tip, law, step.direction, displacement, body);
+  if (own && own->opens(step.load_factor)) return step.direction;
+  Point best = step.direction;
+  double largest = 0;
+  for (const double aside : {0.0, 45.0, -45.0}) {
+    const Point direction = best_about(turned(tip.direction, aside * std::numbers::pi / 180));
+    const std::optional<TrialGrowth> growth = trials.along(tip, law, direction, displacement, body);
+    const double ratio = growth ? growth->mean_ratio(step.load_factor) : 0;
+    if (ratio > (1 + ratio_rounding) * largest) largest = ratio, best = direction;
+  }
+  return best;
+}
+
+// Takes the load by the energy, with its relative error; for a sheared tip the mean of both loads, weighted by the
+// squares of their errors. The fit's load of such a tip depends less on its place between points, that of the energy
+// less on what lies around (docs/cracks.md).
+void blend(const LineLoad& by_energy, double error, LineStep& step) {
+  const double share = step.blends ? error * error / (error * error + step.error * step.error) : 0;
+  const double constant = std::lerp(by_energy.constant, step.constant, share);
+  const double growing = std::lerp(by_energy.growing, step.growing, share);
+  const std::optional<double> root = load_ratio(1 - constant, growing);
+  const bool is_same_way = root && *root * by_energy.load_factor > 0;
+  step.constant = is_same_way ? constant : by_energy.constant;
+  step.growing = is_same_way ? growing : by_energy.growing;
+  step.load_factor = is_same_way ? *root : by_energy.load_factor;
+  step.error = std::sqrt(1 - share) * error;
+}
+
+}  // namespace
+
+AffineIntensity on_way(AffineIntensity intensity, const LoadWay& way) {
+  intensity.one[1] *= way.sense(), intensity.two[1] *= way.sense();
+  return intensity;
+}
+
+void StepLoads::judge_fit(const std::vector<GrowingTip>& tips, const WilliamsFit& fit, LineStep& step) const {
+  step.fit_holds = true;
+  step.residual = fit.residual(step.load_factor);
+  step.error = error_of_fit + error_by_residual * std::max(step.residual - least_residual, 0.0);
+  const GrowingTip& tip = tips[step.tip];
+  const pd::TipLaw& law = fields_.law_of(tip);
+  // A direction with little fracture energy turns a tip far more sharply than its field does. The stiffness that such a
+  // turn cuts says little of its length, so that the load stays that of the fit.
+  if (!fields_.laws().loads_by_energy || law.directions) return;
+  step.is_shut = fields_.is_shut(tip, fit);
+  const bool press = fields_.faces_press_at(tip),
+             beside_face = fields_.stress().is_beside_face(tip, law, (1 - rounding_of_places) * law.horizon);
+  const bool may_sum =
+      !fields_.has_begun(tip) && !step.is_shut && !press && !beside_face && !runs_along_edge(tip, law, way_);
+  // Sums around the tip give the loads of first steps, and of steps towards an edge. Other steps do without, because
+  // each one would cost a solution of the whole body.
+  const bool has_own_field = may_sum && tip.grown == 0;
+  if (law.function) {  // it needs factors
+    step.asks_around = has_own_field;
+    step.fit_holds = !has_own_field;
+    return;
+  }
+  const Eigen::Vector2d at(1, step.load_factor);
+  const AffineIntensity factors = fields_.stress().as_read(fit.factors(law.horizon));
+  const bool is_sheared = std::abs(factors.two.dot(at)) > largest_shear * std::abs(factors.one.dot(at));
+  // The distances are reduced by rounding, so that an equal distance counts as clear in whatever direction the scene is
+  // turned.
+  const double horizon = (1 - rounding_of_places) * law.horizon, clear = clear_horizons * horizon;
+  const bool beside_tip = std::ranges::any_of(tips, [&](const GrowingTip& other) {
+    const double reach = other.id.crack == tip.id.crack ? shortest_crack * horizon : clear;
+    return &other != &tip && (other.place - tip.place).norm() < reach;
+  });
+  // An initial crack with all bonds across it cut acts longer than it is, unless the cut ends so that the effective
+  // tip lies where it was described (even_ahead). Beside an edge this affects the energy more than the fit, most of
+  // all under shear.
+  const bool acts_longer = tip.energy_ratios.empty() && !tip.even_ahead;
+  const bool is_crowded = (!acts_longer || is_sheared) && fields_.stress().is_crowded(tip, law, clear);
+  const bool is_told = is_sheared ? acts_longer && is_crowded && step.residual < residual_with_shape
+                                  : !is_crowded && step.residual < largest_residual(law);
+  const bool is_alone = !beside_tip && !press && !fields_.stress().meets_other_material(tip, law, clear);
+  const bool by_hoop = fields_.laws().criterion == KinkCriterion::hoop_stress;
+  step.at_border = is_alone && fields_.stress().lacks_points(tip, law);
+  step.fit_would_hold = by_hoop && is_told && is_alone;
+  step.asks_around = step.at_border || has_own_field || (may_sum && is_alone && is_crowded && !is_sheared);
+  step.factors_suffice = step.at_border || (by_hoop && !(is_sheared && is_crowded));
+  step.fit_holds = step.fit_would_hold && !step.asks_around;
+  if (beside_face) step.error = std::max(step.error, error_beside_face);
+  step.blends = is_sheared && is_alone && step.residual < residual_with_shape && step.error < error_beside_face;
+  if (step.blends) step.error = sheared_error(factors.one.dot(at), factors.two.dot(at), step, is_crowded);
+}
+
+bool need_body(const std::vector<LineStep>& steps, const LoadWay& way) {
+  double first = std::numeric_limits<double>::infinity();
+  for (const LineStep& step : steps) first = std::min(first, std::abs(way.place_of(step.load_factor)));
+  return std::ranges::any_of(steps, [&](const LineStep& step) {
+    const bool is_bounded = !step.is_shut && direction_holds(step);
+    return !step.fit_holds && (!is_bounded || std::abs(way.place_of(step.load_factor)) <= most_by_fit * first);
+  });
+}
+
+bool StepLoads::take_factors(const GrowingTip& tip, const coupling::Affine& displacement, const LoadWay& way,
+                             TrialBody& body, LineStep& step) const {
+  const std::optional<TipFactors> found = body.factors_around(tip, displacement);
+  if (!found || !(found->error < largest_error_around)) return false;
+  const pd::TipLaw law = fields_.law_of(tip).at(tip.acts_at(), tip.grown);
+  const AffineIntensity intensity = on_way(found->intensity, way);
+  LineCriterion criterion{fields_.growth_law(law, tip, tip.acts_at()), 1, way.ahead(way.present), way.control};
+  const Point t_stress = law.function ? fields_.t_stress_at(tip, displacement) : Point(0, 0);
+  if (law.function) criterion.law.asking.t_stress = {t_stress.x(), way.ahead(t_stress.y())};
+  const std::optional<LineLoad> load = load_of_growth(intensity, intensity, criterion);
+  const Point direction = load ? turned(tip.direction, load->angle) : tip.direction;
+  const LineWay::Step its = way_.next(tip.place, direction, law);
+  if (!load || its.bonds.empty()) return false;
+  set_by_factors(*found, *load, way, LineGrowth::correction_of(tip), step);
+  step.direction = direction, step.way = its;
+  // If these factors do not suffice, the energy gives the load: alone if growth is by the energy criterion, else (a
+  // sheared tip beside an edge) in the mean with the load by the factors.
+  step.blends = !step.factors_suffice && fields_.laws().criterion == KinkCriterion::hoop_stress;
+  if (step.blends) step.error += error_of_crowded;
+  if (law.function)
+    step.toughness = criterion.law.toughness;
+  else if (!step.at_border)
+    step.taken_energy = trials_.energy_of_step(tip, law, direction);
+  return true;
+}
+
+// Replaces the load by the fit by that of sums around the tip, or of a trial step's energy. Cracks under fluid pressure
+// have none by energy: fluid would follow into the step, which the energy does not contain.
+void StepLoads::replace(const GrowingTip& tip, const coupling::Affine& displacement, const LoadWay& way,
+                        TrialBody& body, LineStep& step) const {
+  const bool around = step.asks_around && take_factors(tip, displacement, way, body, step);
+  if (around ? step.factors_suffice : step.fit_would_hold) return;
+  if (!body_.loads().pressure_in(tip.id.crack).isZero(0) || body_.loads().has_fluid()) return;
+  const pd::TipLaw& law = fields_.law_of(tip);
+  if (!around && !direction_holds(step) && !fields_.has_begun(tip)) {
+    const Point better = direction_by_energy(tip, law, step, trials_, displacement, body);
+    const LineWay::Step its = way_.next(tip.place, better, law);
+    if (!its.bonds.empty()) {
+      step.angle += std::atan2(cross(step.direction, better), step.direction.dot(better));
+      step.direction = better, step.way = its;
+    }
+  }
+  std::optional<TrialGrowth> growth = trials_.along(tip, law, step.direction, displacement, body);
+  if (!growth) return;
+  const WilliamsFit fit = fields_.fitted(tip, law, displacement);
+  growth->shape(shape_of(fit, fields_.stress(), law.horizon, step));
+  const std::optional<LineLoad> load = growth->load(step.load_factor, way.sense(), displacement.col(0).isZero(0));
+  if (!load) return;
+  // The fit gives the load of a tip whose faces are shut, which grows by shear alone: the rate behind its kink falls
+  // too fast to be extrapolated. Behind a turn a tip only seems shut, because the fit reads the field of the tip before
+  // the turn; there the energy gives the load, which is the smaller one.
+  if (step.is_shut && tip.grown == 0 && step.residual < residual_without_direction &&
+      way.ahead(load->load_factor) > way.ahead(step.load_factor))
+    return;
+  step.by_energy = true, step.by_factors = false, step.taken_energy = growth->first_energy();
+  // A tip that is overloaded at the start of the path is due there, even if a smaller load would suffice further on.
+  const bool is_due = way.control == Control::load && way.ahead(load->load_factor) > way.ahead(way.present) &&
+                      growth->opens(way.present) && growth->ratio(way.present) >= 1 + ratio_rounding;
+  step.after_step = growth->ratio_after(load->load_factor) / growth->ratio(load->load_factor);
+  const double least_error = step.error < error_beside_face ? 0 : error_by_energy_beside_face;
+  blend(*load, std::max(error_by_energy + growth->error(load->load_factor), least_error), step);
+  if (is_due) step.load_factor = way.present;
+}
+
+}  // namespace bempd::fracture

@@ -1,0 +1,59 @@
+#pragma once
+
+#include <functional>
+#include <span>
+#include <vector>
+
+#include "fracture/body_loads.hpp"
+#include "fracture/body_response.hpp"
+#include "fracture/contact/held_parts.hpp"
+#include "fracture/freed_parts.hpp"
+
+namespace bempd::fracture {
+
+// Whether both displacements of a node are unknowns or prescribed: the node shows how a dense body moves, whose other
+// nodes the sparse system has eliminated.
+bool shows_motion(const coupling::EquilibriumSystem& system, int node);
+
+// Parts that had to be held to make the equilibrium unique.
+struct HeldMotions {
+  std::vector<int> nodes;      // where a spring was put
+  bool loads_lost = false;     // they pushed on something that moves freely
+  std::int64_t fragments = 0;  // parts that lost them
+};
+
+// Holds parts of the body that can move freely by springs, and keeps loads and fluid off them.
+class PartHolder {
+ public:
+  PartHolder(coupling::EquilibriumSystem& system, const std::vector<Point>& positions, BodyState& state,
+             const FreedPartFinder& freed_parts, BodyResponse& response, BodyLoads& loads)
+      : system_(system),
+        positions_(positions),
+        state_(state),
+        freed_parts_(freed_parts),
+        response_(response),
+        loads_(loads) {}
+
+  // Solves the body's system, and holds free motions in the solution by springs at the displacement `before`.
+  // `looks_free` is asked after each solution whether some motion looks free; `broken` are the terms that broke last.
+  // Throws Error (unsolvable) if holding does not help.
+  HeldMotions solve(std::span<const int> broken, const Eigen::VectorXd& before,
+                    const std::function<bool()>& looks_free);
+
+  HeldParts held_parts() const;
+  // Keeps parts held by springs out of the fluid: they would be pushed away if it reached them later.
+  void keep_dry();
+  // Removes the loads of parts that the fluid pushes although only springs hold them, and solves again. Returns whether
+  // there were any.
+  bool unload_pushed();
+
+ private:
+  coupling::EquilibriumSystem& system_;
+  const std::vector<Point>& positions_;
+  BodyState& state_;
+  const FreedPartFinder& freed_parts_;
+  BodyResponse& response_;
+  BodyLoads& loads_;
+};
+
+}  // namespace bempd::fracture

@@ -1,0 +1,62 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "fracture/event_sources.hpp"
+#include "fracture/inner_work.hpp"
+#include "fracture/run_records.hpp"
+
+namespace bempd::fracture {
+
+// Events of a run in one body: finds the next one, performs and books it, and takes back what cannot be completed.
+class RunEvents {
+ public:
+  RunEvents(EvolutionState& state, LoadedBody& body, EventSources& sources, const InnerWork& inner_work,
+            RunRecords& records)
+      : state_(state), body_(body), sources_(sources), inner_work_(inner_work), records_(records) {}
+
+  // Begins a part of a run in this body.
+  void begin(const SteppingOptions& options);
+
+  // Next event on the way to a target; null if there is none. told() is the event that next() returned last since
+  // begin().
+  const Event* next(double target, const SteppingOptions& options);
+  const Event* told() const { return next_; }
+
+  void move_to(double load_factor);
+  void perform(const Event& event);
+  // Performs an event. Returns false if no equilibrium exists after it, and the state before it is restored: the event
+  // has then not happened.
+  bool perform_if_possible(const Event& event);
+  void perform_contact() { records_.book_contact(sources_.perform()); }
+
+  // Body before an event, to which give_up() returns it; empty while events come from a window, which are too short to
+  // be given up.
+  struct Before {
+    BodyState body;
+    RunRecords::Start start;
+  };
+  std::optional<Before> before();
+  void give_up(Before before);
+  // Returns to the start of a call that has failed.
+  void return_to(const RunRecords::Start& start) noexcept;
+
+  // Lets the tip of a crack line grow by a step at the present load factor, whatever its load, as an event, if a bond
+  // lies ahead of it; in a direction, or by its criterion. After a failure the caller restores an earlier state.
+  void extend_line(const crack::TipId& tip, const std::optional<Point>& direction);
+  // Stops a tip of a crack line: it has come to an interface, or its crack continues in boundary elements.
+  void stop_line(const crack::TipId& tip, crack::TipState state = crack::TipState::at_interface);
+  // Stops tips with boundary elements that cannot grow.
+  void stop(const std::vector<crack::TipId>& tips);
+
+ private:
+  EvolutionState& state_;
+  LoadedBody& body_;
+  EventSources& sources_;
+  const InnerWork& inner_work_;
+  RunRecords& records_;
+  const Event* next_ = nullptr;
+};
+
+}  // namespace bempd::fracture

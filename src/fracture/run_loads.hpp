@@ -1,0 +1,70 @@
+#pragma once
+
+#include "fracture/event_sources.hpp"
+#include "fracture/inner_work.hpp"
+#include "fracture/run_records.hpp"
+
+namespace bempd::fracture {
+
+// Loads of a run: forces, prescribed displacements, heat and pressures. Whatever replaces loads returns what is needed
+// to restore those before; find_equilibrium() has to follow.
+class RunLoads {
+ public:
+  RunLoads(EvolutionState& state, LoadedBody& body, EventSources& sources, InnerWork& inner_work, RunRecords& records)
+      : system_(body.system()),
+        state_(state),
+        body_(body),
+        sources_(sources),
+        inner_work_(inner_work),
+        records_(records) {}
+
+  // Sets new loads and prescribed displacements. `work_within` is the form of InnerWork.
+  void set(const coupling::Affine& force, const coupling::Affine& prescribed,
+           const Eigen::Matrix2d& work_within = Eigen::Matrix2d::Zero(), const CrackPressures& pressures = {});
+
+  // Replaces the loads by others that are equal at the present load factor, so that nothing moves.
+  void take_over(const coupling::Affine& force, const coupling::Affine& prescribed, const Eigen::Matrix2d& work_within,
+                 const CrackPressures& pressures = {});
+
+  // Loads that set() replaces, for restore().
+  struct Present {
+    ActingLoads acting;
+    Eigen::Matrix2d work_within;
+    Continuation way_on;
+  };
+  Present present();
+  void restore(Present loads) noexcept;
+
+  // Changes the rest lengths of terms and operators by heating. The change of stored energy at unchanged displacements
+  // is work; the body then has to find equilibrium. Returns what restore_rest_lengths() needs to undo it.
+  struct Heat {
+    coupling::Rests rests;
+    Eigen::VectorXd total_force;
+    double work;
+  };
+  Heat heat(coupling::Rests rests);
+  void restore_rest_lengths(Heat heat) noexcept;
+
+  // Changes the gaps of contact constraints due to loads inside operators (body forces, tractions on cracks). The
+  // change of stored energy at unchanged displacements is work; set() or take_over() has to follow. Returns what
+  // unload_faces() needs to undo it.
+  struct FaceLoads {
+    coupling::Affine offsets;
+    double work;
+  };
+  FaceLoads load_faces(coupling::Affine offsets);
+  void unload_faces(FaceLoads loads) noexcept;
+
+  // Finds the equilibrium under the present loads at the present load factor.
+  void find_equilibrium();
+
+ private:
+  coupling::EquilibriumSystem& system_;
+  EvolutionState& state_;
+  LoadedBody& body_;
+  EventSources& sources_;
+  InnerWork& inner_work_;
+  RunRecords& records_;
+};
+
+}  // namespace bempd::fracture

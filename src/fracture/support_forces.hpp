@@ -1,0 +1,41 @@
+#pragma once
+
+#include <utility>
+#include <vector>
+
+#include "coupling/equilibrium_system.hpp"
+#include "fracture/body_loads.hpp"
+#include "fracture/evolution_state.hpp"
+
+namespace bempd::fracture {
+
+// Reactions of supports at the present load factor, and the force that the body carries.
+class SupportForces {
+ public:
+  // `dofs[s]` are the degrees of freedom of support s.
+  SupportForces(const coupling::EquilibriumSystem& system, const std::vector<Point>& positions, const BodyState& state,
+                const BodyLoads& loads, std::vector<std::vector<int>> dofs)
+      : system_(system), positions_(positions), state_(state), loads_(loads), dofs_(std::move(dofs)) {}
+
+  const std::vector<std::vector<int>>& dofs() const { return dofs_; }
+  Eigen::Vector2d reaction(std::size_t support) const;
+  double reaction_moment(std::size_t support, const Point& about) const;  // [N m]
+  double reaction_at(int dof) const;                                      // of one that is held [N]
+  std::vector<double> reactions() const;                                  // x and y of every support
+  // Prescribed displacement at the present load factor, x and y of each support: the mean over its nodes, NaN for a
+  // component that is not prescribed.
+  std::vector<double> displacements() const;
+  // Force that the body carries at a load factor: half the sum of the magnitudes of these reactions and of the nodal
+  // loads.
+  double resistance(const std::vector<double>& reactions, double load_factor) const;
+  double resistance(const std::vector<double>& reactions) const { return resistance(reactions, state_.load_factor); }
+
+ private:
+  const coupling::EquilibriumSystem& system_;
+  const std::vector<Point>& positions_;
+  const BodyState& state_;
+  const BodyLoads& loads_;
+  std::vector<std::vector<int>> dofs_;
+};
+
+}  // namespace bempd::fracture

@@ -1,0 +1,50 @@
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "coupling/condensation.hpp"
+#include "fracture/loaded_body.hpp"
+#include "fracture/window/computed_events.hpp"
+#include "fracture/window/window_certificate.hpp"
+#include "fracture/window/window_origin.hpp"
+#include "fracture/window/window_solver.hpp"
+
+namespace bempd::fracture {
+
+// Breaks of bonds that a window computes ahead where cracks grow bond by bond: which bonds break next, and the proof
+// that none breaks before them that the window does not watch.
+class BondForecast {
+ public:
+  explicit BondForecast(LoadedBody& body) : body_(body) {}
+
+  // Sets the window whose events are computed; with `proportional` its displacements are proportional to the load
+  // factor.
+  void begin_window(const coupling::Condensation& condensation, const WindowSolver& window, bool proportional);
+  void end_window() noexcept { certificate_.reset(), window_ = nullptr; }
+
+  // Begins a series of events that are computed together: drops the checks of the one before.
+  void begin() { checks_.clear(); }
+  // Next break at a load factor from `from` on, which is put into `foreseen`; false if the window cannot tell it.
+  bool choose(double from, const WindowOptions& options, ForecastEvent& foreseen) const;
+  // Adds the checks for an event in a state: no bond outside the window may break before it, or tie with it.
+  void note(int state, double from, const Event& event, const WindowOptions& options);
+  void keep_first(int count);
+
+  // Number of events before the first that is not proven: among bonds that the window has stopped watching; and in the
+  // whole body, whose displacements in state 0 are `whole`.
+  int proven_in_window(const std::vector<coupling::Affine>& states) const;
+  int proven(const std::vector<coupling::Affine>& states, const std::vector<ForecastEvent>& events,
+             const coupling::Affine& whole);
+  // Displacements of the whole body in one of the states of the last call of proven().
+  coupling::Affine displacement(int state) const { return certificate_->last_displacement(state); }
+
+ private:
+  LoadedBody& body_;
+  const WindowSolver* window_ = nullptr;  // the present one
+  std::unique_ptr<WindowCertificate> certificate_;
+  bool proportional_ = false;
+  std::vector<OutsideCheck> checks_;
+};
+
+}  // namespace bempd::fracture

@@ -1,0 +1,41 @@
+#pragma once
+
+#include <algorithm>
+#include <utility>
+#include <vector>
+
+#include "fracture/loaded_body.hpp"
+#include "fracture/window/computed_events.hpp"
+
+namespace bempd::fracture {
+
+// Displacements of the whole body in the last state that a window has proven, and the balance of forces there. One
+// check after the last of the events computed together stands for all of them.
+class ForecastBalance {
+ public:
+  explicit ForecastBalance(LoadedBody& body) : body_(body) {}
+
+  const coupling::Affine& whole() const { return whole_; }
+  void set_whole(coupling::Affine displacement) { whole_ = std::move(displacement); }
+
+  // Begins with events that are computed together: no imbalance has been corrected yet.
+  void begin() { unbalanced_ = 0; }
+  // Notes an imbalance of nodal forces that was found in the window, as a share of the largest force.
+  void note_unbalanced(double share) { unbalanced_ = std::max(unbalanced_, share); }
+  // Scale of nodal forces just before the first of the events.
+  double largest_force_before(double load_factor, const BodyState& start) const;
+  // Checks the balance of forces of the whole body after the last event, where `whole` are its displacements: they
+  // replace those before the first event. Returns false and keeps the old ones if the residual is too large.
+  bool holds_after(ComputedEvents& events, coupling::Affine whole);
+  // Residual after the last event, or the largest imbalance that was corrected if that is larger.
+  double residual() const { return residual_; }
+
+ private:
+  Eigen::VectorXd internal_force_after(const std::vector<ForecastEvent>& events) const;
+
+  LoadedBody& body_;
+  coupling::Affine whole_;
+  double unbalanced_ = 0, residual_ = 0;
+};
+
+}  // namespace bempd::fracture

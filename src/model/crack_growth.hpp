@@ -1,0 +1,69 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <set>
+#include <vector>
+
+#include "crack/tip.hpp"
+#include "model/answers.hpp"
+#include "model/tip_factors.hpp"
+#include "regions/region.hpp"
+#include "scene/scene.hpp"
+#include "scene/scene_values.hpp"
+
+namespace bempd::model {
+
+class Model;
+struct Growing;
+struct Grown;
+struct PreparedScene;
+enum class Turning;
+
+// Growth of cracks with boundary elements: which tips may grow, and scenes with longer cracks, in which the run of the
+// scene before goes on.
+class CrackGrowth {
+ public:
+  explicit CrackGrowth(Model& model) : model_(model) {}
+
+  // Extends the tips that become critical first by a length, at their critical load factor; unchanged operators of the
+  // scene are kept. Throws Error and changes nothing if no tip can grow.
+  GrowthResult grow(double length);
+
+  // Tips that the host keeps from growing.
+  void set_frozen(int crack, int end, bool frozen);
+  bool is_frozen(const crack::TipId& tip) const { return frozen_.contains(tip); }
+  const std::set<crack::TipId>& frozen() const { return frozen_; }
+  void set_all_frozen(std::set<crack::TipId> frozen) noexcept { frozen_ = std::move(frozen); }
+
+  // Whether cracks with elements can grow in steps; in a material without a fracture energy they are stationary.
+  bool is_driven_by(const fracture::SteppingOptions& stepping) const;
+  // Tips with elements that may grow: neither frozen by the host nor stopped before an interface.
+  std::vector<regions::TipValues> growing_tips();
+  // Forgets the stress intensity factors of tips: the scene or its loads have changed.
+  void forget_factors() noexcept { factors_.scene = nullptr; }
+
+  // Prepared scene with longer cracks, in which the present run continues (longer_cracks.cpp). `on_way` are the values
+  // of loads that act; null for those of the host. Throws crack::CannotGrow if the longer cracks are impossible.
+  std::unique_ptr<PreparedScene> with_cracks(std::vector<scene::Crack> longer, const scene::SceneValues* on_way);
+  // Prepared scene with the patches that the scene has now, by an extension, in which the present run continues in the
+  // same way.
+  std::unique_ptr<PreparedScene> with_patches(const scene::SceneValues* on_way, std::int64_t extension);
+  // Prepared scene with the extensions of `growing`, in which the run continues in the same way.
+  std::unique_ptr<PreparedScene> extended_scene(const std::vector<scene::Crack>& before, Growing& growing,
+                                                const scene::SceneValues* on_way);
+  // Prepares the scene with the extended cracks and enters the growth in its history.
+  Grown grown(const std::vector<scene::Crack>& before, Growing growing, Turning turning,
+              const scene::SceneValues* on_way);
+
+ private:
+  const std::vector<regions::TipValues>& tip_factors();
+  std::vector<regions::TipValues> free_tips();
+  Growing go_to_growth(double length);
+
+  Model& model_;
+  std::set<crack::TipId> frozen_;
+  TipFactors factors_;
+};
+
+}  // namespace bempd::model

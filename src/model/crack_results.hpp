@@ -1,0 +1,65 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "crack/path.hpp"
+#include "model/prepared_scene.hpp"
+#include "regions/region.hpp"
+#include "results/tip_record.hpp"
+
+namespace bempd::model {
+
+class Model;
+
+// Results of cracks: tips, paths, lengths, openings and pictures, and the record of tips over the run. Cracks are
+// numbered: described ones first, then those that began in the run.
+class CrackResults {
+ public:
+  explicit CrackResults(Model& model) : model_(model) {}
+
+  // Tips of cracks with elements, then tips in lattices, each sorted by crack; computed once for each generation.
+  const std::vector<regions::TipValues>& tips();
+  int count() const;
+  // Path of a crack; throws Error (argument) without it.
+  std::vector<crack::PathVertex> path(int crack) const;
+  double length(int crack) const;  // 0: of all
+  // Tangential and normal openings of a crack at fractions of its length [m].
+  std::vector<Point> openings(int crack, const std::vector<double>& fractions);
+  // Extensions of all cracks in the order of the run.
+  std::span<const fracture::CrackExtension> extensions() const;
+
+  // Record of tips at events, as the option tips.record asks for.
+  bool are_recorded() const;
+  void record();
+  const std::vector<results::TipRecord>& history() const { return history_; }
+  void set_history(std::vector<results::TipRecord> history) { history_ = std::move(history); }
+  // Drops what was recorded after the first `count` records.
+  void keep_records(std::size_t count) noexcept {
+    history_.erase(history_.begin() + static_cast<std::ptrdiff_t>(count), history_.end());
+  }
+
+  // Tips under the loads that act at present.
+  std::vector<regions::TipValues> present_tips() const;
+  // Tips of cracks with elements in a prepared scene.
+  std::vector<regions::TipValues> tips_of(const PreparedScene& prepared, regions::TipDetail detail) const;
+  // Tips of crack lines: place, direction and load factors of growth as in the run, stress intensity factors by rings.
+  // `with_loads` false: without these load factors, which may need trial steps.
+  std::vector<regions::TipValues> tips_of_lines(bool with_loads = true) const;
+  bool have_elements() const;
+  std::vector<Point> openings_in_lattices(int crack, const std::vector<double>& fractions) const;
+  std::vector<regions::CrackPicture> pictures() const;
+
+ private:
+  void look_past_switches(std::vector<regions::TipValues>& tips);
+  std::vector<regions::TipValues> tips_in_lattices() const;
+  std::vector<std::vector<Point>> paths_in_lattices() const;  // none of a crack with elements
+
+  Model& model_;
+  std::vector<regions::TipValues> tips_;
+  std::int64_t tips_generation_ = 0;
+  std::vector<results::TipRecord> history_;
+};
+
+}  // namespace bempd::model

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <vector>
+
+#include "model/mesh_answers.hpp"
+#include "scene/options.hpp"
+
+namespace bempd::model {
+
+// Errors of the vector (K_I, K_II) of a tip: relative error of its length, and error of its direction [rad].
+struct TipErrors {
+  crack::TipId tip;
+  Point place{0, 0};
+  double size = 0, turn = 0;
+
+  double relative() const;
+};
+
+// Errors of results that come from the boundary elements, each relative to the largest result of its kind.
+struct MeshErrors {
+  double displacement = 0, reaction = 0, intensity = 0;
+  double growth_load = 0;       // load factor of the first growth, relative to itself
+  std::vector<TipErrors> tips;  // with boundary elements
+
+  double largest() const;
+};
+
+MeshErrors operator*(double factor, MeshErrors errors);
+
+// Estimated errors of the finest of some meshes, each of which has elements half as long as those of the one before;
+// at least two. `tolerance` is the distance up to which places are the same.
+MeshErrors estimated(const std::vector<const MeshAnswers*>& meshes, double tolerance, const scene::Options& options);
+
+// Estimated errors of a mesh, from its difference from a finer one.
+MeshErrors estimated_by_finer(const MeshAnswers& finer, const MeshAnswers& mesh, double tolerance,
+                              const scene::Options& options);
+
+// Factor by which the largest error of the finest mesh falls with the next halving.
+double expected_reduction(const std::vector<const MeshAnswers*>& meshes, double tolerance,
+                          const scene::Options& options);
+
+}  // namespace bempd::model

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <memory>
+
+#include "linalg/external_solver.hpp"
+
+namespace bempd::model {
+
+class Model;
+
+// Solver of the sparse systems in calls of a model: the library's own, or one from outside.
+class AttachedSolver {
+ public:
+  explicit AttachedSolver(Model& model) : model_(model) {}
+
+  linalg::SolverChoice choice() const;
+  // Attaches a solver before the model is prepared, else throws Error (order); null takes it away again, with all that
+  // it has factorized.
+  void attach(std::shared_ptr<linalg::ExternalSolver> solver);
+
+ private:
+  Model& model_;
+  std::shared_ptr<linalg::ExternalSolver> solver_;
+};
+
+}  // namespace bempd::model

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "crack/extension.hpp"
+#include "model/prepared_scene.hpp"
+#include "model/saved_state.hpp"
+
+namespace bempd::model {
+
+class Model;
+
+// Saves the state of a model's run, and restores it in this model or in one that was built in the same way.
+class States {
+ public:
+  explicit States(Model& model) : model_(model) {}
+
+  // `with_values`: also the values that the host has set, and the tips that it keeps frozen.
+  SavedState save(bool with_values = false) const;
+  void restore(const SavedState& state);
+
+ private:
+  void restore_body(const SavedState& state);
+  // Prepares the scene with the crack growth of a saved state, and checks that the state fits. A failure leaves the
+  // scene as it was.
+  void grow_as(const SavedState& state);
+  // Scene with the crack growth of a saved state; null if the present scene has it already.
+  std::unique_ptr<PreparedScene> as_grown(const fracture::EvolutionState& state);
+  bool has_grown_as(const fracture::EvolutionState& state) const;
+
+  Model& model_;
+};
+
+}  // namespace bempd::model

@@ -1,0 +1,55 @@
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "bem/boundary_operator.hpp"
+#include "coupling/operators.hpp"
+#include "geometry/boundary_mesh.hpp"
+#include "regions/boundary/boundary_meshing.hpp"
+
+namespace bempd::regions {
+
+// Elements of a region: their mesh, where its panels come from, and the material.
+struct ElementsOfRegion {
+  int region;  // id
+  const BoundaryMesh& mesh;
+  const std::vector<PanelSource>& panels;
+  const PlaneElasticity& elasticity;
+};
+
+// Method of boundary elements: what a scheme does in its own way in boundary element regions.
+class BoundaryMethod {
+ public:
+  virtual ~BoundaryMethod() = default;
+
+  // Whether the method puts elements on cracks, and whether it may cut large regions into subdomains.
+  virtual bool has_crack_elements() const = 0;
+  virtual bool cuts_large_regions() const = 0;
+  virtual MeshingRules meshing_rules(const scene::Options& options) const = 0;
+  virtual BoundaryMesh make_mesh(const std::vector<std::vector<Panel>>& loops) const = 0;
+  // Solver for systems that contain the stiffness of a region.
+  virtual const coupling::SolutionMethod& solution_method() const = 0;
+  // Builds the operator of a region without cracks. Throws Error (argument) for a material that it cannot have.
+  virtual std::shared_ptr<const bem::BoundaryOperator> make_operator(const ElementsOfRegion& elements,
+                                                                     const bem::AssemblyOptions& assembly) const = 0;
+  // Stiffness where it depends on the neighbours of edges; empty to keep that of the operator.
+  virtual Eigen::MatrixXd own_stiffness(const scene::Scene& /*scene*/, const ElementsOfRegion& /*elements*/,
+                                        const bem::BoundaryOperator& /*whole*/) const {
+    return {};
+  }
+};
+
+// Method of the symmetric scheme: symmetric Galerkin boundary elements.
+class GalerkinMethod final : public BoundaryMethod {
+ public:
+  bool has_crack_elements() const override { return true; }
+  bool cuts_large_regions() const override { return true; }
+  MeshingRules meshing_rules(const scene::Options& options) const override;
+  BoundaryMesh make_mesh(const std::vector<std::vector<Panel>>& loops) const override { return mesh_boundary(loops); }
+  const coupling::SolutionMethod& solution_method() const override { return coupling::symmetric_solution(); }
+  std::shared_ptr<const bem::BoundaryOperator> make_operator(const ElementsOfRegion& elements,
+                                                             const bem::AssemblyOptions& assembly) const override;
+};
+
+}  // namespace bempd::regions

@@ -1,0 +1,48 @@
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "regions/boundary/boundary_parts.hpp"
+#include "regions/boundary/boundary_swelling.hpp"
+
+namespace bempd::regions {
+
+// Operators of a boundary element region: the one of the whole region, or those of its parts, as stiffnesses on its
+// nodes. Regions that are alike share them, and unchanged ones are kept while cracks grow.
+class BoundaryOperators final : public RegionOperators {
+ public:
+  BoundaryOperators(const Region& region, const BoundaryMethod& method, const NumberedMesh& mesh, BoundaryParts& parts,
+                    const BoundarySwelling& swelling)
+      : region_(region), method_(method), mesh_(mesh), parts_(parts), swelling_(swelling) {}
+
+  void build(const Preparation& preparation);
+  // Parts of the region in the scene with shorter cracks; null without that.
+  const BoundaryParts* parts_before_growth(const Preparation& preparation) const;
+
+  // Operator of the whole region; null if subdomains have theirs.
+  const bem::BoundaryOperator* whole() const { return whole_.get(); }
+  // Stiffness of the whole region on the nodes of its mesh.
+  const Eigen::MatrixXd& mesh_stiffness() const { return stiffness_.size() > 0 ? stiffness_ : whole_->stiffness(); }
+  void add_statistics(RegionStatistics& statistics) const;
+
+  std::vector<coupling::DenseOperator> dense_operators(std::span<const KnownOperator> before) const override;
+  std::vector<OperatorNodes> nodes_of_operators() const override;
+  std::optional<Eigen::VectorXd> outflow(Eigen::Index dof_count) const override;
+  double memory_of_preparing(double times) const override;
+
+ private:
+  std::vector<const BoundaryOperators*> alike_before(const Preparation& preparation) const;
+  bool has_operator_of(const BoundaryOperators& other) const;
+  std::shared_ptr<const Eigen::MatrixXd> stiffness_of_nodes() const;
+
+  const Region& region_;
+  const BoundaryMethod& method_;
+  const NumberedMesh& mesh_;
+  BoundaryParts& parts_;
+  const BoundarySwelling& swelling_;
+  std::shared_ptr<const bem::BoundaryOperator> whole_;  // shared by regions that are alike
+  Eigen::MatrixXd stiffness_;                           // on the mesh's nodes, if not the operator's own
+};
+
+}  // namespace bempd::regions

@@ -1,0 +1,51 @@
+#pragma once
+
+#include <vector>
+
+#include "bem/interior.hpp"
+#include "regions/boundary/interior_of_pieces.hpp"
+#include "regions/boundary/particular_solutions.hpp"
+
+namespace bempd::regions {
+
+// State of a boundary element region in a solution: displacements, tractions, and openings of cracks without those of
+// free swelling and of the particular solution of its body force, from which the values inside follow.
+class BoundaryStates {
+ public:
+  BoundaryStates(const Region& region, const NumberedMesh& mesh, const BoundaryParts& parts,
+                 const BoundaryOperators& operators, const BoundarySwelling& swelling,
+                 const ParticularSolutions& particulars)
+      : region_(region),
+        mesh_(mesh),
+        parts_(parts),
+        operators_(operators),
+        swelling_(swelling),
+        particulars_(particulars) {}
+
+  // Openings and tractions of each part with cracks: in a solution; and for displacements of the scene's nodes and the
+  // loads on faces, `constant` and `proportional` being the factors of the two parts of loads and swelling.
+  std::vector<bem::CrackedState> of_cracked_parts(const Solution& solution) const;
+  std::vector<bem::CrackedState> of_cracked_parts(const Eigen::VectorXd& displacement, const Solution& solution,
+                                                  double constant, double proportional) const;
+  // Tractions on the traction nodes of the boundary.
+  Eigen::VectorXd tractions(const LinearBodyForce& particular, const Solution& solution) const;
+  // Stress (xx, yy, xy) at the three nodes of each element of the boundary.
+  std::vector<double> element_stress(const LinearBodyForce& particular, const Solution& solution) const;
+  // Evaluators of the interior, one for each piece into which cracks cut the region.
+  InteriorOfPieces inside(const LinearBodyForce& particular, const Solution& solution) const;
+
+ private:
+  // Displacements of places() without those of free swelling; then also without those of the particular solution.
+  Eigen::VectorXd elastic(const Eigen::VectorXd& displacement, double constant, double proportional) const;
+  Eigen::VectorXd displacement(const LinearBodyForce& particular, const Solution& solution) const;
+  bem::InteriorEvaluator inside_of_one_piece(const LinearBodyForce& particular, const Solution& solution) const;
+
+  const Region& region_;
+  const NumberedMesh& mesh_;
+  const BoundaryParts& parts_;
+  const BoundaryOperators& operators_;
+  const BoundarySwelling& swelling_;
+  const ParticularSolutions& particulars_;
+};
+
+}  // namespace bempd::regions

@@ -1,0 +1,26 @@
+#pragma once
+
+#include "coupling/affine.hpp"
+#include "regions/boundary/numbered_mesh.hpp"
+
+namespace bempd::regions {
+
+// Free swelling of a boundary element region.
+class BoundarySwelling final : public RegionSwelling {
+ public:
+  BoundarySwelling(const Region& region, const NumberedMesh& mesh) : region_(region), mesh_(mesh) {}
+
+  // Takes a swelling strain. Throws Error (argument) for one that is not linear: it causes stress in the interior.
+  void swell(const Swelling& strain, LatticeSwelling& lattices) override;
+  std::optional<Eigen::Matrix2d> free_displacement(const Point& place) const override;
+  // Rest displacements of the region's nodes; without rows if it does not swell.
+  const coupling::Affine& rest() const { return rest_; }
+
+ private:
+  const Region& region_;
+  const NumberedMesh& mesh_;
+  std::optional<FreeSwelling> free_swelling_;
+  coupling::Affine rest_{0, 2};
+};
+
+}  // namespace bempd::regions

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "pd/deformation.hpp"
+#include "pd/network.hpp"
+#include "regions/fields.hpp"
+
+namespace bempd::regions {
+
+// Bonds at the points of a region, including those to other regions of its body, and their numbers in the scene.
+// `first` and `listed` give its own consecutive bonds in the scene. These are the bonds between two of its points,
+// except those that an earlier region of the same body also has both ends of.
+struct SceneBonds {
+  std::shared_ptr<const pd::Network> network;  // shared by regions that are alike
+  std::size_t first = 0, listed = 0;           // start and length of its row
+  std::vector<int> of_scene;                   // per bond; empty if all are in its row
+  // Points of other regions at which bonds of this region end; they are numbered after the region's own points.
+  std::vector<int> far_nodes;     // of the scene
+  std::vector<Point> far_points;  // in grid coordinates
+  // Number of the first square (a term of the scene) for each grid point that is the lower left corner of a cell, -1
+  // for other points. In regions with points on their outline: for each patch of cells. Empty if the material has no
+  // squares.
+  std::vector<int> squares;
+
+  const std::vector<pd::Bond>& all() const { return network->bonds; }
+  // Number of a bond in the scene.
+  std::size_t number(std::size_t bond) const {
+    return of_scene.empty() ? first + bond : static_cast<std::size_t>(of_scene[bond]);
+  }
+  // Flags of all bonds: nonzero if the bond is broken or cut. `intact` is the scene's.
+  std::vector<std::uint8_t> broken(const std::vector<char>& intact) const;
+  pd::BondStates states(const Solution& solution) const;
+  // Damage of the first `points` points: 1 - number of intact bonds / number of bonds without any crack.
+  std::vector<double> damage(const std::vector<char>& intact, std::size_t points) const;
+  // Stretch of the bonds in the row.
+  std::vector<double> stretch(const Solution& solution) const;
+};
+
+}  // namespace bempd::regions

@@ -1,0 +1,89 @@
+#pragma once
+
+#include <set>
+#include <unordered_map>
+#include <vector>
+
+#include "linalg/adjacency.hpp"
+#include "regions/lattice/bonded_region.hpp"
+
+namespace bempd::regions {
+
+// Material points of a body of several regions, and which of the regions has each of them. Points near a common edge
+// may belong to several.
+class SharedPoints {
+ public:
+  static constexpr int nobody = -1;
+
+  struct Member {
+    BondedRegion* region;
+    std::vector<int> points;  // numbers in the body of the region's points
+    Point shift;              // of the body's grid coordinates from the region's
+  };
+
+  // `places` are those of the body's points in its grid coordinates. All regions must have numbered their nodes.
+  SharedPoints(std::vector<Member> members, std::vector<Point> places);
+
+  // Whether each point is one and the same node for all members.
+  bool has_one_node_each() const { return one_node_each_; }
+  const std::vector<Member>& members() const { return members_; }
+  const Point& place(int point) const { return places_[static_cast<std::size_t>(point)]; }
+  int node(int point) const { return nodes_[static_cast<std::size_t>(point)]; }
+  // Number of a point of the body in a member; `nobody` if the member does not have it.
+  int number_in(int member, int point) const;
+  // First member that has both ends of a bond of the body; `nobody` if there is none.
+  int owner(const pd::Bond& bond) const;
+  // Whether one member has both ends of a bond and no other member has either end.
+  bool is_within_one(const pd::Bond& bond) const;
+  // Members that have at least one end of a bond.
+  std::set<int> members_at(const pd::Bond& bond) const;
+  // Shares of the fracture energy at the points of the body. At a point that several members have, the first one's
+  // value counts. Empty if no member has values; a member without values counts as 1.
+  std::vector<double> energy_shares() const;
+
+ private:
+  // Number of a material point in a member of the body.
+  struct Holder {
+    int member, point;
+  };
+
+  std::vector<Member> members_;
+  std::vector<Point> places_;
+  std::vector<int> nodes_;  // of the scene
+  std::vector<Holder> holders_;
+  linalg::Adjacency holders_at_;  // per point, in the order of members
+  bool one_node_each_ = true;
+};
+
+// Bonds of a body of several regions, shared out among these.
+class SharedBonds {
+ public:
+  // Adds the bonds to the scene's terms, in this order: those of each member in turn, then those that belong to no
+  // single member.
+  SharedBonds(const SharedPoints& points, const pd::Network& network, const Preparation& preparation,
+              const Contributions& contributions);
+
+  // Number of a bond of the body in the scene.
+  int term(int bond) const { return static_cast<int>(of_scene_[static_cast<std::size_t>(bond)]); }
+  // Number of a point in a member: one of its own, or one of other members, numbered behind these.
+  int number(int member, int point);
+  // Gives a member its bonds, with its squares (SceneBonds::squares).
+  void give(int member, std::vector<int> squares);
+
+ private:
+  // Bonds of one member as they are collected.
+  struct Part {
+    pd::Network network;
+    SceneBonds bonds;
+    std::unordered_map<int, int> far;  // numbers of points that other members have
+  };
+
+  void add(int member, std::size_t bond, bool listed);
+
+  const SharedPoints& points_;
+  const pd::Network& network_;
+  std::vector<std::size_t> of_scene_;
+  std::vector<Part> parts_;
+};
+
+}  // namespace bempd::regions
