@@ -28,6 +28,10 @@ export PATH="/usr/bin:/bin:$PATH"
 # A program of MPICH embeds the library too; without MPICH that test says that it is skipped.
 if [ "${1:-all}" = long ]; then .ci/require_packages.sh mpich libmpich-dev llvm; fi
 
+# OpenBLAS 0.3.21 takes some new processors for a Prescott, whose routines are slow, and whose dsymv reads past the matrix:
+# the address sanitizer ends the program there. Haswell's routines run on every processor with AVX2.
+if [ -z "${OPENBLAS_CORETYPE:-}" ] && grep -q avx2 /proc/cpuinfo; then export OPENBLAS_CORETYPE=Haswell; fi
+
 jobs=$(nproc)
 fuzz_seconds=${BEMPD_FUZZ_SECONDS:-1800}
 scenes=${BEMPD_SCENES:-20000}
@@ -62,14 +66,7 @@ search_by_fuzzing() {
   done
 }
 
-# OpenBLAS 0.3.21 takes some new processors for a Prescott, whose dsymv reads past the matrix: the address sanitizer ends
-# the program there. Haswell's routines do not, and run on every processor with AVX2.
-choose_blas_for_sanitizers() {
-  ! grep -q avx2 /proc/cpuinfo || export OPENBLAS_CORETYPE=Haswell
-}
-
 run_stage() {
-  case "$1" in fetch-sanitize | sanitize | tsan | fuzz) choose_blas_for_sanitizers ;; esac
   case "$1" in
     ci) run_presets ci && cmake --build --preset ci --target format-check ;;
     fetch-sanitize) (cd tests/package/consumer && run_presets fetch-sanitize) ;;

@@ -26,6 +26,10 @@ constexpr double between_trials = 10 * std::numbers::pi / 180;
 
 constexpr double ratio_of_ties = 1e-9;
 
+// Ratio below which only rounding loads the bonds across a step, as in a piece that has come off but for a hinge. The
+// sign of their elongations means nothing then.
+constexpr double least_ratio = 1e-9;
+
 constexpr int rounds_for_load = 30;
 constexpr double load_rounding = 1e-12;
 // Half the distance, over the load factor, of the two at which the slope of the ratio is taken.
@@ -130,7 +134,8 @@ CutStiffness::Counted CutStiffness::of(std::size_t bond, double stiffness, const
 TrialGrowth::AtTip TrialGrowth::at_tip(double load_factor) const {
   double weights = 0, x_mean = 0, y_mean = 0, xx = 0, xy = 0;
   const auto rate = [&](const Length& l) {
-    return std::log(energy_.released(l.terms, load_factor) / (l.length * kink_.mean(l.length, load_factor)));
+    const double released = std::max(energy_.released(l.terms, load_factor), least_ratio * least_ratio * l.energy);
+    return std::log(released / (l.length * kink_.mean(l.length, load_factor)));
   };
   for (const Length& l : lengths_) weights += l.length, x_mean += l.length * l.length / 2, y_mean += l.length * rate(l);
   x_mean /= weights, y_mean /= weights;
@@ -161,8 +166,9 @@ bool TrialGrowth::opens(double load_factor) const {
 // points of the last secant nearly coincide, so rounding dominates its slope: that at the root is computed anew.
 std::optional<LineLoad> TrialGrowth::load(double nearby, double sense, bool proportional) const {
   LineLoad found;
-  if (nearby == 0 || !opens(nearby)) return std::nullopt;
-  if (proportional) {
+  const bool is_loaded = std::max(mean_ratio(nearby), mean_ratio(2 * nearby)) > least_ratio;
+  if (nearby == 0 || (is_loaded && !opens(nearby))) return std::nullopt;
+  if (proportional || !is_loaded) {
     const double slope = ratio(nearby) / std::abs(nearby);
     const std::optional<double> root = load_ratio(1, slope);
     if (!root) return std::nullopt;
