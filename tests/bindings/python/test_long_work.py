@@ -41,13 +41,25 @@ def begin(call, cells, bar=""):
     return process
 
 
+def processor_time(process):
+    """Seconds that a process has computed, which other programs on the machine do not lengthen."""
+    fields = pathlib.Path(f"/proc/{process.pid}/stat").read_text().rpartition(")")[2].split()
+    return (int(fields[11]) + int(fields[12])) / os.sysconf("SC_CLK_TCK")
+
+
+def children_time():
+    """Seconds that processes have computed which have ended."""
+    times = os.times()
+    return times.children_user + times.children_system
+
+
 def test_an_interrupt_is_heard_while_a_scene_is_prepared():
     process = begin("model.step(1)", 400)
     time.sleep(0.6)
+    sent = processor_time(process)
     process.send_signal(signal.SIGINT)
-    sent = time.monotonic()
     assert process.stdout.readline() == "interrupted\n"
-    assert time.monotonic() - sent < 2
+    assert processor_time(process) - sent < 2
     process.kill()
     process.communicate()
 
@@ -74,10 +86,11 @@ def test_a_second_interrupt_ends_the_process():
     process.send_signal(signal.SIGINT)
     time.sleep(0.3)
     assert process.poll() is None
+    sent, ended = processor_time(process), children_time()
     process.send_signal(signal.SIGINT)
-    sent = time.monotonic()
     output, errors = process.communicate(timeout=60)
-    assert time.monotonic() - sent < 2 and process.returncode == 130 and "second Ctrl-C" in errors, (process.returncode, output, errors)
+    assert process.returncode == 130 and "second Ctrl-C" in errors, (process.returncode, output, errors)
+    assert children_time() - ended - sent < 2
 
 
 def test_a_host_s_own_handler_is_left_alone():
