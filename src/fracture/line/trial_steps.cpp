@@ -134,8 +134,7 @@ CutStiffness::Counted CutStiffness::of(std::size_t bond, double stiffness, const
 TrialGrowth::AtTip TrialGrowth::at_tip(double load_factor) const {
   double weights = 0, x_mean = 0, y_mean = 0, xx = 0, xy = 0;
   const auto rate = [&](const Length& l) {
-    const double released = std::max(energy_.released(l.terms, load_factor), least_ratio * least_ratio * l.energy);
-    return std::log(released / (l.length * kink_.mean(l.length, load_factor)));
+    return std::log(energy_.released(l.terms, load_factor) / (l.length * kink_.mean(l.length, load_factor)));
   };
   for (const Length& l : lengths_) weights += l.length, x_mean += l.length * l.length / 2, y_mean += l.length * rate(l);
   x_mean /= weights, y_mean /= weights;
@@ -166,9 +165,8 @@ bool TrialGrowth::opens(double load_factor) const {
 // points of the last secant nearly coincide, so rounding dominates its slope: that at the root is computed anew.
 std::optional<LineLoad> TrialGrowth::load(double nearby, double sense, bool proportional) const {
   LineLoad found;
-  const bool is_loaded = std::max(mean_ratio(nearby), mean_ratio(2 * nearby)) > least_ratio;
-  if (nearby == 0 || (is_loaded && !opens(nearby))) return std::nullopt;
-  if (proportional || !is_loaded) {
+  if (nearby == 0 || !(mean_ratio(nearby) > least_ratio) || !opens(nearby)) return std::nullopt;
+  if (proportional) {
     const double slope = ratio(nearby) / std::abs(nearby);
     const std::optional<double> root = load_ratio(1, slope);
     if (!root) return std::nullopt;

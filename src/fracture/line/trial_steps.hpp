@@ -73,8 +73,8 @@ class TrialGrowth {
 
   // Load factor at which ratio() reaches one, so that the tip grows, and the slope of the ratio there; found by an
   // iteration from `nearby`. `sense` is the sign of the load path; `proportional`: there are no constant loads. Empty
-  // if the ratio does not rise on the path, or if the bonds across the step would become shorter (opens()). Very large
-  // if the bonds bear nothing.
+  // if the ratio does not rise on the path, or if the bonds across the step bear nothing or would become shorter
+  // (opens()).
   std::optional<LineLoad> load(double nearby, double sense, bool proportional) const;
 
  private:
