@@ -59,7 +59,7 @@ LevelFactors TipOnStep::at(double grown, std::size_t level) const {
   LevelFactors there;
   there.net_section = section_between(first.net_section, last.net_section, share);
   there.t_stress = between(first.t_stress, last.t_stress, share);
-  if (!(first.equivalent > 0 && last.equivalent > 0)) {
+  if (!(first.equivalent * last.equivalent > 0)) {
     there.factors = (1 - share) * first.factors + share * last.factors;
     there.equivalent = between(first.equivalent, last.equivalent, share);
     return there;
@@ -83,9 +83,9 @@ double TipOnStep::critical_at(double grown) const {
 
 // Bend by the step before; 0 if that was much longer, or if the tip took much more of its crack's growth in it.
 double TipOnStep::bend(std::size_t level) const {
-  constexpr double longest = 0.7;
-  const double start = own_length();
-  if (past.empty() || !(past_growth > 0 && past_growth < longest * start) || !(past[level].equivalent > 0)) return 0;
+  const double start = own_length(), longest = 0.7 * start;
+  const bool is_known = !past.empty() && past[level].equivalent * before[level].equivalent > 0;
+  if (!is_known || !(past_growth > 0 && past_growth < longest)) return 0;
   const double whole = std::log1p(growth / start), back = -std::log1p(-past_growth / start);
   const double power = std::log(after[level].equivalent / before[level].equivalent) / whole;
   const double power_before = std::log(before[level].equivalent / past[level].equivalent) / back;

@@ -54,7 +54,8 @@ std::vector<Point> common_places(const Segment& a, const Segment& b, double tole
 }
 
 void mark_meetings(Path& a, int i, Path& b, int j, double tolerance) {
-  const bool follows = &a == &b && j == i + 1;
+  // Segments of one path that follow each other, or that lie no farther apart along it than places that count as one.
+  const bool follows = &a == &b && (j == i + 1 || a.ways[j] - a.ways[i + 1] <= 4 * tolerance);
   const std::vector<Point> places = common_places(a.segment(i), b.segment(j), tolerance);
   require(places.size() <= 1, "crack ", a.given.id, " runs along ",
           &a == &b ? text("itself") : text("crack ", b.given.id), " from (", places.empty() ? 0 : places[0].x(), ", ",
@@ -122,7 +123,7 @@ CrackLine line_between(const Path& path, int crack, const Mark& from, const Mark
     reached = way;
   };
   for (std::size_t i = 0; i < path.ways.size(); ++i)
-    if (path.ways[i] > from.way + 4 * tolerance && path.ways[i] < to.way - 4 * tolerance)
+    if (path.ways[i] > reached + 4 * tolerance && path.ways[i] < to.way - 4 * tolerance)
       add(path.given.points[i], path.ways[i]);
   add(to.place, to.way);
   return line;

@@ -9,6 +9,7 @@
 #include "model/growth_options.hpp"
 #include "model/level_factors.hpp"
 #include "model/net_section.hpp"
+#include "regions/boundary/boundary_description.hpp"
 
 namespace bempd::model {
 
@@ -21,6 +22,17 @@ double equivalent_in(const Point& factors, double angle, KinkCriterion criterion
 
 // Parts of a step at whose ends a fracture energy that varies from place to place is read.
 constexpr int parts_of_step = 16;
+
+// Distance from the tip of a line over which a lattice spreads its stress, in spacings: two horizons of four.
+constexpr double spread_over = 8;
+
+// Outline of a region, or of the whole body to which it belongs as a lattice patch, or out of which patches are cut.
+const Outline& whole_outline(const scene::Scene& scene, int region) {
+  const int part_of = scene.region(region).part_of();
+  const scene::Region& body = scene.region(part_of > 0 ? part_of : region);
+  const auto* elements = dynamic_cast<const regions::BoundaryDescription*>(&body);
+  return elements ? elements->whole_outline() : body.outline();
+}
 
 }  // namespace
 
@@ -102,18 +114,23 @@ Front FrontReader::front(const std::vector<regions::TipValues>& tips, LongerCrac
 void FrontReader::add_net_sections(Front& front, LongerCracks* longer) {
   std::vector<scene::Crack> cracks;
   lengthening_.in_scene_of(longer, [&] { cracks = lengthening_.cracks(); });
+  std::vector<SpreadTip> spread;  // those with elements have no radius
+  for (const FrontTip& tip : front)
+    spread.push_back({tip.values.place, spread_over * lengthening_.quantum(tip.values)});
   std::vector<std::optional<NetSection>> sections;
   for (const FrontTip& tip : front) {
     sections.emplace_back();
     if (parameters_of(tip.region)->flow_stress > 0)
-      sections.back().emplace(model_.scene().region(tip.region).outline(), cracks, tip.values.crack, tip.values.place,
-                              turned(tip.values.direction, tip.angle));
+      sections.back().emplace(whole_outline(model_.scene(), tip.region), cracks, tip.values.crack, tip.values.place,
+                              turned(tip.values.direction, tip.angle), spread);
   }
   LevelSolver(model_, lengthening_, levels_, longer).under_each([&](std::size_t level) {
+    std::vector<double> factors;
+    for (const FrontTip& tip : front) factors.push_back(tip.levels[level].equivalent);
     for (std::size_t t = 0; t < front.size(); ++t)
       if (sections[t])
         front[t].levels[level].net_section = sections[t]->share(model_.results().evaluate(sections[t]->places(), true),
-                                                                parameters_of(front[t].region)->flow_stress);
+                                                                parameters_of(front[t].region)->flow_stress, factors);
   });
 }
 

@@ -61,19 +61,10 @@ std::vector<double> WaitingGrowth::of(const Front& front) const {
   return all;
 }
 
-std::map<crack::TipId, double> WaitingGrowth::of_lines(const Front& front, const CrackLengthening& lengthening) const {
-  std::map<crack::TipId, double> lines;
-  for (const FrontTip& tip : front)
-    if (lengthening.quantum(tip.values) > 0) lines[tip.id()] = of(tip.id());
-  return lines;
-}
-
 void WaitingGrowth::take_up(const std::vector<RememberedOverload>& known, const Front& front,
-                            const std::vector<scene::Crack>& cracks, const CrackLengthening& lengthening) {
-  for (const FrontTip& tip : front) {
-    const RememberedOverload* found = remembered_at(tip, known, cracks);
-    if (found && lengthening.quantum(tip.values) > 0) of_tips_[tip.id()] = found->waiting;
-  }
+                            const std::vector<scene::Crack>& cracks) {
+  for (const FrontTip& tip : front)
+    if (const RememberedOverload* found = remembered_at(tip, known, cracks)) of_tips_[tip.id()] = found->waiting;
 }
 
 void MetOverloads::take_up(const std::vector<RememberedOverload>& known, const Front& front,
@@ -98,13 +89,12 @@ crack::Overload MetOverloads::of(const crack::TipId& tip) const {
   return found == met_.end() ? crack::Overload{} : found->second;
 }
 
-std::vector<RememberedOverload> MetOverloads::remembered(const Front& front,
-                                                         const std::map<crack::TipId, double>& waiting) const {
+std::vector<RememberedOverload> MetOverloads::remembered(const Front& front, const std::vector<double>& waiting) const {
   std::vector<RememberedOverload> all;
-  for (const FrontTip& tip : front) {
-    const auto waits = waiting.find(tip.id());
-    const double growth = waits == waiting.end() ? 0 : waits->second;
-    if (tip.law->retardation() || growth != 0) all.push_back({tip.id(), tip.values.place, of(tip.id()), growth});
+  for (std::size_t t = 0; t < front.size(); ++t) {
+    const FrontTip& tip = front[t];
+    if (tip.law->retardation() || waiting[t] != 0)
+      all.push_back({tip.id(), tip.values.place, of(tip.id()), waiting[t]});
   }
   return all;
 }

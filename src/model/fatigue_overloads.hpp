@@ -21,10 +21,9 @@ class WaitingGrowth {
     return found == of_tips_.end() ? 0 : found->second;
   }
   std::vector<double> of(const Front& front) const;
-  // Waiting growth of the tips of crack lines alone, which is remembered from call to call.
-  std::map<crack::TipId, double> of_lines(const Front& front, const CrackLengthening& lengthening) const;
+  // Takes over what was waiting at the end of the call before.
   void take_up(const std::vector<RememberedOverload>& known, const Front& front,
-               const std::vector<scene::Crack>& cracks, const CrackLengthening& lengthening);
+               const std::vector<scene::Crack>& cracks);
 
  private:
   std::map<crack::TipId, double> of_tips_;
@@ -41,8 +40,8 @@ class MetOverloads {
   // Sets the overload at the end of a step, in which the tip has grown.
   void keep(const crack::TipOnStep& tip, crack::Overload overload);
   crack::Overload of(const crack::TipId& tip) const;
-  // What is to be remembered of the tips, with the growth of lines that waits.
-  std::vector<RememberedOverload> remembered(const Front& front, const std::map<crack::TipId, double>& waiting) const;
+  // What is to be remembered of the tips, with the growth of each that waits.
+  std::vector<RememberedOverload> remembered(const Front& front, const std::vector<double>& waiting) const;
 
  private:
   std::map<crack::TipId, crack::Overload> met_;

@@ -44,8 +44,8 @@ double FatigueRun::length_of_crack(std::size_t tip) const {
 // Length of a tip's crack by the cycles so far, including growth of lines that waits until it fills a whole spacing.
 double FatigueRun::length_by_cycles(std::size_t tip) const {
   double length = length_of_crack(tip);
-  for (const auto& [id, growth] : ahead_.of_lines(front_, lengthening_))
-    if (id.crack == front_[tip].values.crack) length += growth;
+  for (std::size_t t = 0; t < front_.size(); ++t)
+    if (is_line(t) && front_[t].values.crack == front_[tip].values.crack) length += ahead_.of(front_[t].id());
   return length;
 }
 
@@ -66,8 +66,8 @@ double FatigueRun::longest(std::size_t tip) const {
   return std::max(length, lengthening_.quantum(at));
 }
 
-// Plans a step; empty if no tip grows. If few cycles are left, the present rates limit the lengths, with room for
-// rising rates.
+// Plans a step; empty if no tip grows by more than rounding. If few cycles are left, the present rates limit the
+// lengths, with room for rising rates.
 std::optional<FatigueRun::Plan> FatigueRun::plan() const {
   constexpr double room = 1.3;
   Plan plan;
@@ -81,6 +81,7 @@ std::optional<FatigueRun::Plan> FatigueRun::plan() const {
   cycles = std::min(cycles, room * cycles_left());
   const std::vector<double> ahead = ahead_.of(front_);
   for (std::size_t t = 0; t < front_.size(); ++t) plan.lengths.push_back(std::max(0.0, cycles * rates_[t] + ahead[t]));
+  if (plan.lengths[plan.leader] < hardly_grows * size_of(plan.leader)) return std::nullopt;
   keep_within_length(plan);
   return plan;
 }
@@ -94,7 +95,7 @@ bool FatigueRun::waits(const Trial& trial, std::size_t tip) const {
 // Tip with elements that leads instead of a line that waits; empty if none grows by more than rounding.
 std::optional<std::size_t> FatigueRun::leader_instead(const Trial& trial) const {
   for (std::size_t t = 0; t < front_.size(); ++t)
-    if (!is_line(t) && trial.cycles.growth[t] > 1e-6 * size_of(t)) return t;
+    if (!is_line(t) && trial.cycles.growth[t] > hardly_grows * size_of(t)) return t;
   return std::nullopt;
 }
 

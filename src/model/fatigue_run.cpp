@@ -47,7 +47,7 @@ FatigueReport FatigueRun::run() {
     overloads_.take_up(model_.fatigue().overloads(), front_, cracks_, options_.first_cycle);
     find_rates();
   }
-  ahead_.take_up(model_.fatigue().overloads(), front_, cracks_, lengthening_);
+  ahead_.take_up(model_.fatigue().overloads(), front_, cracks_);
   record();
   while (step()) lengthening_.report_progress();
   lengthening_.stay();
@@ -58,7 +58,8 @@ FatigueReport FatigueRun::run() {
 void FatigueRun::find_front() {
   const std::vector<regions::TipValues> tips = lengthening_.tips();
   require(!tips.empty(),
-          "all tips are frozen, or have stopped before an interface; let one grow again with bempd_set_tip_frozen()");
+          "all tips have ended, have stopped before an interface, or are frozen; let a frozen one grow again with "
+          "bempd_set_tip_frozen()");
   front_ = reader_.front(tips, nullptr);
   cracks_ = lengthening_.cracks();
   require(!front_.empty(),
@@ -122,7 +123,7 @@ FatigueRun::Trial FatigueRun::made(const Plan& plan) {
 
 // Whether the cycles of a step end before the crack is longer by more than rounding.
 bool FatigueRun::is_too_short(const Trial& trial, std::size_t leader) const {
-  return trial.cycles.end != crack::CyclesEnd::growth && trial.cycles.growth[leader] < 1e-6 * size_of(leader);
+  return trial.cycles.end != crack::CyclesEnd::growth && trial.cycles.growth[leader] < hardly_grows * size_of(leader);
 }
 
 FatigueRun::Trial FatigueRun::trial(std::vector<double> lengths, std::vector<double> angles, std::size_t leader) {
@@ -226,15 +227,13 @@ bool FatigueRun::accept(Trial trial, std::size_t leader) {
 bool FatigueRun::pass(const crack::CyclesOnStep& cycles) {
   lengthening_.stay();
   report_.cycles += cycles.cycles;
-  for (std::size_t t = 0; t < front_.size(); ++t) {
-    overloads_.set(front_[t].id(), cycles.overloads[t]);
-    if (is_line(t)) ahead_[front_[t].id()] = cycles.growth[t];
-  }
+  for (std::size_t t = 0; t < front_.size(); ++t)
+    overloads_.set(front_[t].id(), cycles.overloads[t]), ahead_[front_[t].id()] = cycles.growth[t];
   place_ = cycles.place;
   return !is_over(cycles);
 }
 
-// Counts the cycles while no tip grows.
+// Counts the cycles while no crack is extended.
 bool FatigueRun::pass_without_growth() {
   std::vector<crack::TipOnStep> here;
   for (std::size_t t = 0; t < front_.size(); ++t) here.push_back(standing(t));

@@ -11,6 +11,9 @@
 
 namespace bempd::model {
 
+// Growth of a tip below which its crack is not extended, as a share of the tip's size: it waits for more.
+inline constexpr double hardly_grows = 1e-6;
+
 // Run of a call in which cracks grow by cycles.
 //
 // A step extends the tips in proportion to their rates, so far that the tip that grows most in relation to its size
@@ -24,7 +27,7 @@ class FatigueRun {
   FatigueReport run();
   std::vector<FatigueRecord> take_records() { return std::move(records_); }
   std::vector<RememberedOverload> remembered_overloads() const {
-    return overloads_.remembered(front_, ahead_.of_lines(front_, lengthening_));
+    return overloads_.remembered(front_, ahead_.of(front_));
   }
 
  private:

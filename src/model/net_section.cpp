@@ -48,7 +48,7 @@ double largest_between(double low, double high, const Value& value) {
 }  // namespace
 
 NetSection::NetSection(const Outline& outline, const std::vector<scene::Crack>& cracks, int crack, const Point& place,
-                       const Point& direction)
+                       const Point& direction, const std::vector<SpreadTip>& spread)
     : place_(place), direction_(direction) {
   const Box box = bounding_box(outline);
   const double half = 2 * box.diagonal().norm(), tolerance = geometric_tolerance(box);
@@ -73,6 +73,19 @@ NetSection::NetSection(const Outline& outline, const std::vector<scene::Crack>& 
   for (std::size_t c = 0; c < cracks.size(); ++c)
     take_out(cracks[c], static_cast<int>(c) + 1 == crack ? 2 * half : along * (highest - lowest));
   std::erase_if(pieces_, [&](const Piece& piece) { return piece.to - piece.from <= 1e3 * tolerance; });
+  find_spread_ends(spread);
+}
+
+void NetSection::find_spread_ends(const std::vector<SpreadTip>& spread) {
+  constexpr double largest_share = 0.4, near = 0.25;
+  for (Piece& piece : pieces_)
+    for (std::size_t t = 0; t < spread.size(); ++t)
+      for (const int end : {0, 1}) {
+        const Point place = place_ + (end == 0 ? piece.from : piece.to) * direction_;
+        if ((place - spread[t].place).norm() > near * spread[t].radius) continue;
+        piece.ends[static_cast<std::size_t>(end)] = {
+            t, std::min(spread[t].radius, largest_share * (piece.to - piece.from))};
+      }
 }
 
 void NetSection::take_out(const scene::Crack& crack, double half_width) {
@@ -109,12 +122,41 @@ void NetSection::take_out(const Piece& part) {
 
 std::vector<Point> NetSection::places() const {
   std::vector<Point> all;
-  for (const Piece& piece : pieces_)
-    for (int k = 0; k < places_on_piece; ++k) {
-      const double at = 0.5 * (piece.from + piece.to) - 0.5 * (piece.to - piece.from) * std::cos(angle_of(k));
-      all.emplace_back(place_ + at * direction_);
-    }
+  for (const Piece& piece : pieces_) {
+    const double middle = 0.5 * (piece.first() + piece.last()), half = 0.5 * (piece.last() - piece.first());
+    for (int k = 0; k < places_on_piece; ++k)
+      all.emplace_back(place_ + (middle - half * std::cos(angle_of(k))) * direction_);
+    for (const int end : {0, 1})
+      if (piece.ends[static_cast<std::size_t>(end)].radius > 0)
+        all.emplace_back(place_ + (end == 0 ? piece.first() : piece.last()) * direction_);
+  }
   return all;
+}
+
+// The stress near a spread tip is K / sqrt(2 pi r) and a part in proportion to sqrt(r), by the stress at the radius.
+NetSection::Resultant NetSection::resultant(const std::vector<double>& pulls,
+                                            const std::vector<double>& factors) const {
+  Resultant sum;
+  std::size_t next = 0;
+  for (const Piece& piece : pieces_) {
+    const double middle = 0.5 * (piece.first() + piece.last()), half = 0.5 * (piece.last() - piece.first());
+    for (int k = 0; k < places_on_piece; ++k, ++next) {
+      const double weight = half * std::sin(angle_of(k)) * std::numbers::pi / places_on_piece * pulls[next];
+      sum.force += weight, sum.moment += weight * (middle - half * std::cos(angle_of(k)));
+    }
+    for (const int end : {0, 1}) {
+      const auto [tip, radius] = piece.ends[static_cast<std::size_t>(end)];
+      if (!(radius > 0)) continue;
+      const double pull = pulls[next++];
+      const double of_tip = std::max(0.0, factors[tip]) / std::sqrt(2 * std::numbers::pi * radius),
+                   rest = pull - of_tip;
+      const double force = (2 * of_tip + 2 * rest / 3) * radius;
+      const double about_end = (2 * of_tip / 3 + 2 * rest / 5) * radius * radius;
+      sum.force += force;
+      sum.moment += end == 0 ? piece.from * force + about_end : piece.to * force - about_end;
+    }
+  }
+  return sum;
 }
 
 double NetSection::opening_about(double centre) const {
@@ -126,27 +168,21 @@ double NetSection::opening_about(double centre) const {
   return sum;
 }
 
-double NetSection::share(const std::vector<regions::PointValue>& stresses, double flow_stress) const {
+double NetSection::share(const std::vector<regions::PointValue>& stresses, double flow_stress,
+                         const std::vector<double>& factors) const {
   const Point normal(-direction_.y(), direction_.x());
-  double force = 0, moment = 0, length = 0;  // moment about the tip
-  std::size_t next = 0;
-  for (const Piece& piece : pieces_) {
-    const double half = 0.5 * (piece.to - piece.from);
-    length += 2 * half;
-    for (int k = 0; k < places_on_piece; ++k, ++next) {
-      const Eigen::Vector3d& stress = stresses[next].stress;
-      const double pull = normal.x() * normal.x() * stress[0] + normal.y() * normal.y() * stress[1] +
-                          2 * normal.x() * normal.y() * stress[2];
-      const double weight = half * std::sin(angle_of(k)) * std::numbers::pi / places_on_piece;
-      const double at = 0.5 * (piece.from + piece.to) - half * std::cos(angle_of(k));
-      force += weight * pull, moment += weight * at * pull;
-    }
-  }
+  std::vector<double> pulls;
+  for (const regions::PointValue& value : stresses)
+    pulls.push_back(normal.x() * normal.x() * value.stress[0] + normal.y() * normal.y() * value.stress[1] +
+                    2 * normal.x() * normal.y() * value.stress[2]);
+  const auto [force, moment] = resultant(pulls, factors);
+  double length = 0;
+  for (const Piece& piece : pieces_) length += piece.to - piece.from;
   if (!(length > 0)) return 0;
   const double size = std::max(pieces_.back().to, -pieces_.front().from);
   // Ratio of works for a rotation about the place at size * tan(angle) from the tip. The sense in which the rotation
   // opens the tip depends on whether the place lies behind the tip (angle < 0) or ahead of it.
-  const auto ratio = [&](double angle) {
+  const auto ratio = [&, force = force, moment = moment](double angle) {
     const double centre = size * std::tan(angle);
     const double work = (angle < 0 ? 1 : -1) * (moment - centre * force);
     return work > 0 ? work / (flow_stress * opening_about(centre)) : work;

@@ -22,7 +22,7 @@ endfunction()
 
 # Files whose scenes take longest are entries of their own, which can run at once.
 set(python_tests "${CMAKE_CURRENT_SOURCE_DIR}/python")
-set(python_growth test_fatigue.py test_fatigue_of_lines.py test_specimens.py test_resistance.py test_falling_loads.py)
+set(python_growth test_fatigue.py test_fatigue_in_calls.py test_fatigue_of_lines.py test_specimens.py test_resistance.py test_falling_loads.py)
 set(python_lines test_crack_lines.py test_line_windows.py test_line_extensions.py test_line_energy.py test_reported_growth.py
     test_side_by_side.py test_torn_plates.py)
 set(python_rest)

@@ -87,6 +87,19 @@ TEST(CyclesOnStep, constant_amplitude_has_the_closed_form) {
   EXPECT_EQ(half.cycles, 0.5 * found.cycles);
 }
 
+// Factors at low loads are negative without contact of faces, and a power of the length all the same.
+TEST(CyclesOnStep, reversed_loads_without_contact_have_the_closed_form) {
+  const auto law = make_rate_law(parameters(RateParameters::Kind::paris_walker, 1e-6, 3));
+  std::vector<TipOnStep> tips = wide_plate(*law, 0.1, 0.2);
+  for (auto* levels : {&tips[0].before, &tips[0].after})
+    levels->at(0).equivalent = -levels->at(1).equivalent, levels->at(0).factors = -levels->at(1).factors;
+  const std::vector<Block> blocks{{1, 0, 1}};
+  const CyclesOnStep found = CycleIntegration(CycleProgram(blocks), tips).run({}, {0}, 0, 0.1, infinity);
+  EXPECT_NEAR(found.cycles, exact(0.1, 0.2, 8e-6), 1e-6 * found.cycles);
+  const LevelFactors middle = tips[0].at(0.05, 0);
+  EXPECT_NEAR(middle.factors.x(), -std::sqrt(M_PI * 0.15), 1e-3);
+}
+
 // Many short programs at once, and long blocks one by one, take the growth of their blocks.
 TEST(CyclesOnStep, programs_are_passed_at_their_mean_rate_and_blocks_in_order) {
   const auto law = make_rate_law(parameters(RateParameters::Kind::paris_walker, 1e-6, 3));

@@ -47,6 +47,21 @@ TEST(CrackLines, cracks_end_where_they_meet) {
   EXPECT_EQ(itself.lines[1].points.size(), 5u);
 }
 
+// Pieces shorter than the distance up to which places count as one do not make their crack meet itself.
+TEST(CrackLines, short_pieces_before_an_end_leave_it_a_tip) {
+  for (const double piece : {5e-10, 2e-9}) {
+    const CrackLines found =
+        lines_of({{{0.2, 0.5}, {0.5, 0.5}, {0.5 + piece, 0.5}, {0.5 + 2 * piece, 0.5}, {0.5 + 3 * piece, 0.5}}});
+    ASSERT_EQ(found.lines.size(), 1u);
+    EXPECT_EQ(found.lines[0].joints, (std::array<int, 2>{-1, -1}));
+    EXPECT_TRUE(found.joints.empty());
+    EXPECT_NEAR(found.lines[0].length(), 0.3 + 3 * piece, 1e-15);
+  }
+  const CrackLines bent = lines_of({{{0.2, 0.5}, {0.5, 0.5}, {0.5 + 1e-9, 0.5}, {0.7, 0.6}}});
+  ASSERT_EQ(bent.lines.size(), 1u);
+  EXPECT_EQ(bent.lines[0].points.size(), 3u);
+}
+
 TEST(CrackLines, refuse_what_has_no_meaning) {
   EXPECT_THROW(lines_of({{{0.5, 0.5}, {1.5, 0.5}}}), Error);                            // leaves the body
   EXPECT_THROW(lines_of({{{0.2, 0.5}, {0.2 + 3e-9, 0.5}}}), Error);                     // no length

@@ -115,9 +115,10 @@ class Fatigue:
         """
         by_cases = _are_cases(high) or _are_cases(low)
         rows_of = self._case_rows if by_cases else lambda values: np.atleast_1d(np.asarray(values, dtype=np.float64))
-        tops, bottoms = (np.ascontiguousarray(values) for values in np.broadcast_arrays(rows_of(high), rows_of(low)))
-        counts: Any = None if cycles is None else np.ascontiguousarray(
-            np.broadcast_to(np.atleast_1d(np.asarray(cycles, dtype=np.float64)), tops.shape[:1]))
+        tops, bottoms, counts = _blocks(rows_of(high), rows_of(low), cycles)
+        for name, value in (("most_cycles", most_cycles), ("most_length", most_length), ("inspections", inspections)):
+            if value is not None and not value > 0:
+                raise ArgumentError(f"grow_fatigue: {name} is {value}; it must be > 0")
         if tops.ndim != (2 if by_cases else 1):
             raise ArgumentError(f"grow_fatigue: high and low have shape {tops.shape}; give a number or a row for each")
         options = new_struct("bempd_fatigue", "bempd_fatigue_init")
@@ -167,6 +168,18 @@ class Fatigue:
         struct = new_struct("bempd_growth", "bempd_growth_init")
         self._open().call("bempd_extend_cracks", count, cracks, ends, growths, struct, changes=True)
         return Growth(**values_of(struct, "bempd_growth", Growth))
+
+
+def _blocks(high: Any, low: Any, cycles: Optional[npt.ArrayLike]) -> tuple[Any, Any, Any]:
+    """The loads and cycles of blocks, a row for each; a single one holds for all blocks."""
+    try:
+        tops, bottoms = (np.ascontiguousarray(values) for values in np.broadcast_arrays(high, low))
+        counts = None if cycles is None else np.atleast_1d(np.asarray(cycles, dtype=np.float64))
+        return tops, bottoms, None if counts is None else np.ascontiguousarray(np.broadcast_to(counts, tops.shape[:1]))
+    except ValueError:
+        numbers = ", ".join(f"{name} {np.atleast_1d(values).shape[0]}" for name, values in (("high", high), ("low", low), ("cycles", cycles))
+                            if values is not None)
+        raise ArgumentError(f"grow_fatigue: blocks differ in number: {numbers}; give one for each block, or a single one for all") from None
 
 
 def _are_cases(loads: Any) -> bool:

@@ -64,10 +64,12 @@ class FatigueLife:
         if not lengths[0] * (1 - ROUNDING) <= length <= lengths[-1] * (1 + ROUNDING):
             return float("nan")
         length = min(max(length, lengths[0]), lengths[-1])
-        k = min(int(np.searchsorted(lengths, length, side="right")) - 1, len(steps) - 2)
-        whole = _passed(lengths[k], lengths[k + 1], rates[k], rates[k + 1], lengths[k + 1])
-        part = _passed(lengths[k], lengths[k + 1], rates[k], rates[k + 1], length)
-        return float(cycles[k] + (cycles[k + 1] - cycles[k]) * part / whole)
+        k = int(np.searchsorted(lengths, length))  # first step with at least that length
+        if lengths[k] == length:
+            return float(cycles[k])
+        whole = _passed(lengths[k - 1], lengths[k], rates[k - 1], rates[k], lengths[k])
+        part = _passed(lengths[k - 1], lengths[k], rates[k - 1], rates[k], length)
+        return float(cycles[k - 1] + (cycles[k] - cycles[k - 1]) * part / whole)
 
     def inspection_interval(self, detectable: float, crack: int = 1, *, inspections: int = 2) -> float:
         """Cycles between two inspections that find a crack from a length [m] on, so many times before the end."""

@@ -258,5 +258,25 @@ def test_one_call_has_the_life_and_the_interval_of_inspections() -> None:
     life = plate(0.01).grow_fatigue(most_length=0.1, detectable=0.04, inspections=3)
     assert life.interval == pytest.approx((life.cycles - life.cycles_at(0.04)) / 3)
     assert np.isnan(plate(0.01).grow_fatigue(most_length=0.1).interval)
+    with pytest.raises(bempd.ArgumentError, match="inspections is 0"):
+        plate(0.01).grow_fatigue(most_length=0.1, detectable=0.04, inspections=0)
     with pytest.raises(bempd.ArgumentError, match="never has the length 5"):
         plate(0.01).grow_fatigue(most_length=0.1, detectable=5)
+
+
+def test_a_crack_that_does_not_grow_has_its_length_from_the_beginning() -> None:
+    model = plate(0.01)
+    model.set_growth_rate(1, coefficient=1e-11, exponent=3, unit_intensity=1e6, threshold=1e3)
+    life = model.grow_fatigue(most_cycles=100)
+    assert life.cycles_at(0.02) == 0
+    assert np.isnan(life.cycles_at(0.03))
+
+
+@pytest.mark.parametrize("given, told", [({"high": [1, 0.8, 0.6], "low": [0, 0.1], "cycles": 5}, "high 3, low 2, cycles 1"),
+                                         ({"high": [1, 0.8], "cycles": [1, 2, 3]}, "high 2, low 1, cycles 3"),
+                                         ({"most_cycles": 0}, "most_cycles is 0"), ({"most_length": -1}, "most_length is -1")])
+def test_blocks_that_differ_in_number_and_limits_of_zero_are_refused(given: dict[str, Any], told: str) -> None:
+    model = plate(0.01)
+    with pytest.raises(bempd.ArgumentError, match=told):
+        model.grow_fatigue(**given)
+    assert model.crack_length(1) == pytest.approx(0.02)

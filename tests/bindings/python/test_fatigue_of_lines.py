@@ -134,3 +134,36 @@ def test_many_short_calls_let_a_line_grow_as_much_as_one() -> None:
     print(f"lengths by one call {lengths[0]}, by eight {lengths[1]}")
     assert lengths[0][0] > 0.3 + 1.5 / 20
     assert lengths[1] == pytest.approx(lengths[0], abs=1.01 / 20)  # by whole spacings
+
+
+FLOW_STRESS = 1.8e6  # over the pull of 1 MPa
+
+
+def yielding(kind: str, spacings: int = 0) -> tuple[float, float]:
+    """Cycles and length of a middle crack in a square of side 1 at which its net section yields: `plate`, `body` or `patch`."""
+    model = bempd.Model(log=None)
+    acrylic = model.add_material(young_modulus=3e9, poisson_ratio=1 / 3, fracture_energy=1e6)
+    square = bempd.rectangle(0, -0.5, 1, 0.5)
+    region = (model.add_pd_region(acrylic, square, spacing=1 / spacings) if spacings else
+              model.add_bem_region(acrylic, square, element_length=1 / 8) if kind == "plate" else model.add_body(acrylic, square))
+    y = 0.5 / spacings if spacings else 0.005
+    crack = model.add_crack([(0.345, y), (0.655, y)])
+    if kind == "patch":
+        model.set_crack_treatment(crack, "lattice")
+    model.fix_point((0, -0.5))
+    model.fix_point((1, -0.5), "y")
+    model.add_traction(region, 3, "y", 1e6)
+    model.add_traction(region, 1, "y", -1e6)
+    model.set_growth_rate(acrylic, coefficient=1e-11, exponent=3, unit_intensity=1e6, critical_intensity=1e6, flow_stress=FLOW_STRESS)
+    life = model.grow_fatigue()
+    assert life.stop_reason == bempd.FatigueStop.NET_SECTION
+    return life.cycles, float(life.table["length"][-1])
+
+
+@pytest.mark.parametrize("kind, spacings", [("plate", 40), ("plate", 80), ("body", 0), ("patch", 0)])
+def test_net_sections_with_lines_yield_as_those_with_elements(kind: str, spacings: int) -> None:
+    """Lattices spread the stress at tips, and a patch ends before the body does: neither counts."""
+    found, other, limit = yielding(kind, spacings), yielding("plate"), 1 - 1e6 / FLOW_STRESS
+    print(f"{kind}, {spacings} spacings: life {found[0] / other[0] - 1:+.2%} from elements, length {found[1] / limit - 1:+.2%} from limit analysis")
+    assert found[0] == pytest.approx(other[0], rel=0.02)
+    assert found[1] == pytest.approx(limit, rel=0.01)
