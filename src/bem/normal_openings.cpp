@@ -121,6 +121,13 @@ NormalOpenings::NormalOpenings(const CrackedOperator& body)
                       unknowns.bottomRows(w).transpose() * body.full_stiffness().bottomLeftCorner(w, u);
 }
 
+std::vector<Point> NormalOpenings::places(const CrackedOperator& body) const {
+  std::vector<Point> places;
+  for (const Place& place : places_)
+    places.push_back(place.node >= 0 ? body.cracks().nodes[place.node] : body.mesh().nodes[place.left]);
+  return places;
+}
+
 Eigen::VectorXd NormalOpenings::gaps(const Eigen::VectorXd& openings) const {
   Eigen::VectorXd gaps = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(places_.size()));
   for (std::size_t i = 0; i < places_.size(); ++i)

@@ -17,6 +17,7 @@ class NormalOpenings {
   explicit NormalOpenings(const CrackedOperator& body);
 
   std::size_t size() const { return places_.size(); }
+  std::vector<Point> places(const CrackedOperator& body) const;                  // the same body
   const Eigen::MatrixXd& of_displacements() const { return of_displacements_; }  // G
   const Eigen::MatrixXd& of_forces() const { return of_forces_; }                // S
 

@@ -1,5 +1,8 @@
 // Exact unilateral constraints of all dense operators together (a part of CondensedOperators).
+#include <limits>
+
 #include "coupling/condensed_operators.hpp"
+#include "geometry/box_tree.hpp"
 
 namespace bempd::coupling {
 
@@ -17,6 +20,32 @@ void for_each_constrained(Operators& operators, const Visit& visit) {
 }
 
 }  // namespace
+
+std::vector<char> CondensedOperators::closed_as_in(const CondensedOperators& before,
+                                                   const std::vector<char>& closed) const {
+  std::vector<char> found(static_cast<std::size_t>(constraint_count()), 0);
+  std::vector<Point> places;
+  std::vector<Box> boxes;
+  for_each_constrained(before.list_, [&](const OperatorSchurComplement& op, Eigen::Index, Eigen::Index) {
+    for (const Point& place : op.constraints()->places) places.push_back(place), boxes.emplace_back(place, place);
+  });
+  const BoxTree tree(boxes);
+  for_each_constrained(list_, [&](const OperatorSchurComplement& op, Eigen::Index first, Eigen::Index count) {
+    for (Eigen::Index k = 0; k < count && !places.empty(); ++k) {
+      const Point& place = op.constraints()->places[static_cast<std::size_t>(k)];
+      double least = std::numeric_limits<double>::infinity();
+      std::size_t nearest = 0;
+      const auto is_nearer = [&](const Box& box) { return box.squaredExteriorDistance(place) < least; };
+      tree.any(is_nearer, [&](int i) {
+        nearest = static_cast<std::size_t>(i);
+        least = (places[nearest] - place).squaredNorm();
+        return false;
+      });
+      found[static_cast<std::size_t>(first + k)] = op.can_switch(k) && closed[nearest] ? 1 : 0;
+    }
+  });
+  return found;
+}
 
 void CondensedOperators::set_closed(const std::vector<char>& closed) {
   for_each_constrained(list_, [&](OperatorSchurComplement& op, Eigen::Index first, Eigen::Index count) {

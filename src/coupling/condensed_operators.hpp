@@ -43,6 +43,9 @@ class CondensedOperators {
 
   // Number of exact unilateral constraints (condensed_constraints.cpp); they are numbered operator by operator.
   Eigen::Index constraint_count() const { return gap_offsets_.rows(); }
+  // Flags of constraints that are closed at first when a run goes on from a system with shorter cracks (`before`): 1 if
+  // a constraint can close by itself, and the one nearest to it there is flagged in `closed`.
+  std::vector<char> closed_as_in(const CondensedOperators& before, const std::vector<char>& closed) const;
   // Sets which constraints are closed, one flag each, and eliminates the closed ones; condense_load() has to follow.
   void set_closed(const std::vector<char>& closed);
   // Gaps that loads inside operators cause, one row per constraint.

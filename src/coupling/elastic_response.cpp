@@ -7,6 +7,11 @@ bool ElasticResponse::has_offsets() const {
          parts_.constraints.closed_exact_count() > 0;
 }
 
+bool ElasticResponse::is_proportional(const Affine& displacement) const {
+  return !parts_.terms.have_offsets() && !parts_.operators.have_rest(0) &&
+         parts_.operators.gap_offsets().col(0).isZero(0) && displacement.col(0).isZero(0);
+}
+
 Eigen::VectorXd ElasticResponse::internal_force(const Eigen::VectorXd& displacement, double load_factor) const {
   const Terms& terms = parts_.terms;
   const std::vector<double>& stiffness = parts_.stages.stiffness();
@@ -55,6 +60,16 @@ double ElasticResponse::energy(const Eigen::VectorXd& displacement, double load_
   }
   sum += parts_.constraints.penalty_energy(displacement.data());
   for (const OperatorSchurComplement& op : parts_.operators.list()) sum += op.energy(displacement, load_factor);
+  return sum;
+}
+
+double ElasticResponse::energy(const Eigen::VectorXd& displacement, double load_factor,
+                               const Eigen::VectorXd& force) const {
+  if (parts_.terms.have_offsets() || parts_.operators.have_rest(0) || parts_.operators.have_rest(1))
+    return energy(displacement, load_factor);
+  double sum = 0.5 * displacement.dot(force);  // Clapeyron's theorem
+  for (const OperatorSchurComplement& op : parts_.operators.list())
+    sum += op.energy_of_multipliers(displacement, load_factor);
   return sum;
 }
 

@@ -17,6 +17,8 @@ class ElasticResponse {
   // Whether there can be forces at zero displacement: by rest elongations or displacements, or closed exact
   // constraints.
   bool has_offsets() const;
+  // Whether forces and gaps that belong to this displacement are proportional to the load factor.
+  bool is_proportional(const Affine& displacement) const;
 
   // Nodal forces. Those on tied nodes are moved to their masters.
   Eigen::VectorXd internal_force(const Eigen::VectorXd& displacement, double load_factor = 0) const;
@@ -27,6 +29,8 @@ class ElasticResponse {
   // Energy; then its derivative by the load factor at a fixed displacement, which the proportional parts of rest
   // elongations and rest displacements cause.
   double energy(const Eigen::VectorXd& displacement, double load_factor = 0) const;
+  // Energy likewise, by the internal forces at these displacements, which saves most of the work.
+  double energy(const Eigen::VectorXd& displacement, double load_factor, const Eigen::VectorXd& force) const;
   double energy_slope(const Eigen::VectorXd& displacement, double load_factor) const;
   // Strain energy of the proportional part of a displacement, with the proportional parts of rest elongations.
   double unit_energy(const Eigen::VectorXd& proportional) const;

@@ -105,6 +105,15 @@ Eigen::VectorXd OperatorSchurComplement::compliant_gaps(const Eigen::VectorXd& d
   return gaps_without_multipliers(displacement, load_factor)(compliant_);
 }
 
+double OperatorSchurComplement::energy_of_multipliers(const Eigen::VectorXd& displacement, double load_factor) const {
+  if (active_.empty()) return 0;
+  const Eigen::VectorXd own = displacement(all_), forces = multipliers(displacement, load_factor);
+  double sum = 0.5 * (constraints_->of_displacements * own).dot(forces);
+  if (compliant_.empty()) return sum;
+  const Eigen::VectorXd gaps = compliant_gaps(displacement, load_factor);
+  return sum + 0.5 * gaps.dot(own_compliance_.solve(gaps));
+}
+
 double OperatorSchurComplement::work_due_to_multipliers(const Eigen::VectorXd& displacement, double load_factor) const {
   if (compliant_.empty()) return 0;
   return -evaluate(gap_offsets_, load_factor)(compliant_)

@@ -68,12 +68,15 @@ class OperatorSchurComplement {
   void set_gap_offsets(const Eigen::Ref<const Affine>& offsets) { gap_offsets_ = offsets; }
   void set_closed(const std::vector<char>& closed);
   std::vector<char> closed() const;
+  bool can_switch(Eigen::Index constraint) const { return can_switch_[static_cast<std::size_t>(constraint)] != 0; }
   // Gaps of all constraints. For a closed one it is the gap that it would have without its multiplier: negative while
   // its faces press.
   Affine gaps(const Affine& displacement) const;
   // Gaps from displacements and loads if all multipliers were zero; then the multipliers, which are contact forces [N].
   Eigen::VectorXd gaps_without_multipliers(const Eigen::VectorXd& displacement, double load_factor) const;
   Eigen::VectorXd multipliers(const Eigen::VectorXd& displacement, double load_factor) const;
+  // Energy less half the work of displacements on the operator's forces; for operators without rest displacements.
+  double energy_of_multipliers(const Eigen::VectorXd& displacement, double load_factor) const;
   // Work of loads inside the body on the displacements that the multipliers cause.
   double work_due_to_multipliers(const Eigen::VectorXd& displacement, double load_factor) const;
   // Adds to `weights` the gap of a constraint as a linear function of displacements, 2 * node + component. The gap of

@@ -9,6 +9,7 @@
 #include "coupling/affine.hpp"
 #include "coupling/solution_method.hpp"
 #include "coupling/terms.hpp"
+#include "geometry/point.hpp"
 
 namespace bempd::coupling {
 
@@ -29,6 +30,14 @@ struct BodyPiece {
 // constraints open.
 struct ExactConstraints {
   Eigen::MatrixXd of_displacements, of_forces;
+  std::vector<Point> places;  // of the gaps
+
+  bool operator==(const ExactConstraints& other) const {
+    const auto same = [](const Eigen::MatrixXd& a, const Eigen::MatrixXd& b) {
+      return a.rows() == b.rows() && a.cols() == b.cols() && a == b;
+    };
+    return places == other.places && same(of_forces, other.of_forces) && same(of_displacements, other.of_displacements);
+  }
 };
 
 // Dense stiffness matrix [N/m] of some nodes, such as that of a boundary element region; positive semidefinite if

@@ -1,11 +1,11 @@
 #include "coupling/substructure_factor.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 #include <utility>
 
 #include "cancellation.hpp"
-#include "linalg/conjugate_gradient.hpp"
 #include "linalg/dense_parts.hpp"
 
 namespace bempd::coupling {
@@ -40,10 +40,12 @@ struct Substructure {
 
 namespace {
 
-constexpr int most_iterations = 40;
 // A substructure of at most this many parts is not halved. Where parts have one centre, halving ends by its depth.
 constexpr std::size_t smallest_substructure = 3;
 constexpr int most_halvings = 60;
+// Largest number of unknowns in parts that are joined last, over the root of the number of all: about that of the last
+// substructure of others, which grows as this root.
+constexpr double most_joined_last = 8;
 
 // Lower triangle of a symmetric sum in three blocks: of the eliminated unknowns, of both kinds, of the others.
 struct LowerBlocks {
@@ -116,9 +118,21 @@ class SubstructureFactor::Builder {
 
   std::unique_ptr<SubstructureFactor> make(const std::array<Point, 2>& box) {
     if (parts_.empty() || std::count(uses_.begin(), uses_.end(), 0) > 0) return nullptr;
-    std::vector<std::size_t> all(parts_.size());
-    std::iota(all.begin(), all.end(), 0);
-    if (!gather(std::move(all), box, 0)) return nullptr;
+    std::vector<std::size_t> steady, changing;
+    std::size_t unknowns = 0;
+    for (std::size_t k = 0; k < parts_.size(); ++k) {
+      (parts_[k].changes ? changing : steady).push_back(k);
+      if (parts_[k].changes) unknowns += parts_[k].unknowns.size();
+    }
+    if (static_cast<double>(unknowns) > most_joined_last * std::sqrt(static_cast<double>(uses_.size()))) {
+      steady.resize(parts_.size());
+      std::iota(steady.begin(), steady.end(), 0);
+      changing.clear();
+    }
+    const bool is_gathered = steady.empty()     ? gather(std::move(changing), box, 0)
+                             : changing.empty() ? gather(std::move(steady), box, 0)
+                                                : join(std::move(steady), box, std::move(changing), box, 0);
+    if (!is_gathered) return nullptr;
     made_->smallest_pivot_ratio_ = made_->steps_.back().result->smallest_pivot_ratio;
     return std::move(made_);
   }
@@ -136,10 +150,15 @@ class SubstructureFactor::Builder {
     lower_box[1][axis] = upper_box[0][axis] = middle;
     if (lower.empty()) return gather(std::move(members), upper_box, depth + 1);
     if (upper.empty()) return gather(std::move(members), lower_box, depth + 1);
-    if (!gather(std::move(lower), lower_box, depth + 1)) return false;
-    const std::size_t first = made_->steps_.size() - 1;
-    if (!gather(std::move(upper), upper_box, depth + 1)) return false;
-    return finish({first, made_->steps_.size() - 1}, {});
+    return join(std::move(lower), lower_box, std::move(upper), upper_box, depth + 1);
+  }
+
+  bool join(std::vector<std::size_t> first, const std::array<Point, 2>& first_box, std::vector<std::size_t> second,
+            const std::array<Point, 2>& second_box, int depth) {
+    if (!gather(std::move(first), first_box, depth)) return false;
+    const std::size_t end_of_first = made_->steps_.size() - 1;
+    if (!gather(std::move(second), second_box, depth)) return false;
+    return finish({end_of_first, made_->steps_.size() - 1}, {});
   }
 
   // Makes a substructure of halves or of parts: numbers its unknowns, first those that nothing outside of it has, and
@@ -236,21 +255,29 @@ std::unique_ptr<SubstructureFactor> SubstructureFactor::of(std::vector<MatrixPar
 }
 
 void SubstructureFactor::solve_in_place(Eigen::Ref<Eigen::MatrixXd> rhs) const {
+  Eigen::MatrixXd values;
+  const auto take = [&](const std::vector<int>& unknowns) {
+    values.resize(static_cast<Eigen::Index>(unknowns.size()), rhs.cols());
+    for (Eigen::Index k = 0; k < values.rows(); ++k) values.row(k) = rhs.row(unknowns[static_cast<std::size_t>(k)]);
+  };
+  const auto put = [&](const std::vector<int>& unknowns) {
+    for (Eigen::Index k = 0; k < values.rows(); ++k) rhs.row(unknowns[static_cast<std::size_t>(k)]) = values.row(k);
+  };
   for (const Step& step : steps_) {
     const Substructure& s = *step.result;
     if (s.eliminated == 0) continue;
-    Eigen::MatrixXd values = rhs(step.unknowns, Eigen::all);
+    take(step.unknowns);
     s.pivots.lower().triangularView<Eigen::Lower>().solveInPlace(values.topRows(s.eliminated));
     values.bottomRows(s.below.rows()).noalias() -= s.below * values.topRows(s.eliminated);
-    rhs(step.unknowns, Eigen::all) = values;
+    put(step.unknowns);
   }
   for (auto step = steps_.rbegin(); step != steps_.rend(); ++step) {
     const Substructure& s = *step->result;
     if (s.eliminated == 0) continue;
-    Eigen::MatrixXd values = rhs(step->unknowns, Eigen::all);
+    take(step->unknowns);
     values.topRows(s.eliminated).noalias() -= s.below.transpose() * values.bottomRows(s.below.rows());
     s.pivots.lower().triangularView<Eigen::Lower>().transpose().solveInPlace(values.topRows(s.eliminated));
-    rhs(step->unknowns, Eigen::all) = values;
+    put(step->unknowns);
   }
 }
 
@@ -261,34 +288,6 @@ std::int64_t SubstructureFactor::factor_nonzeros() const {
     count += s.eliminated * (s.eliminated + 1) / 2 + s.below.size();
   }
   return count;
-}
-
-namespace {
-
-class SubstructureSolver final : public SystemSolver {
- public:
-  explicit SubstructureSolver(std::shared_ptr<SubstructureFactor> factor) : factor_(std::move(factor)) {}
-
-  linalg::SparseFactorization& factorization() override { return *factor_; }
-
-  linalg::KrylovResult iterate(const Apply& apply, const Eigen::VectorXd& rhs, double tolerance,
-                               Eigen::VectorXd& x) const override {
-    const auto precondition = [this](Eigen::VectorXd& r) { factor_->solve_in_place(r); };
-    return linalg::conjugate_gradient(apply, precondition, rhs, x, {tolerance, most_iterations});
-  }
-
-  Eigen::VectorXd multiply(const Eigen::SparseMatrix<double>& matrix, const Eigen::VectorXd& x) const override {
-    return matrix.selfadjointView<Eigen::Lower>() * x;
-  }
-
- private:
-  std::shared_ptr<SubstructureFactor> factor_;
-};
-
-}  // namespace
-
-std::unique_ptr<SystemSolver> solver_by(std::shared_ptr<SubstructureFactor> factor) {
-  return std::make_unique<SubstructureSolver>(std::move(factor));
 }
 
 }  // namespace bempd::coupling

@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "coupling/operator_schur_complement.hpp"
-#include "coupling/system_solver.hpp"
 #include "geometry/point.hpp"
+#include "linalg/sparse_factorization.hpp"
 
 namespace bempd::coupling {
 
@@ -22,13 +22,16 @@ struct MatrixPart {
   const Eigen::MatrixXd* matrix;  // null: `own`
   std::vector<int> unknowns;
   Point centre;
+  bool changes = false;  // while cracks grow
 
   const Eigen::MatrixXd& entries() const { return matrix ? *matrix : own; }
-  // Whether both parts have the same source (or equal springs) and closed constraints, so that their matrices are equal
-  // bit by bit.
+  // Whether both parts have the same source (or equal springs) and equal closed constraints, so that their matrices are
+  // equal bit by bit.
   bool is_made_as(const MatrixPart& other) const {
-    return source == other.source && constraints == other.constraints && closed == other.closed &&
-           own.rows() == other.own.rows() && own == other.own;
+    const bool same_constraints =
+        constraints && other.constraints ? *constraints == *other.constraints : constraints == other.constraints;
+    return source == other.source && closed == other.closed && same_constraints && own.rows() == other.own.rows() &&
+           own == other.own;
   }
 };
 
@@ -36,9 +39,10 @@ struct Substructure;
 
 // Factor of a matrix that is a sum of parts, by nested substructures: parts are gathered into two halves by place,
 // these into halves again, and so on. From the smallest substructures on, unknowns are eliminated where nothing outside
-// has them, and what remains is a part of the next larger one (multifrontal method). Halves are those of a box, so that
-// a crack that grows changes only the substructures around it. Others are taken from an earlier factor. What is taken
-// over equals what would be computed, bit by bit.
+// has them, and what remains is a part of the next larger one (multifrontal method). Halves are those of a box. A few
+// parts that change are kept out of the halves and joined last, so that a crack that grows costs little more than the
+// elimination of their own unknowns; if they are many, it changes all substructures around it. What has not changed is
+// taken from an earlier factor. It equals what would be computed, bit by bit.
 class SubstructureFactor final : public linalg::SparseFactorization {
  public:
   // Factorizes the sum of `parts`, which lie in a box; substructures are taken from `before` (null: none) where it has
@@ -68,8 +72,5 @@ class SubstructureFactor final : public linalg::SparseFactorization {
   double smallest_pivot_ratio_ = 1;
   std::size_t taken_over_ = 0;
 };
-
-// Makes a system's solver that uses this factor.
-std::unique_ptr<SystemSolver> solver_by(std::shared_ptr<SubstructureFactor> factor);
 
 }  // namespace bempd::coupling

@@ -5,6 +5,7 @@
 
 #include "coupling/stiffness_assembly.hpp"
 #include "coupling/substructure_factor.hpp"
+#include "linalg/conjugate_gradient.hpp"
 #include "linalg/external_solver.hpp"
 #include "phase.hpp"
 
@@ -13,6 +14,7 @@ namespace bempd::coupling {
 namespace {
 
 constexpr std::size_t fewest_operators = 8;
+constexpr int most_iterations = 40;
 
 // List of the parts of a matrix (condensed operators and holding springs), each placed by the positions of its nodes.
 class PartList {
@@ -23,7 +25,8 @@ class PartList {
   void add(const OperatorSchurComplement& op) {
     if (op.shared_dofs().empty()) return;
     const bool is_open = op.active().empty();
-    MatrixPart part{op.schur(), is_open ? nullptr : op.constraints(), op.active(), {}, &op.schur_complement(), {}, {}};
+    MatrixPart part{op.schur(), is_open ? nullptr : op.constraints(), op.active(), {}, &op.schur_complement(), {},
+                    {},         op.constraints() != nullptr};
     Point least = place_of(op.shared_dofs().front()), most = least;
     for (const int dof : op.shared_dofs()) {
       part.unknowns.push_back(unknowns_.unknown_of[dof]);
@@ -37,7 +40,7 @@ class PartList {
     std::vector<UnknownEntry> pull;
     append_pull(unknowns_.unknown_of, ties, s.node, s.cosine, s.sine, std::sqrt(s.stiffness), pull);
     if (pull.empty()) return;
-    MatrixPart part{nullptr, nullptr, {}, {}, nullptr, {}, place_of(2 * s.node)};
+    MatrixPart part{nullptr, nullptr, {}, {}, nullptr, {}, place_of(2 * s.node), true};
     Eigen::VectorXd weights(static_cast<Eigen::Index>(pull.size()));
     for (std::size_t k = 0; k < pull.size(); ++k) {
       weights[static_cast<Eigen::Index>(k)] = pull[k].weight;
@@ -55,6 +58,27 @@ class PartList {
   const Unknowns& unknowns_;
   const std::vector<Point>& positions_;
   std::vector<MatrixPart> parts_;
+};
+
+// Solver that uses a factor by substructures.
+class SubstructureSolver final : public SystemSolver {
+ public:
+  explicit SubstructureSolver(std::shared_ptr<SubstructureFactor> factor) : factor_(std::move(factor)) {}
+
+  linalg::SparseFactorization& factorization() override { return *factor_; }
+
+  linalg::KrylovResult iterate(const Apply& apply, const Eigen::VectorXd& rhs, double tolerance,
+                               Eigen::VectorXd& x) const override {
+    const auto precondition = [this](Eigen::VectorXd& r) { factor_->solve_in_place(r); };
+    return linalg::conjugate_gradient(apply, precondition, rhs, x, {tolerance, most_iterations});
+  }
+
+  Eigen::VectorXd multiply(const Eigen::SparseMatrix<double>& matrix, const Eigen::VectorXd& x) const override {
+    return matrix.selfadjointView<Eigen::Lower>() * x;
+  }
+
+ private:
+  std::shared_ptr<SubstructureFactor> factor_;
 };
 
 }  // namespace
@@ -84,7 +108,7 @@ std::unique_ptr<SystemSolver> Substructures::solver_of(const MatrixSources& sour
   if (!made) return nullptr;
   last_ = made;
   has_served_ = true;
-  return solver_by(std::move(made));
+  return std::make_unique<SubstructureSolver>(std::move(made));
 }
 
 }  // namespace bempd::coupling

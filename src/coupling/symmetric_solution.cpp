@@ -21,6 +21,7 @@ class SymmetricSchurComplement final : public SchurComplement {
     cholesky_.compute(std::move(own));
     check_cancelled();
     if (cholesky_.info() != Eigen::Success) fail_singular();
+    reciprocal_condition_ = cholesky_.rcond();
     if (shared_.empty()) return;
     Eigen::MatrixXd half = (*stiffness_)(private_, shared_);
     linalg::solve_lower(cholesky_.lower(), half);
@@ -31,10 +32,11 @@ class SymmetricSchurComplement final : public SchurComplement {
   }
 
   Affine solve_private(const Affine& force) const override { return cholesky_.solve(force); }
-  double reciprocal_condition() const override { return private_.empty() ? 1 : cholesky_.rcond(); }
+  double reciprocal_condition() const override { return reciprocal_condition_; }
 
  private:
   linalg::DenseCholesky cholesky_;  // of the private block
+  double reciprocal_condition_ = 1;
 };
 
 class SymmetricSolver final : public SystemSolver {

@@ -46,12 +46,19 @@ void BodyGrowth::take_over_lattices(const BodyState& old, const FormerBody& form
   state_.tips = std::move(tips);
 }
 
-// Takes over the contact state. Exact constraints of longer cracks are determined anew. If a crack has entered a
-// lattice, so are the places on initial cracks: all are open at first, and some places of broken bonds may have become
-// places of the crack.
-void BodyGrowth::take_over_faces(const CrackFaces& before, const FaceState& old, const FormerBody& former) {
+// Takes over the contact state. Exact constraints are at first as those nearest to them were, so that few of them are
+// switched on the way to the new equilibrium. If a crack has entered a lattice, places on initial cracks are open at
+// first, and some places of broken bonds may have become places of the crack.
+void BodyGrowth::take_over_faces(LoadedBody& then, const FaceState& old, const FormerBody& former) {
   FaceState& faces = state_.faces;
+  const CrackFaces& before = then.faces();
   const std::size_t exact_before = before.constraints().exact_count(), exact = system_.constraints().exact_count();
+  if (std::find(old.closed.begin(), old.closed.begin() + static_cast<std::ptrdiff_t>(exact_before), 1) !=
+      old.closed.begin() + static_cast<std::ptrdiff_t>(exact_before)) {
+    system_.condense();
+    const std::vector<char> closed = system_.operators().closed_as_in(then.system().operators(), old.closed);
+    std::copy(closed.begin(), closed.end(), faces.closed.begin());
+  }
   const bool same_places = before.first_grown() - exact_before == body_.faces().first_grown() - exact;
   const auto initial = old.closed.begin() + static_cast<std::ptrdiff_t>(exact_before);
   const auto grown = old.closed.begin() + static_cast<std::ptrdiff_t>(before.first_grown());
@@ -92,23 +99,35 @@ void BodyGrowth::take_over_body(const BodyState& old, const FormerBody& former,
 }
 
 // Equilibrium after growth. A piece that comes off is held at its present position. If that is far from its unloaded
-// position, the rounding errors of its stiffness cause forces; it is then held at its unloaded position instead.
+// position, the rounding errors of its stiffness cause forces; it is then held at its unloaded position instead. Before
+// that all exact constraints are opened, in case the closed ones are too many for the longer cracks.
 LoadedBody::FirstEquilibrium BodyGrowth::find_equilibrium_of_pieces() {
   constexpr double balanced = 1e-8;
-  BodyState given = state_;
-  // If bonds are broken as well, residuals above `balanced` look like a motion that no spring holds. The solution then
-  // throws, and the unloaded position is tried as well.
-  try {
-    const LoadedBody::FirstEquilibrium found = body_.find_equilibrium();
-    if (found.held.empty() || body_.response().residual() <= balanced) return found;
-  } catch (const Error& error) {
-    if (error.failure() != Failure::unsolvable) throw;
+  const BodyState given = state_;
+  const auto begin_again = [&] {
+    static_cast<BodyState&>(state_) = given;
+    std::fill_n(state_.faces.closed.begin(), system_.constraints().exact_count(), 0);
+  };
+  const auto look = [&] {
+    sources_.abandon();
+    sources_.refresh();
+  };
+  const int attempts = system_.constraints().closed_exact_count() > 0 ? 2 : 1;
+  for (int attempt = 0; attempt < attempts; ++attempt) {
+    // If bonds are broken as well, residuals above `balanced` look like a motion that no spring holds. The solution
+    // then throws, and the unloaded position is tried as well.
+    try {
+      const LoadedBody::FirstEquilibrium found = body_.find_equilibrium(false);
+      if (found.held.empty() || body_.response().residual() <= balanced) return found;
+    } catch (const Error& error) {
+      if (error.failure() != Failure::unsolvable) throw;
+    }
+    begin_again();
+    if (attempt + 1 < attempts) look();
   }
-  static_cast<BodyState&>(state_) = std::move(given);
   state_.total_displacement.setZero();
-  sources_.abandon();
-  sources_.refresh();
-  return body_.find_equilibrium();
+  look();
+  return body_.find_equilibrium(false);
 }
 
 // Continues the run of the body `before`. At constant loads the potential energy falls by what the crack growth
@@ -123,7 +142,7 @@ void BodyGrowth::go_on_from(BodyGrowth& before, const FormerBody& former, const 
   state_.support_displacements = old.support_displacements;
   state_.extensions = old.extensions;
   state_.layouts = old.layouts;
-  take_over_faces(before.body_.faces(), old.faces, former);
+  take_over_faces(before.body_, old.faces, former);
   take_over_body(old, former, entering);
   const std::vector<char> lost_before = state_.unloaded;
   const Eigen::VectorXd displacement = state_.total_displacement;

@@ -61,7 +61,7 @@ class BodyGrowth {
  private:
   double potential_at(double load_factor) const;
   LoadedBody::FirstEquilibrium find_equilibrium_of_pieces();
-  void take_over_faces(const CrackFaces& before, const FaceState& old, const FormerBody& former);
+  void take_over_faces(LoadedBody& then, const FaceState& old, const FormerBody& former);
   void take_over_lattices(const BodyState& old, const FormerBody& former, const std::vector<crack::TipId>& entering);
   void take_over_body(const BodyState& old, const FormerBody& former, const std::vector<crack::TipId>& entering);
 

@@ -14,6 +14,8 @@ namespace {
 constexpr double suspicious_residual = 1e-8;
 // Rounding of a solution whose forces nearly cancel, relative to these forces.
 constexpr double rounding_of_parts = 1e-12;
+// Load factor from which on, and up to its reciprocal, energies divided by its square keep their digits.
+constexpr double least_load_factor = 1e-50;
 
 }  // namespace
 
@@ -84,8 +86,7 @@ std::optional<double> BodyResponse::next_critical(const LoadWay& way) {
 }
 
 double BodyResponse::stored_energy() const {
-  if (system_.response().has_offsets()) return system_.response().energy(state_.total_displacement, state_.load_factor);
-  return 0.5 * state_.total_displacement.dot(state_.total_force);  // Clapeyron's theorem
+  return system_.response().energy(state_.total_displacement, state_.load_factor, state_.total_force);
 }
 
 double BodyResponse::potential_of_loads() const {
@@ -94,14 +95,17 @@ double BodyResponse::potential_of_loads() const {
 
 double BodyResponse::stored_energy_at(double load_factor) const {
   if (load_factor == state_.load_factor) return stored_energy();
-  if (!system_.response().has_offsets() && state_.displacement.col(0).isZero(0))
-    return load_factor * load_factor * unit_energy();
-  const Eigen::VectorXd displacement = evaluate(state_.displacement, load_factor);
-  if (system_.response().has_offsets()) return system_.response().energy(displacement, load_factor);
-  return 0.5 * displacement.dot(system_.response().internal_force(displacement, load_factor));
+  if (system_.response().is_proportional(state_.displacement)) return load_factor * load_factor * unit_energy();
+  return system_.response().energy(evaluate(state_.displacement, load_factor), load_factor);
 }
 
-double BodyResponse::unit_energy() const { return system_.response().unit_energy(state_.displacement.col(1)); }
+double BodyResponse::unit_energy() const {
+  const double f = state_.load_factor, size = std::abs(f);
+  const bool is_shown = size > least_load_factor && size < 1 / least_load_factor &&
+                        system_.response().is_proportional(state_.displacement) &&
+                        state_.total_displacement == evaluate(state_.displacement, f);
+  return is_shown ? stored_energy() / (f * f) : system_.response().unit_energy(state_.displacement.col(1));
+}
 
 double BodyResponse::residual() const {
   return fracture::residual(system_, state_.total_force, state_.load_factor, state_.largest_force);

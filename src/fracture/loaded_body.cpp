@@ -47,9 +47,14 @@ void LoadedBody::take_over(const Affine& force, const Affine& prescribed, const 
   state_.in_equilibrium = true;
 }
 
-LoadedBody::FirstEquilibrium LoadedBody::find_equilibrium() {
+LoadedBody::FirstEquilibrium LoadedBody::find_equilibrium(bool tells_work) {
   const Eigen::VectorXd before = state_.total_displacement;
-  const double stored_before = response_.stored_energy(), unbalanced_before = loads_.unbalanced_share();
+  const double unbalanced_before = loads_.unbalanced_share();
+  double stored_before = 0;
+  if (tells_work) {  // loads on closed faces may have changed since the forces of the state were evaluated
+    stored_before = system_.response().has_offsets() ? system_.response().energy(before, state_.load_factor)
+                                                     : response_.stored_energy();
+  }
   contact_.update_faces();
   FreedParts freed = freed_parts_.all_pieces(before);
   system_.commit({}, freed.springs);
@@ -79,6 +84,7 @@ LoadedBody::FirstEquilibrium LoadedBody::find_equilibrium() {
   // The trapezoidal rule for the work is invalid if faces close or open on the way from the previous loads; the work is
   // then the change of the stored energy.
   if (had_contact || result.switches > 0) result.work = response_.stored_energy() - stored_before;
+  if (!tells_work) result.work = 0;
   if (state_.first_unit_energy < 0) state_.first_unit_energy = response_.unit_energy();
   state_.in_equilibrium = true;
   return result;

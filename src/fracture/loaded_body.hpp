@@ -52,8 +52,9 @@ class LoadedBody {
     std::int64_t switches;   // places of faces that have closed or opened
     LostBalance lost_balance;
   };
-  // Finds the equilibrium under new loads at the present load factor.
-  FirstEquilibrium find_equilibrium();
+  // Finds the equilibrium under new loads at the present load factor. The work, which is costly to tell where faces are
+  // closed, is 0 if nothing asks for it.
+  FirstEquilibrium find_equilibrium(bool tells_work);
 
   void restore();  // system and ratios to the state, which the caller has changed
 

@@ -89,7 +89,7 @@ void RunLoads::find_equilibrium() {
   if (state_.in_equilibrium) return;
   BodyState before = state_;
   try {
-    LoadedBody::FirstEquilibrium found = body_.find_equilibrium();
+    LoadedBody::FirstEquilibrium found = body_.find_equilibrium(true);
     require_balance(body_.response().residual(), 0);
     records_.book(std::move(found));
   } catch (...) {

@@ -33,16 +33,15 @@ double coarsest_element(const Outline& outline) {
 }
 
 CoarseSizes::CoarseSizes(const std::vector<std::vector<Panel>>& loops) {
-  std::vector<Box> boxes;
   for (const std::vector<Panel>& loop : loops) {
     const int first = static_cast<int>(panels_.size()), count = static_cast<int>(loop.size());
     for (int k = 0; k < count; ++k) {
       const Arc arc = loop[static_cast<std::size_t>(k)].arc();
       panels_.push_back({arc, arc.length(), first + (k + count - 1) % count, first + (k + 1) % count});
-      boxes.push_back(bounding_box(Edge(arc)));
+      boxes_.push_back(bounding_box(Edge(arc)));
     }
   }
-  tree_ = BoxTree(boxes);
+  tree_ = BoxTree(boxes_);
   for (std::size_t k = 0; k < loops.front().size(); ++k) longest_ += share_of_outline * panels_[k].length;
 }
 
@@ -62,13 +61,16 @@ double CoarseSizes::limit(int panel, const std::vector<int>& others, double frac
   double limit = std::numeric_limits<double>::infinity();
   for (const int number : others) {
     const Placed& other = panels_[static_cast<std::size_t>(number)];
+    const bool is_beside = number == own.before || number == own.behind;
+    const double least_gap = boxes_[static_cast<std::size_t>(number)].exteriorDistance(x);
+    if (!is_beside && share_of_gap * least_gap >= limit) continue;
     const double gap = distance(other.arc, x);
-    double apart = std::numeric_limits<double>::infinity();
-    if (number == own.before) apart = (own.arc.start - x).norm();
-    if (number == own.behind) apart = std::min(apart, (own.arc.end - x).norm());
-    if (apart == std::numeric_limits<double>::infinity()) {
+    if (!is_beside) {
       limit = std::min(limit, share_of_gap * gap);
     } else {
+      double apart = std::numeric_limits<double>::infinity();
+      if (number == own.before) apart = (own.arc.start - x).norm();
+      if (number == own.behind) apart = std::min(apart, (own.arc.end - x).norm());
       limit = std::min(limit, std::max(apart, other.length));
       if (gap < aside * apart) limit = std::min(limit, std::max(share_of_gap * gap, least_beside * own.length));
     }

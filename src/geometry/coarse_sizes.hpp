@@ -31,6 +31,7 @@ class CoarseSizes {
   double limit(int panel, const std::vector<int>& others, double fraction) const;
 
   std::vector<Placed> panels_;
+  std::vector<Box> boxes_;  // of the panels
   BoxTree tree_;
   double longest_ = 0;
 };

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
-#include <map>
+#include <unordered_map>
 #include <utility>
 
 #include "geometry/boundary_mesh.hpp"
@@ -21,6 +21,7 @@ class PlacedNodes {
     const double largest = std::max(box.min().cwiseAbs().maxCoeff(), box.max().cwiseAbs().maxCoeff());
     cell_ = std::max(1e-12 * box.diagonal().norm(), 4 * std::numeric_limits<double>::epsilon() * largest);
     origin_ = box.min();
+    nodes_.reserve(body.elements.size());
     for (const BoundaryElement& element : body.elements) add(body.nodes[element.nodes[0]], element.nodes[0]);
   }
   void add(const Point& place, int node) { nodes_[cell_of(place)] = node; }
@@ -39,9 +40,18 @@ class PlacedNodes {
     return {std::llround(off.x()), std::llround(off.y())};
   }
 
+  struct HashOfCell {
+    std::size_t operator()(const Cell& cell) const {
+      constexpr std::uint64_t odd = 0x9e3779b97f4a7c15U;
+      const std::uint64_t mixed =
+          (static_cast<std::uint64_t>(cell.first) * odd) ^ static_cast<std::uint64_t>(cell.second);
+      return static_cast<std::size_t>((mixed * odd) >> 16U);
+    }
+  };
+
   double cell_;
   Point origin_;
-  std::map<Cell, int> nodes_;
+  std::unordered_map<Cell, int, HashOfCell> nodes_;
 };
 
 }  // namespace bempd

@@ -4,7 +4,8 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
-#include <unordered_map>
+#include <numeric>
+#include <span>
 
 #include "geometry/edge.hpp"
 #include "geometry/segment.hpp"
@@ -54,7 +55,9 @@ class SideFaces {
       append(cut);
       append(reversed(cut));
     }
-    for (std::size_t i = 0; i < sides_.size(); ++i) leaving_[sides_[i].nodes[0]].push_back(static_cast<int>(i));
+    by_start_.resize(sides_.size());
+    std::iota(by_start_.begin(), by_start_.end(), 0);
+    std::stable_sort(by_start_.begin(), by_start_.end(), [&](int a, int b) { return start_of(a) < start_of(b); });
   }
 
   // Closed loops of all sides. There are none where two sides are followed by the same one: a cut leaves the body
@@ -78,8 +81,18 @@ class SideFaces {
  private:
   void append(const SubdomainLoop& row) { sides_.insert(sides_.end(), row.begin(), row.end()); }
 
+  int start_of(int side) const { return sides_[static_cast<std::size_t>(side)].nodes[0]; }
+
+  std::span<const int> sides_that_leave(int node) const {
+    const auto first = std::lower_bound(by_start_.begin(), by_start_.end(), node,
+                                        [&](int side, int wanted) { return start_of(side) < wanted; });
+    auto end = first;
+    while (end != by_start_.end() && start_of(*end) == node) ++end;
+    return {first, end};
+  }
+
   std::size_t after(std::size_t i) const {
-    const std::vector<int>& candidates = leaving_.at(sides_[i].nodes[2]);
+    const auto candidates = sides_that_leave(sides_[i].nodes[2]);
     if (candidates.size() == 1) return static_cast<std::size_t>(candidates.front());
     const Point back = turned(positions_[sides_[i].nodes[0]] - positions_[sides_[i].nodes[2]], 0.5 * sides_[i].sweep);
     int best = candidates.front();
@@ -99,7 +112,7 @@ class SideFaces {
 
   const std::vector<Point>& positions_;
   SubdomainLoop sides_;
-  std::unordered_map<int, std::vector<int>> leaving_;  // sides that leave a node
+  std::vector<int> by_start_;  // numbers of sides, by the nodes that they leave
 };
 
 }  // namespace

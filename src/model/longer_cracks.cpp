@@ -3,6 +3,7 @@
 #include <map>
 #include <optional>
 #include <unordered_map>
+#include <utility>
 
 #include "crack/cannot_grow.hpp"
 #include "model/driven_growth.hpp"
@@ -13,10 +14,42 @@ namespace bempd::model {
 
 namespace {
 
-struct HashOfPoint {
-  std::size_t operator()(const Point& p) const {
-    return std::hash<double>()(p.x()) ^ (std::hash<double>()(p.y()) * 0x9e3779b97f4a7c15U);
+// Nodes by their exact places: a table with free slots behind each, as there are very many.
+class NodesAt {
+ public:
+  NodesAt(const std::vector<int>& nodes, const std::vector<Point>& positions) : positions_(positions) {
+    while (slots_.size() < 2 * nodes.size() + 2) slots_.resize(2 * slots_.size());
+    for (const int node : nodes) {
+      std::size_t slot = first_slot(positions[static_cast<std::size_t>(node)]);
+      while (slots_[slot].node >= 0) slot = behind(slot);
+      slots_[slot].node = node;
+    }
   }
+
+  // Next node at a place, in their order, and the last one ever after; -1 if there is none.
+  int take(const Point& place) {
+    int last = -1;
+    for (std::size_t slot = first_slot(place); slots_[slot].node >= 0; slot = behind(slot)) {
+      if (positions_[static_cast<std::size_t>(slots_[slot].node)] != place) continue;
+      last = slots_[slot].node;
+      if (!std::exchange(slots_[slot].is_taken, true)) break;
+    }
+    return last;
+  }
+
+ private:
+  struct Slot {
+    int node = -1;
+    bool is_taken = false;
+  };
+  std::size_t first_slot(const Point& p) const {
+    const std::size_t mixed = std::hash<double>()(p.x()) ^ (std::hash<double>()(p.y()) * 0x9e3779b97f4a7c15U);
+    return (mixed ^ (mixed >> 32U)) & (slots_.size() - 1);
+  }
+  std::size_t behind(std::size_t slot) const { return (slot + 1) & (slots_.size() - 1); }
+
+  const std::vector<Point>& positions_;
+  std::vector<Slot> slots_ = std::vector<Slot>(2);  // a power of two
 };
 
 // Whether the lattices of two scenes have the same bonds in the same order, so that broken bonds can be taken over. A
@@ -41,19 +74,13 @@ std::vector<int> nodes_before(const regions::Discretization& now, const regions:
   std::vector<int> found(now.positions.size(), -1);
   for (std::size_t r = 0; r < now.regions.size(); ++r) {
     const std::vector<int>&own = now.regions[r]->nodes(), &old = before.regions[r]->nodes();
-    std::unordered_map<Point, std::vector<int>, HashOfPoint> at;
-    for (auto node = old.rbegin(); node != old.rend(); ++node)
-      at[before.positions[static_cast<std::size_t>(*node)]].push_back(*node);
+    NodesAt at(old, before.positions);
     for (const int node : own) {
       int& known = found[static_cast<std::size_t>(node)];
       const Point& place = now.positions[static_cast<std::size_t>(node)];
-      const auto same = at.find(place);
       if (known >= 0) continue;
-      if (same != at.end()) {
-        known = same->second.back();
-        if (same->second.size() > 1) same->second.pop_back();
-        continue;
-      }
+      known = at.take(place);
+      if (known >= 0) continue;
       const auto off = [&](int one) { return (before.positions[static_cast<std::size_t>(one)] - place).squaredNorm(); };
       known = *std::min_element(old.begin(), old.end(), [&](int a, int b) { return off(a) < off(b); });
     }

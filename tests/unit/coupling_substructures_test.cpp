@@ -170,6 +170,47 @@ TEST(Substructures, are_computed_only_where_parts_changed) {
   EXPECT_GE(second->substructures() - second->taken_over(), 5U);
 }
 
+TEST(Substructures, that_change_are_joined_last) {
+  std::vector<std::shared_ptr<const Eigen::MatrixXd>> links;
+  for (int k = 0; k < 256; ++k) links.push_back(link(1 + 0.1 * k, 0.01));
+  const std::array<Point, 2> box = {Point(0, 0), Point(256, 0)};
+  const auto factor_of = [&](const SubstructureFactor* before) {
+    std::vector<MatrixPart> parts = chain_of(links);
+    for (const std::size_t k : {20, 90, 200}) parts[k].changes = true;
+    return SubstructureFactor::of(std::move(parts), box, 257, before);
+  };
+  const auto first = factor_of(nullptr);
+  ASSERT_TRUE(first);
+  links[20] = link(7, 0.01);
+  const auto second = factor_of(first.get()), fresh = factor_of(nullptr);
+  ASSERT_TRUE(second && fresh);
+  EXPECT_EQ(second->substructures() - second->taken_over(), 2U) << "the one of the changing parts, and the whole";
+  Eigen::MatrixXd matrix = Eigen::MatrixXd::Zero(257, 257);
+  for (int k = 0; k < 256; ++k) matrix.block<2, 2>(k, k) += *links[static_cast<std::size_t>(k)];
+  const Eigen::MatrixXd load = Eigen::VectorXd::LinSpaced(257, -1, 2);
+  Eigen::MatrixXd taken = load, own = load;
+  second->solve_in_place(taken);
+  fresh->solve_in_place(own);
+  EXPECT_EQ(taken, own);
+  EXPECT_LT((matrix * taken - load).norm(), 1e-10 * load.norm());
+}
+
+TEST(Substructures, are_taken_over_with_equal_constraints) {
+  const auto matrix = link(2, 0.5);
+  const auto constraints = [](double gap, double place) {
+    return std::make_shared<const ExactConstraints>(ExactConstraints{
+        Eigen::MatrixXd::Constant(1, 2, gap), Eigen::MatrixXd::Constant(1, 1, 0.3), {Point(place, 0)}});
+  };
+  const auto part = [&](std::shared_ptr<const ExactConstraints> one, std::vector<Eigen::Index> closed) {
+    return MatrixPart{matrix, std::move(one), std::move(closed), {}, matrix.get(), {0, 1}, Point(0, 0)};
+  };
+  EXPECT_TRUE(part(constraints(1, 2), {0}).is_made_as(part(constraints(1, 2), {0})));
+  EXPECT_FALSE(part(constraints(1, 2), {0}).is_made_as(part(constraints(1.5, 2), {0})));
+  EXPECT_FALSE(part(constraints(1, 2), {0}).is_made_as(part(constraints(1, 2.5), {0})));
+  EXPECT_FALSE(part(constraints(1, 2), {0}).is_made_as(part(nullptr, {})));
+  EXPECT_FALSE(part(constraints(1, 2), {0}).is_made_as(part(constraints(1, 2), {})));
+}
+
 TEST(Substructures, refuse_a_matrix_that_resists_nothing) {
   std::vector<std::shared_ptr<const Eigen::MatrixXd>> links(20, link(1, 0));
   const std::array<Point, 2> box = {Point(0, 0), Point(20, 0)};

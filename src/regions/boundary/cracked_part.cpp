@@ -142,7 +142,7 @@ std::shared_ptr<const coupling::ExactConstraints> CrackedPart::constraints_for(
     const Eigen::SparseMatrix<double>& trace) const {
   if (!closing) return nullptr;
   return std::make_shared<const coupling::ExactConstraints>(
-      coupling::ExactConstraints{closing->of_displacements() * trace, closing->of_forces()});
+      coupling::ExactConstraints{closing->of_displacements() * trace, closing->of_forces(), closing->places(*body)});
 }
 
 bem::CrackedState CrackedPart::state(const Eigen::VectorXd& displacements, bem::FaceTraction traction,
