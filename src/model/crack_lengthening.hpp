@@ -55,7 +55,7 @@ class CrackLengthening {
   virtual PreparedScene& scene_of(LongerCracks& longer) { return *longer.grown.scene; }
   // Calls `read` while the scene of longer cracks (null: the present one) is the model's.
   virtual void in_scene_of(LongerCracks* longer, const std::function<void()>& read);
-  virtual bool grows_lines() { return false; }
+  virtual bool grows_lines(const PreparedScene&) const { return false; }
   // Least length by which a tip can grow, of which its growth is a multiple [m]; 0 for any length.
   virtual double quantum(const regions::TipValues&) const { return 0; }
   // Distance by which the effective tip, where the field of the tip begins, lies ahead of the tip's place [m].

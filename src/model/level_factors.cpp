@@ -84,7 +84,8 @@ class FactorsByLoadFactor {
 
 FactorsOfTips LevelSolver::factors(const std::vector<regions::TipValues>& tips, bool with_t_stress) {
   FactorsOfTips found(tips.size(), std::vector<crack::LevelFactors>(levels_.size()));
-  if (!levels_.combine_cases()) FactorsByLoadFactor(scene(), tips, levels_, found).find(!lengthening_.grows_lines());
+  if (!levels_.combine_cases())
+    FactorsByLoadFactor(scene(), tips, levels_, found).find(!lengthening_.grows_lines(scene()));
   std::vector<char> solved(levels_.size());
   for (std::size_t level = 0; level < levels_.size(); ++level)
     solved[level] = levels_.combine_cases() || changes_faces(level);
@@ -95,7 +96,8 @@ FactorsOfTips LevelSolver::factors(const std::vector<regions::TipValues>& tips, 
 // Whether faces of crack lines may close or open on the way to a load. Loads in proportion to load factors >= 0 press
 // the same faces on each other.
 bool LevelSolver::changes_faces(std::size_t level) {
-  if (!lengthening_.grows_lines() || levels_.size() == 1 || scene().system->constraints().size() == 0) return false;
+  if (!lengthening_.grows_lines(scene()) || levels_.size() == 1 || scene().system->constraints().size() == 0)
+    return false;
   return levels_.factor(level) < 0 || !scene().evolution->state().displacement.col(0).isZero(0);
 }
 

@@ -75,8 +75,8 @@ void LineLengthening::in_scene_of(LongerCracks* longer, const std::function<void
   longer && longer->grown.scene ? CrackLengthening::in_scene_of(longer, read) : read();
 }
 
-bool LineLengthening::grows_lines() {
-  const std::vector<fracture::GrowingTip>& tips = scene().evolution->progress().tips;
+bool LineLengthening::grows_lines(const PreparedScene& scene) const {
+  const std::vector<fracture::GrowingTip>& tips = scene.evolution->progress().tips;
   return std::ranges::any_of(tips, [](const fracture::GrowingTip& tip) { return !crack::has_ended(tip.state); });
 }
 

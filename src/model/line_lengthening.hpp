@@ -22,7 +22,7 @@ class LineLengthening final : public CrackLengthening {
   int region_of(const regions::TipValues& tip, const PreparedScene& scene) const override;
   PreparedScene& scene_of(LongerCracks& longer) override { return longer.grown.scene ? *longer.grown.scene : scene(); }
   void in_scene_of(LongerCracks* longer, const std::function<void()>& read) override;
-  bool grows_lines() override;
+  bool grows_lines(const PreparedScene& scene) const override;
   double quantum(const regions::TipValues& tip) const override;
   double acts_ahead(const regions::TipValues& tip, const PreparedScene& scene) const override;
   void go_to(double load_factor) override;

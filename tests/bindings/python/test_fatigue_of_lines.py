@@ -136,6 +136,18 @@ def test_many_short_calls_let_a_line_grow_as_much_as_one() -> None:
     assert lengths[1] == pytest.approx(lengths[0], abs=1.01 / 20)  # by whole spacings
 
 
+def test_faces_close_at_the_low_load_also_behind_the_border() -> None:
+    """A crack that goes on from elements into the lattice within a step has R = 0 under reversed loads from there on, too."""
+    lives_of = []
+    for low in (0.0, -1.0):
+        model = both([[(-1, 0.005), (-0.2, 0.005)]])[0]
+        life = model.grow_fatigue(1.0, low, most_length=1.1)
+        assert life.table["x"][0] < 0 < life.table["x"][-1]
+        assert np.abs(life.table["ratio"]).max() < 0.03
+        lives_of.append(life.cycles_at(1.1))
+    assert lives_of[1] == pytest.approx(lives_of[0], rel=0.01)
+
+
 FLOW_STRESS = 1.8e6  # over the pull of 1 MPa
 
 
