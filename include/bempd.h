@@ -453,7 +453,7 @@ BEMPD_API bempd_status bempd_set_body_lattice(bempd_model* model, int32_t body, 
 typedef enum bempd_treatment {
   BEMPD_TREATMENT_AUTOMATIC = 1, /**< the library chooses; the default */
   BEMPD_TREATMENT_ELEMENTS = 2,  /**< boundary elements along its faces, where it lies in a BEM region or a body */
-  BEMPD_TREATMENT_LATTICE = 3,   /**< a lattice patch of its body around it, in which it grows as a line */
+  BEMPD_TREATMENT_LATTICE = 3,   /**< a lattice patch of its body around it, in which it grows */
   BEMPD_TREATMENT_FROZEN = 4     /**< as automatic, and its tips stay where they are */
 } bempd_treatment;
 
@@ -467,13 +467,14 @@ typedef enum bempd_treatment {
  * body act in the patch as well. Nodes of the patch's border follow those of the body's outline. Between an edge or
  * another crack and the patch one block of elements stays, so a crack that begins at an edge has elements there. A tip
  * that has no two such blocks ahead of it any more gets five: points and bonds of the patch get other numbers, and the
- * history a line. A tip that no more blocks fit around goes on in elements within two horizons of the border.
+ * history a line. A tip that no more blocks fit around goes on in elements within two horizons of the border. Bond by
+ * bond (crack.rule = "bond") blocks are added around a bond that breaks within 2.5 horizons of the border; where none
+ * fit, each event there ends its step as BEMPD_STOP_CRACK_STOPPED, since loads are no longer those of a large lattice.
  *
  * BEMPD_TREATMENT_FROZEN does what bempd_set_tip_frozen() does at both ends, and any other treatment releases a crack
  * of which both are frozen. That may be done between steps too. Whether a crack has a patch cannot change any more once
  * the model is prepared. Preparing fails as an argument error where a patch has no room, where a crack lies in several
- * bodies, with the option crack.rule = "bond", and with BEMPD_TREATMENT_ELEMENTS for a crack in a region with a
- * lattice.
+ * bodies, and with BEMPD_TREATMENT_ELEMENTS for a crack in a region with a lattice.
  * @param[in] model the model @param[in] crack id of a crack @param[in] treatment a bempd_treatment
  * @return status @since 0.4 */
 BEMPD_API bempd_status bempd_set_crack_treatment(bempd_model* model, int32_t crack, int32_t treatment);
@@ -1406,7 +1407,7 @@ typedef enum bempd_stop_reason {
   BEMPD_STOP_REQUESTED = 7,
   /** A crack has reached a place from which it cannot go on: the interface of its region with another material, or the
    * border of its region where the crack cannot cross it. The step ends there and keeps what happened; the next one
-   * goes on without that tip. @since 0.3 */
+   * goes on without that tip. Bond by bond: see bempd_set_crack_treatment(). @since 0.3 */
   BEMPD_STOP_CRACK_STOPPED = 8
 } bempd_stop_reason;
 

@@ -16,9 +16,9 @@ ENERGY = 1e-3
 
 
 def plate(width: float, height: float, angle: float, carrier: str, horizon_ratio: int,
-          shift: npt.ArrayLike = (0, 0)) -> tuple[bempd.Model, int, int]:
+          shift: npt.ArrayLike = (0, 0), rule: str = "line") -> tuple[bempd.Model, int, int]:
     """A plate that its long sides pull apart, with a crack of 20 spacings, shifted from its middle; the spacing is 1."""
-    model = bempd.Model(options={"stepping.control": "path"})
+    model = bempd.Model(options={"stepping.control": "path", "crack.rule": rule})
     material = model.add_material(young_modulus=1000, poisson_ratio=1 / 3, fracture_energy=ENERGY)
     corners = bempd.rectangle(0, 0, width, height)
     if carrier == "whole lattice":
@@ -31,7 +31,8 @@ def plate(width: float, height: float, angle: float, carrier: str, horizon_ratio
     if carrier == "patch":
         model.set_crack_treatment(crack, "lattice")
         model.set_body_lattice(body, 1, horizon_ratio)
-    model.set_tip_frozen(crack, bempd.TipEnd.START)  # else rounding decides which end grows first
+    if rule == "line":
+        model.set_tip_frozen(crack, bempd.TipEnd.START)  # else rounding decides which end grows first
     model.fix_edge(body, 1)
     model.prescribe_edge(body, 3, "x", proportional=0)
     model.prescribe_edge(body, 3, "y", proportional=1)
@@ -79,6 +80,51 @@ def one_against_lattice(ratio: int, degrees: float) -> str:
         return f"{100 * min(errors):+.1f} to {100 * max(errors):+.1f} %" if errors else "-"
 
     return (f"| {ratio} | {degrees} | {count} | {layouts} | {loads.max():.1e} | {places:.3f} | {off(patch)} | {off(whole)} "
+            f"| {points['patch']:,} | {points['whole lattice']:,} | {seconds['patch']:.1f} | {seconds['whole lattice']:.1f} |")
+
+
+def bond_by_bond(quick: bool) -> list[str]:
+    """A patch and a whole lattice in which bonds break one by one. Loads are those of events that begin with the same broken
+    bonds: of bonds that tie, either may be the first."""
+    lines = ["| m | angle | events | with the same broken bonds | layouts | loads from the whole lattice | broken bonds | in one only "
+             "| points, patch | whole | s, patch | whole |", "|---|---|---|---|---|---|---|---|---|---|---|---|"]
+    for ratio in (3,) if quick else (3, 4, 5):
+        for degrees in (0, 20):
+            lines.append(one_bond_by_bond(ratio, degrees, 30 if quick else 60 * ratio * ratio))
+    return lines
+
+
+def broken_bonds(model: bempd.Model, region: int) -> bytes:
+    """Places of the ends of all broken bonds, in an order of their own."""
+    bonds = model.bonds(region)
+    ends = model.field(region, "position")[bonds.points[bonds.states == bempd.BondState.BROKEN]]
+    numbers = np.rint(2 * ends).astype(np.int64) @ (1, 100000)
+    return np.sort(np.sort(numbers, axis=1) @ (1, 10**10)).tobytes()
+
+
+def one_bond_by_bond(ratio: int, degrees: float, events: int) -> str:
+    width, height = 44 * ratio, 26 * ratio
+    shift = plate(width, height, math.radians(degrees), "patch", ratio)[0].parts()[1].outline[0][0] % 1
+    loads: dict[str, dict[bytes, float]] = {}
+    seconds, points, last, layouts = {}, {}, {}, 0
+    for carrier in ("patch", "whole lattice"):
+        model, _, _ = plate(width, height, math.radians(degrees), carrier, ratio, shift + (4 * ratio, 0), "bond")
+        loads[carrier], seconds[carrier], last[carrier] = {}, 0.0, b""
+        for _ in range(events):
+            begin = time.process_time()
+            report = model.step_to_next_event(1e9)
+            seconds[carrier] += time.process_time() - begin
+            assert report.stop_reason == bempd.StopReason.EVENT
+            loads[carrier][last[carrier]] = report.load_factor
+            last[carrier] = broken_bonds(model, 2 if carrier == "patch" else 1)
+        points[carrier] = model.statistics().material_points
+        if carrier == "patch":
+            layouts = np.count_nonzero(model.history()["event"] == 0)
+    patch, whole = loads["patch"], loads["whole lattice"]
+    same = patch.keys() & whole.keys()
+    broken = {carrier: set(np.frombuffer(ends, np.int64)) for carrier, ends in last.items()}
+    return (f"| {ratio} | {degrees} | {events} | {len(same)} | {layouts} | {max(abs(patch[key] / whole[key] - 1) for key in same):.1e} "
+            f"| {len(broken['whole lattice'])} | {len(broken['patch'] ^ broken['whole lattice'])} "
             f"| {points['patch']:,} | {points['whole lattice']:,} | {seconds['patch']:.1f} | {seconds['whole lattice']:.1f} |")
 
 

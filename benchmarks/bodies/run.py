@@ -2,8 +2,8 @@
 docs/bodies.md.
 
 usage: benchmarks/run.sh bodies [--write] [--quick] [--only TABLE]
-    --write: into docs/bodies.md;  --quick: four scenes and two errors;  --only: trade, random, calibration, runs, promises, sheets, patches, following, near,
-    sizes, treatments, peers or paper
+    --write: into docs/bodies.md;  --quick: four scenes and two errors;  --only: trade, random, calibration, runs, promises, sheets, patches, bonds, following,
+    near, sizes, treatments, peers or paper
 """
 
 from __future__ import annotations
@@ -264,8 +264,8 @@ def main() -> None:
     quick = "--quick" in sys.argv
     only = sys.argv[sys.argv.index("--only") + 1] if "--only" in sys.argv else None
     for name, make in (("trade", trade), ("random", random_bodies), ("calibration", calibrated), ("runs", runs), ("promises", promises), ("sheets", sheets),
-                       ("patches", patches.against_lattices), ("following", patches.following), ("near", near.table), ("sizes", patches.sizes),
-                       ("treatments", patches.treatments), ("peers", peers.table), ("paper", paper.table)):
+                       ("patches", patches.against_lattices), ("bonds", patches.bond_by_bond), ("following", patches.following), ("near", near.table),
+                       ("sizes", patches.sizes), ("treatments", patches.treatments), ("peers", peers.table), ("paper", paper.table)):
         if only not in (None, name):
             continue
         lines = make(quick)

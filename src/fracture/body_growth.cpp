@@ -200,8 +200,8 @@ void BodyGrowth::book(const Growth& growth) {
   records_.add_extensions(growth.extensions);
 }
 
-void BodyGrowth::book_layout(std::int64_t extension) {
-  state_.layouts.push_back(extension);
+void BodyGrowth::book_layout(std::int64_t layout) {
+  state_.layouts.push_back(layout);
   state_.fragments += outcome_.fragments;
   records_.add_work(stored_by_layout());
   records_.end_step();

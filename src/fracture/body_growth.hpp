@@ -52,10 +52,11 @@ class BodyGrowth {
   double released_beyond_path(const BodyGrowth& before, double load_factor) const;
   // Enters a growth in the history as an event.
   void book(const Growth& growth);
-  // Enters larger lattices in the history, as a line of their own: by `extension` they have grown. They store a little
+  // Enters larger lattices in the history, as a line of their own: by `layout`, an entry of
+  // EvolutionState::layouts, they have grown. They store a little
   // more or less energy at the same loads. Nothing has released or done that: work counts as if the lattices had been
   // there before.
-  void book_layout(std::int64_t extension);
+  void book_layout(std::int64_t layout);
   double stored_by_layout() const { return outcome_.stored_energy - outcome_.stored_energy_before; }
 
  private:

@@ -124,6 +124,7 @@ std::optional<StopReason> EventLoop::perform(const Event& event) {
   if (event.is_growth) return advance(*options_.elements, event);
   if (event.tip.crack > 0 && !increments) return advance(*body_->lines(), event);
   bool is_possible = true;
+  const std::vector<coupling::StageChange> broken = event.changes;
   const bool is_done = done_unless_stopped([&] {
     if (increments && body_->progress().events > events_before_)
       is_possible = body_->events().perform_if_possible(event);
@@ -131,7 +132,7 @@ std::optional<StopReason> EventLoop::perform(const Event& event) {
       body_->events().perform(event);
   });
   if (!is_done) return end_with(StopReason::requested);
-  return is_possible ? after_event(false) : std::optional(end_with(StopReason::no_equilibrium));
+  return is_possible ? after_event(false, broken) : std::optional(end_with(StopReason::no_equilibrium));
 }
 
 std::optional<StopReason> EventLoop::advance(crack::Carrier& carrier, const Event& event) {
@@ -150,15 +151,18 @@ std::optional<StopReason> EventLoop::advance(crack::Carrier& carrier, const Even
   }
   follow_body();
   if (done.extensions.empty()) return end_with(StopReason::crack_stopped);
-  return after_event(done.has_stopped);
+  return after_event(done.has_stopped, {});
 }
 
-// Tells the host of an event, and lets lines that have come to the border of boundary elements go on there.
-std::optional<StopReason> EventLoop::after_event(bool crack_has_stopped) {
+// Tells the host of an event, lets lattices grow around bonds that it has broken near boundary elements, and lets lines
+// that have come to the border of these go on there.
+std::optional<StopReason> EventLoop::after_event(bool crack_has_stopped,
+                                                 const std::vector<coupling::StageChange>& broken) {
   if (on_event_) on_event_(body_->progress());
   const bool is_separated = body_->progress().separated && goal_ != Goal::load_factor;
   if (options_.elements) {
     try {
+      if (!is_separated) crack_has_stopped |= options_.elements->follow_breaks(broken);
       crack_has_stopped |= options_.elements->take_over_lines(is_separated);
     } catch (const crack::FreesLoadedPart&) {
       return separated_before_growth();

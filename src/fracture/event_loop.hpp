@@ -45,7 +45,7 @@ class EventLoop {
   StopReason go_on();
   std::optional<StopReason> perform(const Event& event);
   std::optional<StopReason> advance(crack::Carrier& carrier, const Event& event);
-  std::optional<StopReason> after_event(bool crack_has_stopped);
+  std::optional<StopReason> after_event(bool crack_has_stopped, const std::vector<coupling::StageChange>& broken);
   StopReason separated_before_growth();
   std::optional<StopReason> why_there_is_none();
   bool has_come_apart(const Event* next);

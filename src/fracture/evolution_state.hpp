@@ -91,7 +91,9 @@ struct EvolutionState : BodyState, Sums {
   // its nodes, NaN where a component is not prescribed [m].
   std::vector<double> reactions, reactions_before, support_displacements;
   std::vector<CrackExtension> extensions;
-  std::vector<std::int64_t> layouts;  // extensions, by their places in the list, by which lattice patches have grown
+  // What lattice patches have grown by: extensions by their places in the list, or broken bonds, each a number below 0
+  // (regions::BreakNearBorder).
+  std::vector<std::int64_t> layouts;
 };
 
 }  // namespace bempd::fracture

@@ -46,9 +46,9 @@ class CrackGrowth {
   // Prepared scene with longer cracks, in which the present run continues (longer_cracks.cpp). `on_way` are the values
   // of loads that act; null for those of the host. Throws crack::CannotGrow if the longer cracks are impossible.
   std::unique_ptr<PreparedScene> with_cracks(std::vector<scene::Crack> longer, const scene::SceneValues* on_way);
-  // Prepared scene with the patches that the scene has now, by an extension, in which the present run continues in the
-  // same way.
-  std::unique_ptr<PreparedScene> with_patches(const scene::SceneValues* on_way, std::int64_t extension);
+  // Prepared scene with the patches that the scene has now, by what fracture::EvolutionState::layouts tells, in which
+  // the present run continues in the same way.
+  std::unique_ptr<PreparedScene> with_patches(const scene::SceneValues* on_way, std::int64_t layout);
   // Prepared scene with the extensions of `growing`, in which the run continues in the same way.
   std::unique_ptr<PreparedScene> extended_scene(const std::vector<scene::Crack>& before, Growing& growing,
                                                 const scene::SceneValues* on_way);

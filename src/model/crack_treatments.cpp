@@ -78,9 +78,6 @@ void CrackTreatments::lay() {
   const scene::Options& options = model_.options();
   require(options.text_value("scheme") == "symmetric", "lattice patches need the option scheme = symmetric; it is ",
           options.text_value("scheme"));
-  require(options.text_in_effect("crack.rule") != "bond",
-          "cracks run through lattice patches as lines, and the option crack.rule is bond; choose line or tips, or the "
-          "treatment BEMPD_TREATMENT_ELEMENTS");
   if (!patches().empty()) return;
   std::vector<regions::Patch> patches = regions::lay_out_patches(model_.scene(), cracks, lattices_);
   loads_of_elements_.clear();
@@ -111,6 +108,23 @@ std::optional<std::vector<regions::Patch>> CrackTreatments::followed(const crack
   if (patches().empty() || e.has_ended()) return std::nullopt;
   const Point from(e.from_x, e.from_y), to(e.x, e.y);
   return regions::followed(model_.scene(), patches(), {to, (to - from).normalized()});
+}
+
+std::optional<std::vector<regions::Patch>> CrackTreatments::followed(const regions::BreakNearBorder& broken) const {
+  return regions::grown_around(model_.scene(), patches(), broken);
+}
+
+bool CrackTreatments::follow(std::span<const std::int64_t>& layouts, std::span<const crack::Extension> grown) {
+  const std::size_t before = layouts.size();
+  for (; !layouts.empty() && regions::extensions_before(layouts.front()) == grown.size();
+       layouts = layouts.subspan(1)) {
+    const std::int64_t layout = layouts.front();
+    std::optional<std::vector<regions::Patch>> larger =
+        layout < 0 ? followed(regions::break_of(layout)) : followed(grown.back());
+    require(larger.has_value(), "the state has other lattice patches; its bytes were altered");
+    move(std::move(*larger));
+  }
+  return layouts.size() < before;
 }
 
 void CrackTreatments::move(std::vector<regions::Patch> next) {

@@ -1,7 +1,9 @@
 #pragma once
 
+#include <cstdint>
 #include <map>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "crack/extension.hpp"
@@ -35,6 +37,11 @@ class CrackTreatments {
   const std::vector<regions::Patch>& first_patches() const { return laid_patches_.first; }
   // Patches that have more blocks around a line after an extension; empty if none needs or can have more.
   std::optional<std::vector<regions::Patch>> followed(const crack::Extension& extension) const;
+  // Patches that have more blocks around a broken bond; empty if they cannot.
+  std::optional<std::vector<regions::Patch>> followed(const regions::BreakNearBorder& broken) const;
+  // Gives patches the blocks that they got in a run when it had just the extensions `grown`, by its layouts, of which
+  // those are taken from the list (fracture::EvolutionState). Returns whether there were any; the prepared scene stays.
+  bool follow(std::span<const std::int64_t>& layouts, std::span<const crack::Extension> grown);
   // Gives the patches in the scene other blocks. The prepared scene stays as it is.
   void move(std::vector<regions::Patch> next);
   void go_back_to(std::vector<regions::Patch> before) noexcept;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "cancellation.hpp"
 #include "crack/cannot_grow.hpp"
@@ -158,31 +159,58 @@ void ElementCarrier::change_scene(std::unique_ptr<PreparedScene> next,
 void ElementCarrier::follow_lines() {
   if (model_.treatments().patches().empty()) return;
   const std::size_t count = body().progress().extensions.size();
-  for (std::size_t k = extensions_seen_; k < count; ++k) follow(k);
+  for (std::size_t k = extensions_seen_; k < count; ++k)
+    follow(model_.treatments().followed(body().progress().extensions[k]), static_cast<std::int64_t>(k));
 }
 
-// If the larger patch cannot be, for lack of memory as well, the patch stays, and the line goes on in elements.
-void ElementCarrier::follow(std::size_t extension) {
-  std::optional<std::vector<regions::Patch>> larger =
-      model_.treatments().followed(body().progress().extensions[extension]);
-  if (!larger) return;
+// Gives patches more blocks around bonds that have broken where cracks do not grow as lines.
+bool ElementCarrier::follow_breaks(const std::vector<coupling::StageChange>& broken) {
+  CrackTreatments& treatments = model_.treatments();
+  if (treatments.patches().empty() || body().lines()) return false;
+  std::vector<Point> places;
+  for (const coupling::StageChange& change : broken) {
+    std::vector<Point> nodes;
+    model_.prepared().system->terms().for_each_node(static_cast<std::size_t>(change.term), [&](int node) {
+      nodes.push_back(model_.prepared().discretization.positions[static_cast<std::size_t>(node)]);
+    });
+    places.push_back(std::accumulate(nodes.begin(), nodes.end(), Point(0, 0)) / static_cast<double>(nodes.size()));
+  }
+  bool has_no_room = false;
+  for (const Point& place : places) {
+    const std::size_t extensions = body().progress().extensions.size();
+    const auto near = regions::near_border(treatments.patches(), place, extensions);
+    if (!near) continue;
+    auto larger = treatments.followed(*near);
+    if (larger && regions::near_border(*larger, place, extensions)) larger.reset();
+    if (follow(std::move(larger), regions::number_of(*near))) continue;
+    has_no_room = true;
+    say([&] { model_.reports().warn_of_break(place); });
+  }
+  return has_no_room;
+}
+
+// Lets the run go on in larger patches. If these cannot be, for lack of memory as well, the patches stay, and a line
+// goes on in elements.
+bool ElementCarrier::follow(std::optional<std::vector<regions::Patch>> larger, std::int64_t layout) {
+  if (!larger) return false;
   std::vector<regions::Patch> before = model_.treatments().patches();
   body().sources().bring_up_to_date();
   std::unique_ptr<PreparedScene> next;
   try {
     model_.treatments().move(std::move(*larger));
     regions::require_memory(model_.scene(), model_.options());
-    next = model_.growth().with_patches(on_way_, static_cast<std::int64_t>(extension));
+    next = model_.growth().with_patches(on_way_, layout);
   } catch (const Error& error) {
     model_.treatments().go_back_to(std::move(before));
     if (error.failure() != Failure::argument && error.failure() != Failure::unsolvable) throw;
     say([&] { model_.reports().warn_of_patch(error.what()); });
-    return;
+    return false;
   } catch (...) {
     model_.treatments().go_back_to(std::move(before));
     throw;
   }
   change_scene(std::move(next), [&](const PreparedScene&) { model_.reports().tell_of_layout(); });
+  return true;
 }
 
 void ElementCarrier::take_back() noexcept {

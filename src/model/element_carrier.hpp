@@ -44,6 +44,7 @@ class ElementCarrier final : public fracture::BodyCarrier {
   void go_on_in(std::unique_ptr<PreparedScene> next, const fracture::Growth& growth);
 
   fracture::CrackEvolution& body() override;
+  bool follow_breaks(const std::vector<coupling::StageChange>& broken) override;
   bool take_over_lines(bool run_ends) override;
 
   // Time that the scenes before the present one have taken.
@@ -59,7 +60,7 @@ class ElementCarrier final : public fracture::BodyCarrier {
   Grown carried_on(const crack::Extension& last, const Point& place, std::vector<scene::Crack> longer, bool is_driven);
   std::vector<crack::TipId> lines_at_border();
   void follow_lines();
-  void follow(std::size_t extension);
+  bool follow(std::optional<std::vector<regions::Patch>> larger, std::int64_t layout);
   void change_scene(std::unique_ptr<PreparedScene> next, const std::function<void(const PreparedScene&)>& tell);
   Grown grown(const std::vector<scene::Crack>& before, const std::function<Grown()>& grow);
 

@@ -270,7 +270,7 @@ std::unordered_map<int, int> terms_now(const PreparedScene& now, const PreparedS
 
 }  // namespace
 
-std::unique_ptr<PreparedScene> CrackGrowth::with_patches(const scene::SceneValues* on_way, std::int64_t extension) {
+std::unique_ptr<PreparedScene> CrackGrowth::with_patches(const scene::SceneValues* on_way, std::int64_t layout) {
   const PreparedScene& before = model_.prepared();
   Preparation& preparation = model_.preparation();
   const auto build = [&] { return preparation.build(&before, Preparation::Operators::anew); };
@@ -286,7 +286,7 @@ std::unique_ptr<PreparedScene> CrackGrowth::with_patches(const scene::SceneValue
   next->fingerprint = before.fingerprint;
   next->anchored_pieces = before.anchored_pieces;
   next->evolution->growth().go_on_from(before.evolution->growth(), nodes.former, {});
-  next->evolution->growth().book_layout(extension);
+  next->evolution->growth().book_layout(layout);
   return next;
 }
 

@@ -36,6 +36,8 @@ class RunReports {
   void tell_of_layout() const;
   // Warns once that lattice patches do not grow on, and why.
   void warn_of_patch(const std::string& why);
+  // Warns once that a bond has broken near a patch's border.
+  void warn_of_break(const Point& place);
   void tell_of_whole_body();
   void warn_of_equilibrium();
 
@@ -50,7 +52,8 @@ class RunReports {
 
   Model& model_;
   bool warned_of_energies_ = false, warned_of_condition_ = false, warned_of_overlap_ = false;
-  bool warned_of_interface_ = false, warned_of_hinge_ = false, told_of_whole_body_ = false, warned_of_patch_ = false;
+  bool warned_of_interface_ = false, warned_of_hinge_ = false, told_of_whole_body_ = false, warned_of_patch_ = false,
+       warned_of_break_ = false;
 };
 
 }  // namespace bempd::model

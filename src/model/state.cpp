@@ -174,8 +174,8 @@ bool States::has_grown_as(const fracture::EvolutionState& state) const {
   const fracture::EvolutionState& present = model_.prepared_or_null()->evolution->progress();
   const auto has_same = [&](std::int64_t number) {
     const auto k = static_cast<std::size_t>(number);
-    return k < state.extensions.size() && k < present.extensions.size() &&
-           are_same(state.extensions[k], present.extensions[k]);
+    return number < 0 || (k < state.extensions.size() && k < present.extensions.size() &&
+                          are_same(state.extensions[k], present.extensions[k]));
   };
   if (state.layouts != present.layouts || !std::ranges::all_of(state.layouts, has_same)) return false;
   const auto in_elements = [&](std::vector<crack::Extension> extensions) {
@@ -206,6 +206,7 @@ std::unique_ptr<PreparedScene> States::as_grown(const fracture::EvolutionState& 
   };
   const auto among_bonds = [&](const crack::Extension& e) { return is_among_bonds(model_, e); };
   std::span<const std::int64_t> layouts = state.layouts;
+  model_.treatments().follow(layouts, {});
   for (std::size_t k = 0; k < extensions.size(); ++k) {
     const crack::Extension& e = extensions[k];
     if (!among_bonds(e)) {
@@ -222,12 +223,7 @@ std::unique_ptr<PreparedScene> States::as_grown(const fracture::EvolutionState& 
         grown = preparation.build(grown.get());
       }
     }
-    if (layouts.empty() || layouts.front() != static_cast<std::int64_t>(k)) continue;
-    layouts = layouts.subspan(1);
-    std::optional<std::vector<regions::Patch>> larger = model_.treatments().followed(e);
-    require(larger.has_value(), "the state has other lattice patches; its bytes were altered");
-    model_.treatments().move(std::move(*larger));
-    is_built = false;
+    if (model_.treatments().follow(layouts, std::span(extensions).first(k + 1))) is_built = false;
   }
   require(layouts.empty(), "the state has more lattice patches than growth; its bytes were altered");
   build_anew();

@@ -6,6 +6,7 @@
 
 #include "error.hpp"
 #include "model/state_members.hpp"
+#include "regions/patches.hpp"
 
 namespace bempd::model {
 
@@ -96,9 +97,9 @@ void require_consistent(const fracture::EvolutionState& e) {
         "what its supports exert and how they move is not of the same lines");
   sound(e.history.empty() ? e.reactions.empty() : e.reactions.size() % (2 * e.history.size()) == 0,
         "its reactions are not those of the lines of its history");
-  sound(std::all_of(e.layouts.begin(), e.layouts.end(),
-                    [&](std::int64_t k) { return k >= 0 && k < static_cast<std::int64_t>(e.extensions.size()); }) &&
-            std::is_sorted(e.layouts.begin(), e.layouts.end()),
+  const auto grown = [](std::int64_t layout) { return regions::extensions_before(layout); };
+  sound(std::ranges::is_sorted(e.layouts, {}, grown) &&
+            (e.layouts.empty() || grown(e.layouts.back()) <= e.extensions.size()),
         "a lattice patch has grown by no extension");
   sound(std::all_of(e.extensions.begin(), e.extensions.end(), [](const auto& one) { return is_sound(one); }),
         "an extension of a crack is none");

@@ -172,6 +172,14 @@ void RunReports::warn_of_patch(const std::string& why) {
   if (!std::exchange(warned_of_patch_, true)) log(1, text("a lattice patch does not grow on: ", why));
 }
 
+void RunReports::warn_of_break(const Point& place) {
+  if (std::exchange(warned_of_break_, true)) return;
+  log(1, text("bonds have broken at (", place.x(), ", ", place.y(),
+              "), within 2.5 horizons of boundary elements where their lattice patch has no room for more blocks; each "
+              "event there ends its step, and loads are not those of a large lattice from here on: use a smaller "
+              "spacing, or add the region with bempd_add_pd_region()"));
+}
+
 // Logs once that windows save less time in this run: tips with elements need the displacements of the whole body at
 // each event.
 void RunReports::tell_of_whole_body() {

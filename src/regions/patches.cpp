@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <utility>
 
 #include "error.hpp"
 #include "regions/boundary/boundary_description.hpp"
@@ -134,9 +135,11 @@ constexpr int blocks_between = 2;
 // Rounding of distances from blocks.
 constexpr double hardly_less = 1 - 1e-9;
 
-Block block_at(const BlockGrid& grid, const Point& place) {
-  const Point number = ((place - grid.origin) / grid.size).array().floor();
-  return {static_cast<int>(number.x()), static_cast<int>(number.y())};
+// Block of a patch in which a place lies, or on whose border; empty if it lies in none.
+std::optional<Block> block_at(const Patch& patch, const Point& place) {
+  for (const Block& block : patch.grid.near({place, place}, (1 - hardly_less) * patch.grid.size))
+    if (patch.blocks.contains(block)) return block;
+  return std::nullopt;
 }
 
 // Pieces of cracks that lie in elements are walls.
@@ -166,42 +169,122 @@ bool has_one_near(const Blocks& blocks, const Block& block) {
 
 bool has_all(const Blocks& blocks, const Blocks& wanted) { return std::ranges::includes(blocks, wanted); }
 
+// Blocks that one patch of several can get.
+class GrowingPatch {
+ public:
+  GrowingPatch(const scene::Scene& scene, const std::vector<Patch>& patches, std::size_t number)
+      : patches_(patches), number_(number), walls_(walls_around(scene, patches, own().body)) {}
+
+  bool can_get_some(const Blocks& wanted) const {
+    return std::ranges::any_of(wanted, [&](const Block& b) { return !own().blocks.contains(b) && may_add(b); });
+  }
+
+  // All patches, where this one has got those of the `wanted` blocks that it may have. Empty if it has got none, or
+  // does not have all `needed` ones.
+  std::optional<std::vector<Patch>> with(const Blocks& wanted, const Blocks& needed) const {
+    Blocks blocks = own().blocks;
+    for (const Block& block : wanted)
+      if (may_add(block)) blocks.insert(block);
+    const bool is_sound =
+        close_gaps(blocks, [&](const Block& block) { return may_add(block); }) && connected_parts(blocks).size() == 1;
+    if (!is_sound || !has_all(blocks, needed) || blocks == own().blocks) return std::nullopt;
+    std::vector<Patch> all = patches_;
+    all[number_].outline = loop_around(blocks, own().grid);
+    all[number_].blocks = std::move(blocks);
+    return all;
+  }
+
+ private:
+  const Patch& own() const { return patches_[number_]; }
+  bool may_add(const Block& block) const {
+    const auto is_beside = [&](const Patch& other) {
+      return &other != &own() && other.body == own().body && has_one_near(other.blocks, block);
+    };
+    return !walls_.beside(own().grid.box(block)) && std::ranges::none_of(patches_, is_beside);
+  }
+
+  const std::vector<Patch>& patches_;
+  std::size_t number_;
+  PatchWalls walls_;
+};
+
+// Number of the patch in which a place lies; that of all patches if it lies in none.
+std::size_t patch_around(const std::vector<Patch>& patches, const Point& place) {
+  const auto found =
+      std::ranges::find_if(patches, [&](const Patch& patch) { return block_at(patch, place).has_value(); });
+  return static_cast<std::size_t>(found - patches.begin());
+}
+
 }  // namespace
 
 std::optional<std::vector<Patch>> followed(const scene::Scene& scene, const std::vector<Patch>& patches,
                                            const FollowedTip& tip) {
-  const auto own = std::ranges::find_if(
-      patches, [&](const Patch& patch) { return patch.blocks.contains(block_at(patch.grid, tip.place)); });
-  if (own == patches.end()) return std::nullopt;
-  const BlockGrid& grid = own->grid;
-  const auto way = [&](double blocks) -> Segment {
-    return {tip.place, tip.place + blocks * grid.size * tip.direction};
+  const std::size_t number = patch_around(patches, tip.place);
+  if (number == patches.size()) return std::nullopt;
+  const BlockGrid& grid = patches[number].grid;
+  const auto along = [&](double blocks, double reach) {
+    const Segment way{tip.place, tip.place + blocks * grid.size * tip.direction};
+    return grid.near(way, reach * grid.size * hardly_less);
   };
-  const Blocks around = grid.near(way(least_ahead), usual_patch_reach * grid.size * hardly_less);
-  if (has_all(own->blocks, around)) return std::nullopt;
-  const PatchWalls walls = walls_around(scene, patches, own->body);
-  const auto may_add = [&](const Block& block) {
-    const auto is_beside = [&](const Patch& other) {
-      return &other != &*own && other.body == own->body && has_one_near(other.blocks, block);
-    };
-    return !walls.beside(grid.box(block)) && std::ranges::none_of(patches, is_beside);
-  };
-  const auto is_missing = [&](const Block& block) { return !own->blocks.contains(block) && may_add(block); };
-  if (std::ranges::none_of(around, is_missing)) return std::nullopt;
-  for (const double reach : {usual_patch_reach, least_patch_reach}) {
-    Blocks blocks = own->blocks;
-    for (const Block& block : grid.near(way(blocks_to_follow), reach * grid.size * hardly_less))
-      if (may_add(block)) blocks.insert(block);
-    const bool is_sound = close_gaps(blocks, may_add) && connected_parts(blocks).size() == 1;
-    const bool goes_on = has_all(blocks, grid.near(way(0), least_patch_reach * grid.size * hardly_less));
-    if (!is_sound || !goes_on || blocks == own->blocks) continue;
-    std::vector<Patch> all = patches;
-    Patch& larger = all[static_cast<std::size_t>(own - patches.begin())];
-    larger.outline = loop_around(blocks, grid);
-    larger.blocks = std::move(blocks);
-    return all;
-  }
+  const Blocks around = along(least_ahead, usual_patch_reach);
+  if (has_all(patches[number].blocks, around)) return std::nullopt;
+  const GrowingPatch patch(scene, patches, number);
+  if (!patch.can_get_some(around)) return std::nullopt;
+  for (const double reach : {usual_patch_reach, least_patch_reach})
+    if (auto all = patch.with(along(blocks_to_follow, reach), along(0, least_patch_reach))) return all;
   return std::nullopt;
+}
+
+namespace {
+
+// Distance from a broken bond, in blocks, within which its patch needs all blocks: two and a half horizons. Loads are
+// then within 3e-4 of those of a large lattice for horizons of four spacings, with two horizons 6e-4.
+constexpr double least_around_break = 1.25;
+
+// Distance from the block of a broken bond within which a patch that grows gets all blocks that it may have.
+constexpr double blocks_around_break = 2.2;
+
+// Parts of the number of a broken bond: columns and rows of blocks from -half_of_rows on, and patches.
+constexpr std::int64_t half_of_rows = 1 << 13, rows = 2 * half_of_rows, most_patches = 1 << 8;
+
+}  // namespace
+
+std::int64_t number_of(const BreakNearBorder& broken) {
+  std::int64_t number = static_cast<std::int64_t>(broken.extensions) * most_patches + broken.patch;
+  for (const int place : broken.block) number = number * rows + place + half_of_rows;
+  return -1 - number;
+}
+
+BreakNearBorder break_of(std::int64_t number) {
+  number = -1 - number;
+  const auto next = [&](std::int64_t count) { return static_cast<int>(std::exchange(number, number / count) % count); };
+  const int row = next(rows), column = next(rows), patch = next(most_patches);
+  return {static_cast<std::size_t>(number),
+          patch,
+          {column - static_cast<int>(half_of_rows), row - static_cast<int>(half_of_rows)}};
+}
+
+std::optional<BreakNearBorder> near_border(const std::vector<Patch>& patches, const Point& place,
+                                           std::size_t extensions) {
+  const std::size_t number = patch_around(patches, place);
+  if (number == patches.size()) return std::nullopt;
+  const BlockGrid& grid = patches[number].grid;
+  if (has_all(patches[number].blocks, grid.near({place, place}, least_around_break * grid.size))) return std::nullopt;
+  return BreakNearBorder{extensions, static_cast<int>(number), *block_at(patches[number], place)};
+}
+
+std::optional<std::vector<Patch>> grown_around(const scene::Scene& scene, const std::vector<Patch>& patches,
+                                               const BreakNearBorder& broken) {
+  const auto number = static_cast<std::size_t>(broken.patch);
+  const auto has_number = [](int place) { return std::abs(place) < half_of_rows; };
+  if (number >= patches.size() || number >= most_patches || !std::ranges::all_of(broken.block, has_number))
+    return std::nullopt;
+  const BlockGrid& grid = patches[number].grid;
+  Blocks wanted;
+  const Box centre = grid.box(broken.block);
+  for (const Block& block : grid.near({centre.center(), centre.center()}, (blocks_around_break + 1) * grid.size))
+    if (grid.box(block).exteriorDistance(centre) < blocks_around_break * grid.size) wanted.insert(block);
+  return GrowingPatch(scene, patches, number).with(wanted, {broken.block});
 }
 
 }  // namespace bempd::regions

@@ -1,6 +1,8 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
+#include <cstdint>
 #include <map>
 #include <optional>
 #include <vector>
@@ -50,6 +52,28 @@ struct FollowedTip {
 // patch, has all the blocks around it that there can be, or has to leave its patch soon.
 std::optional<std::vector<Patch>> followed(const scene::Scene& scene, const std::vector<Patch>& patches,
                                            const FollowedTip& tip);
+
+// Bond that has broken in a patch near its border.
+struct BreakNearBorder {
+  std::size_t extensions;  // of cracks, before it
+  int patch;               // number in the list
+  Block block;             // of the patch's grid, which has the middle of the bond
+};
+// Number below 0 that stands for one, from which it can be told again.
+std::int64_t number_of(const BreakNearBorder& broken);
+BreakNearBorder break_of(std::int64_t number);
+// Number of extensions that there were when a patch grew, by a layout of fracture::EvolutionState.
+inline std::size_t extensions_before(std::int64_t layout) {
+  return layout < 0 ? break_of(layout).extensions : static_cast<std::size_t>(layout) + 1;
+}
+
+// Whether a place lies in a patch that does not have all blocks within two and a half horizons of it; empty if it does
+// not.
+std::optional<BreakNearBorder> near_border(const std::vector<Patch>& patches, const Point& place,
+                                           std::size_t extensions);
+// Patches with more blocks around a broken bond, otherwise like followed().
+std::optional<std::vector<Patch>> grown_around(const scene::Scene& scene, const std::vector<Patch>& patches,
+                                               const BreakNearBorder& broken);
 
 // Id of the first region without elements through which a crack runs; 0 if there is none.
 int lattice_around(const scene::Scene& scene, int crack);

@@ -45,6 +45,7 @@ class SomeTips final : public fracture::BodyCarrier {
     return std::vector<Point>(fractions.size());
   }
   fracture::CrackEvolution& body() override { return *model_.prepared().evolution; }
+  bool follow_breaks(const std::vector<coupling::StageChange>&) override { return false; }
   bool take_over_lines(bool) override { return false; }
 
   std::vector<crack::Step> steps;

@@ -1063,7 +1063,7 @@ since: 0.4""",
 since: 0.4""",
     "BEMPD_TREATMENT_AUTOMATIC": """the library chooses; the default""",
     "BEMPD_TREATMENT_ELEMENTS": """boundary elements along its faces, where it lies in a BEM region or a body""",
-    "BEMPD_TREATMENT_LATTICE": """a lattice patch of its body around it, in which it grows as a line""",
+    "BEMPD_TREATMENT_LATTICE": """a lattice patch of its body around it, in which it grows""",
     "BEMPD_TREATMENT_FROZEN": """as automatic, and its tips stay where they are""",
     "bempd_set_crack_treatment": """\
 Choose how a crack is modelled, or keep it from growing.
@@ -1078,13 +1078,15 @@ well. Nodes of the patch's border follow those of the body's outline. Between an
 crack and the patch one block of elements stays, so a crack that begins at an edge has elements
 there. A tip that has no two such blocks ahead of it any more gets five: points and bonds of the
 patch get other numbers, and the history a line. A tip that no more blocks fit around goes on in
-elements within two horizons of the border.
+elements within two horizons of the border. Bond by bond (crack.rule = "bond") blocks are added
+around a bond that breaks within 2.5 horizons of the border; where none fit, each event there ends
+its step as BEMPD_STOP_CRACK_STOPPED, since loads are no longer those of a large lattice.
 
 BEMPD_TREATMENT_FROZEN does what bempd_set_tip_frozen() does at both ends, and any other treatment
 releases a crack of which both are frozen. That may be done between steps too. Whether a crack has a
 patch cannot change any more once the model is prepared. Preparing fails as an argument error where
-a patch has no room, where a crack lies in several bodies, with the option crack.rule = "bond", and
-with BEMPD_TREATMENT_ELEMENTS for a crack in a region with a lattice.
+a patch has no room, where a crack lies in several bodies, and with BEMPD_TREATMENT_ELEMENTS for a
+crack in a region with a lattice.
 
 model [in]: the model
 crack [in]: id of a crack
@@ -2289,7 +2291,7 @@ since: 0.3""",
     "BEMPD_STOP_CRACK_STOPPED": """\
 A crack has reached a place from which it cannot go on: the interface of its region with another
 material, or the border of its region where the crack cannot cross it. The step ends there and keeps
-what happened; the next one goes on without that tip.
+what happened; the next one goes on without that tip. Bond by bond: see bempd_set_crack_treatment().
 
 since: 0.3""",
     "bempd_step_report": """\

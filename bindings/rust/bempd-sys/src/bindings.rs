@@ -353,7 +353,7 @@ extern "C" {
 pub const BEMPD_TREATMENT_AUTOMATIC: bempd_treatment = 1;
 /// boundary elements along its faces, where it lies in a BEM region or a body
 pub const BEMPD_TREATMENT_ELEMENTS: bempd_treatment = 2;
-/// a lattice patch of its body around it, in which it grows as a line
+/// a lattice patch of its body around it, in which it grows
 pub const BEMPD_TREATMENT_LATTICE: bempd_treatment = 3;
 /// as automatic, and its tips stay where they are
 pub const BEMPD_TREATMENT_FROZEN: bempd_treatment = 4;
@@ -375,14 +375,16 @@ extern "C" {
     /// one block of elements stays, so a crack that begins at an edge has elements there. A tip
     /// that has no two such blocks ahead of it any more gets five: points and bonds of the patch
     /// get other numbers, and the history a line. A tip that no more blocks fit around goes on in
-    /// elements within two horizons of the border.
+    /// elements within two horizons of the border. Bond by bond (crack.rule = "bond") blocks are
+    /// added around a bond that breaks within 2.5 horizons of the border; where none fit, each
+    /// event there ends its step as BEMPD_STOP_CRACK_STOPPED, since loads are no longer those of a
+    /// large lattice.
     ///
     /// BEMPD_TREATMENT_FROZEN does what bempd_set_tip_frozen() does at both ends, and any other
     /// treatment releases a crack of which both are frozen. That may be done between steps too.
     /// Whether a crack has a patch cannot change any more once the model is prepared. Preparing
     /// fails as an argument error where a patch has no room, where a crack lies in several bodies,
-    /// with the option crack.rule = "bond", and with BEMPD_TREATMENT_ELEMENTS for a crack in a
-    /// region with a lattice.
+    /// and with BEMPD_TREATMENT_ELEMENTS for a crack in a region with a lattice.
     ///
     /// * model \[in\]: the model
     /// * crack \[in\]: id of a crack
@@ -2307,7 +2309,8 @@ pub const BEMPD_STOP_NO_EQUILIBRIUM: bempd_stop_reason = 6;
 pub const BEMPD_STOP_REQUESTED: bempd_stop_reason = 7;
 /// A crack has reached a place from which it cannot go on: the interface of its region with another
 /// material, or the border of its region where the crack cannot cross it. The step ends there and
-/// keeps what happened; the next one goes on without that tip.
+/// keeps what happened; the next one goes on without that tip. Bond by bond: see
+/// bempd_set_crack_treatment().
 ///
 /// * since: 0.3
 pub const BEMPD_STOP_CRACK_STOPPED: bempd_stop_reason = 8;
