@@ -90,7 +90,7 @@ def bond_by_bond(quick: bool) -> list[str]:
              "| points, patch | whole | s, patch | whole |", "|---|---|---|---|---|---|---|---|---|---|---|---|"]
     for ratio in (3,) if quick else (3, 4, 5):
         for degrees in (0, 20):
-            lines.append(one_bond_by_bond(ratio, degrees, 30 if quick else 60 * ratio * ratio))
+            lines.append(one_bond_by_bond(ratio, degrees, 30 if quick else {3: 540, 4: 960, 5: 1100}[ratio]))
     return lines
 
 
