@@ -330,7 +330,7 @@ static void patches_follow_broken_bonds(void) {
   bempd_model *model = growing_plate(1, 1), *whole = growing_plate(0, 1);
   int64_t counts[2], points, k, *mine, *theirs;
   bempd_step_report report;
-  double worst = 0, jump;
+  double worst = 0, jump = 0;
   CHECK_OK(model, bempd_prepare(model));
   points = part_of(model, 1).material_points;
   for (k = 0; k < EVENTS; ++k) worst = fmax(worst, fabs(next_event(model) / next_event(whole) - 1));
