@@ -160,7 +160,7 @@ void move_between_rows(const Preparation& p, int crack, std::vector<CrackCrossin
   }
 }
 
-BentCrack bent_to(const scene::Crack& crack, const std::vector<CrackCrossing>& crossings, double same) {
+MovedCrack bent_to(const scene::Crack& crack, const std::vector<CrackCrossing>& crossings, double same) {
   Bending bending(crack, same);
   const double length = bending.length();
   for (std::size_t k = 0; k < crossings.size(); ++k) {
@@ -168,7 +168,7 @@ BentCrack bent_to(const scene::Crack& crack, const std::vector<CrackCrossing>& c
     bending.bend(crossings[k], k == 0 ? 0 : 0.5 * (crossings[k - 1].way + way),
                  k + 1 == crossings.size() ? length : 0.5 * (way + crossings[k + 1].way));
   }
-  BentCrack bent;
+  MovedCrack bent;
   for (const auto& v : bending.vertices()) {
     const bool crosses = bent.crossings.size() < crossings.size() && crossings[bent.crossings.size()].place == v.place;
     if (crosses) bent.crossings.push_back(bent.points.size());
@@ -179,14 +179,14 @@ BentCrack bent_to(const scene::Crack& crack, const std::vector<CrackCrossing>& c
   return bent;
 }
 
-std::pair<int, int> BentCrack::grown_at_ends(std::size_t from, std::size_t to) const {
+std::pair<int, int> MovedCrack::grown_at_ends(std::size_t from, std::size_t to) const {
   std::size_t first = from, last = to;
   while (first < to && grown[first]) ++first;
   while (last > first && grown[last - 1]) --last;
   return {static_cast<int>(first - from), static_cast<int>(to - last)};
 }
 
-scene::Crack BentCrack::crack() const {
+scene::Crack MovedCrack::crack() const {
   const auto [at_start, at_end] = grown_at_ends(0, points.size() - 1);
   return {points, at_start, at_end};
 }

@@ -29,7 +29,7 @@ void move_between_rows(const Preparation& preparation, int crack, std::vector<Cr
 
 // Crack that passes through its crossings with interfaces after these have been moved. It is bent within a few spacings
 // of a crossing into a lattice; crossings between two boundary element regions do not bend it.
-struct BentCrack {
+struct MovedCrack {
   std::vector<Point> points;
   std::vector<char> grown;             // by segment
   std::vector<std::size_t> crossings;  // points, by crossing
@@ -41,7 +41,7 @@ struct BentCrack {
 };
 // Bends a crack so that it passes through the places of its crossings. Vertices closer to each other than `same` become
 // one.
-BentCrack bent_to(const scene::Crack& crack, const std::vector<CrackCrossing>& crossings, double same);
+MovedCrack bent_to(const scene::Crack& crack, const std::vector<CrackCrossing>& crossings, double same);
 
 // Mouth of a crack on the interface of two boundary element regions that it passes through. Both regions have two nodes
 // there, one on each face of the crack, and share them. `before` and `behind` are the neighbouring points of the crack.

@@ -107,7 +107,7 @@ PartedCrack parted(const Preparation& p, int id, const scene::Crack& crack, std:
   std::vector<CrackCrossing> crossings = crossings_of(p, id, crack.points, region);
   if (crossings.empty()) return {crack, {{region, crack.points, crack.grown_at_start, crack.grown_at_end}}};
   move_between_rows(p, id, crossings, polyline_length(crack.points), warnings);
-  const BentCrack bent = bent_to(crack, crossings, 10 * p.tolerance);
+  const MovedCrack bent = bent_to(crack, crossings, 10 * p.tolerance);
   PartedCrack result{bent.crack(), {}};
   std::size_t from = 0;
   double start = 0;
