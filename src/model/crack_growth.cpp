@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "crack/cannot_grow.hpp"
 #include "elasticity/kinked_tip.hpp"
 #include "error.hpp"
 #include "model/crack_lengthening.hpp"
@@ -104,8 +105,7 @@ std::vector<regions::TipValues> CrackGrowth::free_tips() {
   const std::vector<regions::TipValues> tips = growing_tips();
   if (!tips.empty()) return tips;
   require(!tip_factors().empty(), no_tip_with_elements);
-  fail(Failure::argument,
-       "all tips are frozen, or have stopped before an interface; let one grow again with bempd_set_tip_frozen()");
+  fail(Failure::argument, crack::no_free_tip);
 }
 
 // Moves to the load factor at which the first tip becomes critical. If faces close or open or bonds break before that,

@@ -57,9 +57,7 @@ FatigueReport FatigueRun::run() {
 
 void FatigueRun::find_front() {
   const std::vector<regions::TipValues> tips = lengthening_.tips();
-  require(!tips.empty(),
-          "all tips have ended, have stopped before an interface, or are frozen; let a frozen one grow again with "
-          "bempd_set_tip_frozen()");
+  require(!tips.empty(), crack::no_free_tip);
   front_ = reader_.front(tips, nullptr);
   cracks_ = lengthening_.cracks();
   require(!front_.empty(),

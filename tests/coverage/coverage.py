@@ -1,6 +1,6 @@
 """Branch coverage of src by all tests.
 
-    coverage.py run     builds everything with clang's counters, runs the tests, prints the table and stores it (some 25 minutes)
+    coverage.py run     builds everything with clang's counters, runs the tests, prints the table and stores it (more than 25 minutes)
     coverage.py count   the same from the counters of the last run of tests
     coverage.py names   stores rows without numbers for new files of src, and none for files that are gone
     coverage.py check   the stored table has the present files, and each gate is kept and not lowered
