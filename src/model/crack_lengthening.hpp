@@ -58,6 +58,8 @@ class CrackLengthening {
   virtual bool grows_lines(const PreparedScene&) const { return false; }
   // Least length by which a tip can grow, of which its growth is a multiple [m]; 0 for any length.
   virtual double quantum(const regions::TipValues&) const { return 0; }
+  // Distance from a tip over which a lattice spreads the stress of the tip's field, two horizons [m]; 0 in elements.
+  virtual double spread(const regions::TipValues&, const PreparedScene&) const { return 0; }
   // Distance by which the effective tip, where the field of the tip begins, lies ahead of the tip's place [m].
   virtual double acts_ahead(const regions::TipValues&, const PreparedScene&) const { return 0; }
 

@@ -57,4 +57,8 @@ class FrontReader {
 
 const FrontTip* tip_in(const Front& front, const crack::TipId& tip);
 
+// Warns of cracks in lattices that are so short that the stress around their tips is not that of a tip.
+void warn_of_short_lines(const Front& front, const std::vector<scene::Crack>& cracks,
+                         const CrackLengthening& lengthening);
+
 }  // namespace bempd::model

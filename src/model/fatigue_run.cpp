@@ -43,6 +43,7 @@ FatigueReport FatigueRun::run() {
   place_ = program_.place_after(options_.first_cycle);
   report_.cycles = options_.first_cycle;
   find_front();
+  warn_of_short_lines(front_, cracks_, lengthening_);
   if (options_.first_cycle > 0) {
     overloads_.take_up(model_.fatigue().overloads(), front_, cracks_, options_.first_cycle);
     find_rates();

@@ -111,11 +111,22 @@ double LineLengthening::quantum(const regions::TipValues& tip) const {
   return spacing_at(tip, model_.prepared());
 }
 
-double LineLengthening::spacing_at(const regions::TipValues& tip, const PreparedScene& scene) const {
+// Law of the tips in the lattice around a tip; empty if the tip lies in no lattice.
+std::optional<pd::TipLaw> LineLengthening::law_at(const regions::TipValues& tip, const PreparedScene& scene) const {
   const int region = region_of(tip, scene);
   const regions::RegionBonds* bonds = region == 0 ? nullptr : scene.discretization.region(region).bonds();
-  const auto law = bonds ? bonds->tip_law(model_.options()) : std::nullopt;
+  return bonds ? bonds->tip_law(model_.options()) : std::nullopt;
+}
+
+double LineLengthening::spacing_at(const regions::TipValues& tip, const PreparedScene& scene) const {
+  const auto law = law_at(tip, scene);
   return law ? law->spacing : 0;
+}
+
+double LineLengthening::spread(const regions::TipValues& tip, const PreparedScene& scene) const {
+  if (tip.method == regions::TipMethod::elements) return 0;
+  const auto law = law_at(tip, scene);
+  return law ? 2 * law->horizon : 0;
 }
 
 // Distance ahead of its place at which a tip acts: 0 for an initial crack, whose cut ends so that it acts where it was

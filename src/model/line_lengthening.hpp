@@ -1,9 +1,11 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "model/crack_lengthening.hpp"
+#include "pd/tip_law.hpp"
 
 namespace bempd::model {
 
@@ -24,6 +26,7 @@ class LineLengthening final : public CrackLengthening {
   void in_scene_of(LongerCracks* longer, const std::function<void()>& read) override;
   bool grows_lines(const PreparedScene& scene) const override;
   double quantum(const regions::TipValues& tip) const override;
+  double spread(const regions::TipValues& tip, const PreparedScene& scene) const override;
   double acts_ahead(const regions::TipValues& tip, const PreparedScene& scene) const override;
   void go_to(double load_factor) override;
   LongerCracks lengthened(const std::vector<Lengthened>& tips) override;
@@ -31,6 +34,7 @@ class LineLengthening final : public CrackLengthening {
   void stay() override { return_to_accepted(); }
 
  private:
+  std::optional<pd::TipLaw> law_at(const regions::TipValues& tip, const PreparedScene& scene) const;
   double spacing_at(const regions::TipValues& tip, const PreparedScene& scene) const;
   void remember();
   void return_to_accepted();

@@ -160,8 +160,13 @@ void require_repeatable(const Model& model, const RunJournal& journal) {
     fail(Failure::order,
          "the run cannot be repeated: it has load programs, steps to values, growth by a given length or by cycles, or "
          "began from bytes of a state; ask after steps that move the load factor");
-  if (model.cracks().extensions().empty())
-    fail(Failure::order, "no crack has grown yet; bempd_error_estimate() tells the errors of the present results");
+  if (!model.cracks().extensions().empty()) return;
+  const PreparedScene* prepared = model.prepared_or_null();
+  if (prepared && prepared->evolution->progress().broken_bonds > 0)
+    fail(Failure::order,
+         "cracks have grown bond by bond, which has no longer extensions to compare with; run the scene with half the "
+         "spacing (bempd_set_body_lattice) and compare, or with crack.rule = line");
+  fail(Failure::order, "no crack has grown yet; bempd_error_estimate() tells the errors of the present results");
 }
 
 // Errors of a run, estimated with caution from its difference `d` to a run with longer extensions. Its beginning,

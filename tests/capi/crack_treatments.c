@@ -330,6 +330,7 @@ static void patches_follow_broken_bonds(void) {
   bempd_model *model = growing_plate(1, 1), *whole = growing_plate(0, 1);
   int64_t counts[2], points, k, *mine, *theirs;
   bempd_step_report report;
+  bempd_run_errors errors;
   double worst = 0, jump = 0;
   CHECK_OK(model, bempd_prepare(model));
   points = part_of(model, 1).material_points;
@@ -340,6 +341,8 @@ static void patches_follow_broken_bonds(void) {
   for (k = 0; k < counts[0] && k < counts[1]; ++k) CHECK(mine[k] == theirs[k]);
   CHECK(worst < 5e-4);
   CHECK(part_of(model, 1).material_points > points + 200 && layouts_of(model, &jump) >= 1);
+  CHECK_OK(NULL, bempd_run_errors_init(&errors, sizeof errors));
+  CHECK_FAILS(model, BEMPD_ERROR_ORDER, "bond by bond", bempd_run_error_estimate(model, 1e3, &errors));
   printf("bond by bond: loads off by %g at most; %lld of %lld points at first; stored energy changed by %g\n", worst,
          (long long)points, (long long)part_of(model, 1).material_points, jump);
   CHECK_OK(NULL, bempd_step_report_init(&report, sizeof report));

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import warnings
 from typing import Any, Callable, Mapping, Optional, Sequence, Union
 
 import numpy as np
@@ -97,7 +98,8 @@ class Fatigue:
 
         A block is a number of `cycles` between the load factors `high` and `low`; several blocks follow each other and are
         repeated. One block without cycles is a constant amplitude. The model is at the highest load factor afterwards,
-        with the longer cracks. With a `detectable` length [m] the life has an interval of so many `inspections`.
+        with the longer cracks. With a `detectable` length [m] the life has an interval of so many `inspections`; a warning
+        tells if the crack never has that length.
 
         `high` and `low` may also be combinations of load cases: `{case: factor}` for each block (see add_load_case()).
 
@@ -116,9 +118,15 @@ class Fatigue:
         by_cases = _are_cases(high) or _are_cases(low)
         rows_of = self._case_rows if by_cases else lambda values: np.atleast_1d(np.asarray(values, dtype=np.float64))
         tops, bottoms, counts = _blocks(rows_of(high), rows_of(low), cycles)
-        for name, value in (("most_cycles", most_cycles), ("most_length", most_length), ("inspections", inspections)):
+        for name, value in (("most_cycles", most_cycles), ("most_length", most_length)):
             if value is not None and not value > 0:
                 raise ArgumentError(f"grow_fatigue: {name} is {value}; it must be > 0")
+        if not inspections >= 1:
+            raise ArgumentError(f"grow_fatigue: inspections is {inspections}; give at least 1")
+        if detectable is not None and not 0 < detectable < np.inf:
+            raise ArgumentError(f"grow_fatigue: detectable is {detectable}; it must be a length > 0")
+        if detectable is not None and most_length is not None and detectable > most_length:
+            raise ArgumentError(f"grow_fatigue: no crack has the detectable length {detectable:g} when growth ends at {most_length:g}")
         if tops.ndim != (2 if by_cases else 1):
             raise ArgumentError(f"grow_fatigue: high and low have shape {tops.shape}; give a number or a row for each")
         options = new_struct("bempd_fatigue", "bempd_fatigue_init")
@@ -132,7 +140,13 @@ class Fatigue:
         life = FatigueLife(stop_reason=FatigueStop(report.stop_reason), crack=report.crack,
                            end=TipEnd(report.end) if report.end else None, steps=report.steps, cycles=report.cycles,
                            growth=report.growth, error=report.error, table=self._fatigue_table())
-        return life if detectable is None else life.inspected(detectable, inspections=inspections)
+        if detectable is None:
+            return life
+        try:
+            return life.inspected(detectable, inspections=inspections)
+        except ArgumentError as error:  # the cracks have grown: their life is not lost for an interval
+            warnings.warn(f"{error}; the life has no interval of inspections", stacklevel=2)
+            return life
 
     def _case_rows(self, combinations: Any) -> npt.NDArray[np.float64]:
         """Factors of all load cases, a row for each combination."""

@@ -5,6 +5,7 @@ from __future__ import annotations
 import csv
 import pathlib
 import sys
+import warnings
 from typing import Any
 
 import numpy as np
@@ -260,8 +261,31 @@ def test_one_call_has_the_life_and_the_interval_of_inspections() -> None:
     assert np.isnan(plate(0.01).grow_fatigue(most_length=0.1).interval)
     with pytest.raises(bempd.ArgumentError, match="inspections is 0"):
         plate(0.01).grow_fatigue(most_length=0.1, detectable=0.04, inspections=0)
-    with pytest.raises(bempd.ArgumentError, match="never has the length 5"):
-        plate(0.01).grow_fatigue(most_length=0.1, detectable=5)
+    model = plate(0.01)
+    for refused, told in ((5, "length 5 when growth ends at 0.1"), (-1, "a length > 0"), (float("nan"), "a length > 0")):
+        with pytest.raises(bempd.ArgumentError, match=told):
+            model.grow_fatigue(most_length=0.1, detectable=refused)
+    with pytest.raises(bempd.ArgumentError, match="inspections is 0.5"):
+        model.grow_fatigue(most_length=0.1, detectable=0.04, inspections=0.5)
+    assert model.crack_length(1) == pytest.approx(0.02)  # nothing has grown
+    with pytest.warns(UserWarning, match="never has the length 0.01 here"):
+        life = model.grow_fatigue(most_length=0.1, detectable=0.01)
+    assert life.cycles > 0 and np.isnan(life.interval)
+
+
+@pytest.mark.parametrize("spacings", [4, 12])
+def test_a_crack_of_a_few_spacings_has_a_warning(spacings: int) -> None:
+    model = bempd.Model()
+    acrylic = model.add_material(young_modulus=3e9, poisson_ratio=1 / 3, fracture_energy=300)
+    square = model.add_pd_region(acrylic, bempd.rectangle(0, 0, 1, 1), spacing=1 / 40)
+    model.add_crack([(0.5 - spacings / 80, 0.4875), (0.5 + spacings / 80, 0.4875)])
+    model.fix_edge(square, 1)
+    model.add_traction(square, 3, "y", 1e4)
+    model.set_growth_rate(acrylic, coefficient=1e-11, exponent=3)
+    with warnings.catch_warnings(record=True) as told:
+        warnings.simplefilter("always")
+        model.grow_fatigue(most_steps=1)
+    assert [str(one.message).startswith("crack 1 is 4 spacings") for one in told] == ([True] if spacings == 4 else [])
 
 
 def test_a_crack_that_does_not_grow_has_its_length_from_the_beginning() -> None:
