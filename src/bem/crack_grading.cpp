@@ -14,6 +14,7 @@ namespace bempd::bem {
 namespace {
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
+constexpr double largest_distance = 1e100;  // with which boxes can be compared
 
 // Limit on the ratio of two distances from a point of a crack line that meets another line at a joint: that to the
 // other line, and that along its own line to the joint. Below the limit the two lines run beside each other with a gap;
@@ -81,6 +82,7 @@ CrackSizes::CrackSizes(const CrackLines& cracks, const std::vector<Edge>& bounda
                        std::vector<MouthOnRow> mouths)
     : cracks_(cracks),
       boundary_(boundary),
+      edges_(coarse_boxes(boundary)),
       tolerance_(tolerance),
       grading_(grading),
       mouths_(std::move(mouths)),
@@ -91,6 +93,8 @@ CrackSizes::CrackSizes(const CrackLines& cracks, const std::vector<Edge>& bounda
     for (std::size_t i = 0; i + 1 < line.points.size(); ++i)
       ways_.back().push_back(ways_.back().back() + segment(line, i).length());
     const double given = given_length(line);
+    around_.emplace_back();
+    for (const Point& point : line.points) around_.back().extend(point);
     targets_.push_back((given > 0 ? given : line.given_elsewhere) / grading.elements_per_line);
     ends_.insert(ends_.end(), {line.points.front(), line.points.back()});
     for (std::size_t v = 1; v + 1 < line.points.size(); ++v)
@@ -171,7 +175,10 @@ void CrackSizes::for_neighbours(int l, double way, const Point& x, const double&
         apart = std::min(apart, end == 0 ? way : ways.back() - way);
     return apart;
   };
-  for (const Edge& edge : boundary_) {
+  // The tolerance covers the rounding of the boxes.
+  const Point reach = Point::Constant(std::min(limit, largest_distance) + 2 * tolerance_);
+  for (const int number : edges_.meeting({x - reach, x + reach})) {
+    const Edge& edge = boundary_[static_cast<std::size_t>(number)];
     if (least_distance(edge, x) - tolerance_ >= limit) continue;
     const double apart =
         way_to_joint([&](int joint) { return bempd::distance(edge, cracks_.joints[joint].place) <= 8 * tolerance_; });
@@ -270,6 +277,11 @@ double CrackSizes::on_boundary(const Point& x, double undivided) const {
 }
 
 std::vector<double> CrackSizes::refined(const Arc& piece, const std::vector<double>& stations) const {
+  // Elements no longer than the distance from all cracks are short enough.
+  const Point middle = piece.chord().at(0.5);
+  const double reach = piece.length() - least_distance(piece, middle);
+  if (std::all_of(around_.begin(), around_.end(), [&](const Box& box) { return box.exteriorDistance(middle) > reach; }))
+    return stations;
   std::vector<double> result{stations.front()};
   for (std::size_t i = 0; i + 1 < stations.size(); ++i) {
     const double length = (stations[i + 1] - stations[i]) * piece.length();

@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "geometry/arc.hpp"
+#include "geometry/box_tree.hpp"
 #include "geometry/crack_lines.hpp"
 
 namespace bempd::bem {
@@ -74,10 +75,12 @@ class CrackSizes {
 
   const CrackLines& cracks_;
   const std::vector<Edge>& boundary_;
+  BoxTree edges_;  // of the circles around the boundary's edges
   double tolerance_;
   CrackGrading grading_;
   std::vector<MouthOnRow> mouths_;
   std::vector<std::vector<double>> ways_;  // of the points of each line
+  std::vector<Box> around_;                // each line
   std::vector<double> targets_;            // length of elements on the part of each line that has not grown
   std::vector<Point> ends_;                // of gaps: where fields vary quickly along them
   std::vector<std::vector<double>> stations_;

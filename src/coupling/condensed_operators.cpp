@@ -20,7 +20,7 @@ void CondensedOperators::condense(const std::vector<DofKind>& kind, SolverCounte
   list_.reserve(pending_.size());
   for (const DenseOperator& op : pending_) {
     check_cancelled();
-    list_.emplace_back(op, kind, list_, known_);
+    list_.emplace_back(op, kind, known_);
     counters.dense_factorizations += list_.back().has_factorized() ? 1 : 0;
     counters.reciprocal_condition = std::min(counters.reciprocal_condition, list_.back().reciprocal_condition());
   }

@@ -6,29 +6,27 @@
 namespace bempd::coupling {
 
 OperatorSchurComplement::OperatorSchurComplement(const DenseOperator& source, const std::vector<DofKind>& kind,
-                                                 const std::vector<OperatorSchurComplement>& built,
-                                                 const KnownSchurComplements& known)
+                                                 KnownSchurComplements& known)
     : rest_(source.rest), constraints_(source.constraints) {
   if (constraints_) gap_offsets_ = Affine::Zero(static_cast<Eigen::Index>(constraint_count()), 2);
-  for (int node : source.nodes) all_.insert(all_.end(), {2 * node, 2 * node + 1});
+  all_.reserve(2 * source.nodes.size());
   std::vector<DofKind> own;
-  for (int dof : all_) own.push_back(kind[dof]);
-  const auto same = std::find_if(built.begin(), built.end(), [&](const OperatorSchurComplement& other) {
-    return other.schur_->is_of(source.stiffness, own);
-  });
+  own.reserve(all_.capacity());
+  for (const int node : source.nodes)
+    for (const int dof : {2 * node, 2 * node + 1}) all_.push_back(dof), own.push_back(kind[dof]);
   const auto [first, last] = known.equal_range(source.stiffness.get());
-  const auto before =
+  const auto same =
       std::find_if(first, last, [&](const auto& one) { return one.second->is_of(source.stiffness, own); });
-  if (same != built.end()) {
-    schur_ = same->schur_;
-  } else if (before != last) {
-    schur_ = before->second;
+  if (same != last) {
+    schur_ = same->second;
   } else {
     schur_ = source.method->schur_complement(source.stiffness, std::move(own));
     has_factorized_ = !schur_->private_dofs().empty();
+    known.emplace(source.stiffness.get(), schur_);
   }
-  for (int i : schur_->private_dofs()) private_.push_back(all_[i]);
-  for (int i : schur_->shared_dofs()) shared_.push_back(all_[i]);
+  private_.reserve(schur_->private_dofs().size()), shared_.reserve(schur_->shared_dofs().size());
+  for (const int i : schur_->private_dofs()) private_.push_back(all_[i]);
+  for (const int i : schur_->shared_dofs()) shared_.push_back(all_[i]);
   if (constraints_) find_switchable();
 }
 

@@ -13,18 +13,16 @@
 
 namespace bempd::coupling {
 
-// Schur complements of another system, by their stiffness.
+// Schur complements of this system and of another one, by their stiffness.
 using KnownSchurComplements = std::multimap<const Eigen::MatrixXd*, std::shared_ptr<const SchurComplement>>;
 
 // Dense operator whose private unknowns are eliminated once, so that only the unknowns that it shares with other parts
 // enter the sparse system.
 class OperatorSchurComplement {
  public:
-  // Condenses `source`; `kind` classifies every global degree of freedom. The Schur complement is taken over from an
-  // operator of `built`, or from `known`, if that has the same. Throws Error (unsolvable) if the private block is
-  // singular.
-  OperatorSchurComplement(const DenseOperator& source, const std::vector<DofKind>& kind,
-                          const std::vector<OperatorSchurComplement>& built, const KnownSchurComplements& known = {});
+  // Condenses `source`; `kind` classifies every global degree of freedom. The Schur complement is taken over from
+  // `known` if it is there, else added. Throws Error (unsolvable) if the private block is singular.
+  OperatorSchurComplement(const DenseOperator& source, const std::vector<DofKind>& kind, KnownSchurComplements& known);
 
   const std::shared_ptr<const SchurComplement>& schur() const { return schur_; }
   const std::shared_ptr<const ExactConstraints>& constraints() const { return constraints_; }

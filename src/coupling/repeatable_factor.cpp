@@ -25,7 +25,8 @@ Constraints all_closed(const std::vector<Constraint>& list) {
 void RepeatableFactor::place_nodes(const std::vector<Point>& positions) {
   substructures_.place(positions);
   if (!parts_.is_symmetric()) return;
-  factor_.set_graph(coupling_graph(positions, parts_.terms, parts_.ties, parts_.bodies.list()));
+  factor_.set_graph(
+      [this] { return coupling_graph(substructures_.positions(), parts_.terms, parts_.ties, parts_.bodies.list()); });
 }
 
 void RepeatableFactor::keep_last(std::vector<int> nodes) {

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "cancellation.hpp"
+#include "coupling/lower_blocks.hpp"
 #include "linalg/dense_parts.hpp"
 
 namespace bempd::coupling {
@@ -21,8 +22,9 @@ struct Substructure {
   Eigen::Index eliminated = 0, count = 0;
 
   linalg::DenseCholesky pivots;
-  Eigen::MatrixXd below, rest;  // of `rest` the lower triangle
-  Eigen::VectorXd diagonal;     // of the sum of all parts, for the unknowns that remain
+  Eigen::MatrixXd below;
+  PackedLower rest;
+  Eigen::VectorXd diagonal;  // of the sum of all parts, for the unknowns that remain
   double smallest_pivot_ratio = 1;
 
   const void* first_component() const {
@@ -47,31 +49,6 @@ constexpr int most_halvings = 60;
 // substructure of others, which grows as this root.
 constexpr double most_joined_last = 8;
 
-// Lower triangle of a symmetric sum in three blocks: of the eliminated unknowns, of both kinds, of the others.
-struct LowerBlocks {
-  Eigen::MatrixXd eliminated, mixed, others;
-
-  LowerBlocks(Eigen::Index first, Eigen::Index rest)
-      : eliminated(Eigen::MatrixXd::Zero(first, first)),
-        mixed(Eigen::MatrixXd::Zero(rest, first)),
-        others(Eigen::MatrixXd::Zero(rest, rest)) {}
-
-  // Adds the lower triangle of a symmetric matrix, whose unknowns have these places in the sum.
-  void add(const Eigen::MatrixXd& matrix, const std::vector<int>& places) {
-    const Eigen::Index first = eliminated.cols();
-    for (Eigen::Index j = 0; j < matrix.cols(); ++j) {
-      const Eigen::Index column = places[static_cast<std::size_t>(j)];
-      for (Eigen::Index i = j; i < matrix.rows(); ++i) {
-        const Eigen::Index row = places[static_cast<std::size_t>(i)];
-        const Eigen::Index high = std::max(row, column), low = std::min(row, column);
-        (low >= first    ? others(high - first, low - first)
-         : high >= first ? mixed(high - first, low)
-                         : eliminated(high, low)) += matrix(i, j);
-      }
-    }
-  }
-};
-
 }  // namespace
 
 // Computes the elimination; false if the matrix is not positive definite.
@@ -82,20 +59,28 @@ bool Substructure::eliminate() {
   Eigen::VectorXd whole = Eigen::VectorXd::Zero(count);
   for (std::size_t k = 0; k < places.size(); ++k) {
     const bool is_half = k < halves.size();
-    const Eigen::MatrixXd& matrix = is_half ? halves[k]->rest : parts[k - halves.size()].entries();
-    sum.add(matrix, places[k]);
-    whole(places[k]) += is_half ? halves[k]->diagonal : matrix.diagonal();
-    if (is_half) smallest_pivot_ratio = std::min(smallest_pivot_ratio, halves[k]->smallest_pivot_ratio);
+    if (is_half) {
+      sum.add(halves[k]->rest, places[k]);
+      whole(places[k]) += halves[k]->diagonal;
+      smallest_pivot_ratio = std::min(smallest_pivot_ratio, halves[k]->smallest_pivot_ratio);
+    } else {
+      const Eigen::MatrixXd& matrix = parts[k - halves.size()].entries();
+      sum.add(matrix, places[k]);
+      whole(places[k]) += matrix.diagonal();
+    }
   }
   diagonal = whole.tail(others);
   below = std::move(sum.mixed);
-  rest = std::move(sum.others);
-  if (eliminated == 0) return true;
+  if (eliminated == 0) {
+    rest.take(sum.others);
+    return true;
+  }
   pivots.compute(std::move(sum.eliminated));
   if (pivots.info() != Eigen::Success) return false;
   if (others > 0) {
     linalg::solve_upper_from_right(pivots.lower(), below);
-    linalg::add_square(rest, below, -1);
+    linalg::add_square(sum.others, below, -1);
+    rest.take(sum.others);
   }
   const Eigen::VectorXd ratios = pivots.lower().diagonal().cwiseAbs2().cwiseQuotient(whole.head(eliminated));
   smallest_pivot_ratio = std::min(smallest_pivot_ratio, ratios.minCoeff());

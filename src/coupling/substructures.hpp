@@ -34,6 +34,7 @@ struct MatrixSources {
 class Substructures {
  public:
   void place(const std::vector<Point>& positions) { positions_ = positions; }  // of the nodes
+  const std::vector<Point>& positions() const { return positions_; }
   void take_over(const Substructures& before) { last_ = before.last_; }
   // Makes solver_of() return null from now on, for callers that need a Cholesky factor of the whole matrix; returns
   // whether it has given a solver before.

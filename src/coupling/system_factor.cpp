@@ -56,7 +56,8 @@ bool SystemFactor::keeps(const std::vector<int>& nodes) const {
 
 void SystemFactor::choose_order() {
   linalg::SparseCholesky* cholesky = solver_->cholesky();
-  if (!graph_ || !cholesky) return;
+  if (!make_graph_ || !cholesky) return;
+  if (!graph_) graph_ = std::make_unique<linalg::NodeGraph>(make_graph_());
   const int node_count = static_cast<int>(unknowns_.kind.size() / 2);
   std::vector<char> member(node_count, 0);
   for (int node = 0; node < node_count; ++node) member[node] = unknowns_.has_unknown(node) ? 1 : 0;

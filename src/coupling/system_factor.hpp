@@ -30,8 +30,12 @@ class SystemFactor {
   SystemFactor(const SolutionMethod& method, const Unknowns& unknowns, SolverCounters& counters)
       : method_(method), unknowns_(unknowns), counters_(counters) {}
 
-  // Sets the graph of the nodes, from which an order of elimination with less fill follows.
-  void set_graph(linalg::NodeGraph graph) { graph_ = std::make_unique<linalg::NodeGraph>(std::move(graph)); }
+  // Sets what makes the graph of the nodes, from which an order of elimination with less fill follows. It is made when
+  // an order is first chosen: substructures need none.
+  void set_graph(std::function<linalg::NodeGraph()> make) {
+    make_graph_ = std::move(make);
+    graph_.reset();
+  }
 
   // Makes the next factorization eliminate the unknowns of these nodes last.
   void keep_last(std::vector<int> nodes);
@@ -89,6 +93,7 @@ class SystemFactor {
   const SolutionMethod& method_;
   const Unknowns& unknowns_;
   SolverCounters& counters_;
+  std::function<linalg::NodeGraph()> make_graph_;
   std::unique_ptr<linalg::NodeGraph> graph_;
   std::vector<int> kept_nodes_;
   int kept_ = 0;

@@ -69,6 +69,7 @@ void mark_mouths(Path& path, const std::vector<Edge>& boundary, double tolerance
   for (int i = 0; i < path.segments(); ++i) {
     const Segment segment = path.segment(i);
     for (const Edge& edge : boundary) {
+      if (least_distance(edge, segment.at(0.5)) > 0.5 * segment.length() + 2 * tolerance) continue;
       std::vector<Point> places;
       for (const Crossing& c : meeting_points(Edge(segment.start, segment.end), edge))
         places.push_back(segment.at(c.fraction_a));

@@ -53,6 +53,17 @@ Box bounding_box(const Edge& edge) {
   return box;
 }
 
+std::vector<Box> coarse_boxes(const std::vector<Edge>& edges) {
+  std::vector<Box> boxes(edges.size());
+  for (std::size_t e = 0; e < edges.size(); ++e)
+    for (int k = 0; k < edges[e].piece_count(); ++k) {
+      const Arc& arc = edges[e].piece(k);
+      const Point middle = arc.chord().at(0.5), reach = Point::Constant(-least_distance(arc, middle));
+      boxes[e].extend(Box(middle - reach, middle + reach));
+    }
+  return boxes;
+}
+
 double closest_fraction(const Edge& edge, const Point& p) {
   const double first = closest_fraction(edge.piece(0), p);
   if (edge.piece_count() == 1) return first;

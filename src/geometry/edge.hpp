@@ -43,6 +43,8 @@ class Edge {
 };
 
 Box bounding_box(const Edge& edge);
+// Boxes around the circles by which least_distance() bounds the distance from edges; larger, but found faster.
+std::vector<Box> coarse_boxes(const std::vector<Edge>& edges);
 double closest_fraction(const Edge& edge, const Point& p);
 double distance(const Edge& edge, const Point& p);
 // Lower bound on that distance, found faster.

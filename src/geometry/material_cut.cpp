@@ -33,6 +33,11 @@ double angle_between(const Point& from, const Point& to) {
   return angle < 0 ? angle + 2 * std::numbers::pi : angle;
 }
 
+// Lower bound on the distance of two segments: that of the circles around them.
+double least_distance(const Segment& a, const Segment& b) {
+  return (a.at(0.5) - b.at(0.5)).norm() - 0.5 * (a.length() + b.length());
+}
+
 }  // namespace
 
 bool is_clear_of(const Stations& cut, const std::vector<Stations>& cracks) {
@@ -40,6 +45,7 @@ bool is_clear_of(const Stations& cut, const std::vector<Stations>& cracks) {
     for (std::size_t e = 0; e + 1 < crack.size(); ++e) {
       const Segment on_crack{crack[e], crack[e + 1]};
       const Segment whole{cut.front(), cut.back()};
+      if (least_distance(whole, on_crack) > 1.01 * whole.length() / growth_with_distance_from_cracks) continue;
       const double gap = closest_approach(whole, on_crack).distance;
       if (gap > whole.length() / growth_with_distance_from_cracks) continue;
       for (std::size_t k = 0; k + 1 < cut.size(); ++k) {

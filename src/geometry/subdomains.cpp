@@ -5,6 +5,7 @@
 #include <map>
 #include <set>
 
+#include "geometry/cut_body.hpp"
 #include "geometry/edge.hpp"
 #include "geometry/material_cut.hpp"
 #include "geometry/placed_nodes.hpp"
@@ -51,22 +52,34 @@ class Subdivider {
     return finished();
   }
 
-  Subdivision run(const std::vector<Stations>& cuts, const std::vector<Stations>& cracks) {
+  Subdivision run(const std::vector<Stations>& cuts, const std::vector<Stations>& cracks,
+                  std::shared_ptr<const CutBody> before) {
     cracks_ = cracks;
     std::vector<char> made(cuts.size());
     for (std::size_t c = 0; c < cuts.size(); ++c) made[c] = is_clear_of(cuts[c], cracks_) ? 1 : 0;
-    std::vector<SubdomainLoops> parts;
-    do parts = split(loops_of(body_), cuts_made(cuts, made), positions_);
-    while (drop_slits(parts, made));
-    if (parts.empty()) {
-      cuts_made({}, {});
-      parts = {loops_of(body_)};
-    }
-    divide(std::move(parts));
+    done_.joined = before && before->is_of(body_, cuts, made) ? std::move(before) : cut_along(cuts, std::move(made));
+    positions_ = done_.joined->positions, panels_ = done_.joined->panels;
+    done_.cuts = done_.joined->made, left_out_ = done_.joined->left_out;
+    divide(done_.joined->parts);
     return finished();
   }
 
  private:
+  // Cuts the body along those of the cuts that are flagged, but for the ones that have the same part on both sides.
+  std::shared_ptr<const CutBody> cut_along(const std::vector<Stations>& cuts, std::vector<char> made) {
+    auto cut = std::make_shared<CutBody>();
+    cut->body = body_, cut->given = cuts, cut->keep_off = made;
+    do cut->parts = split(loops_of(body_), cuts_made(cuts, made), positions_);
+    while (drop_slits(cut->parts, made));
+    if (cut->parts.empty()) {
+      cuts_made({}, {});
+      cut->parts = {loops_of(body_)};
+    }
+    cut->positions = positions_, cut->panels = panels_;
+    cut->made = done_.cuts, cut->left_out = left_out_;
+    return cut;
+  }
+
   // Halves the parts as long as they are too large; in a body with cracks, only parts that the cracks have changed.
   void divide(std::vector<SubdomainLoops> waiting) {
     while (!waiting.empty()) {
@@ -277,8 +290,8 @@ Subdivision subdivide(const BoundaryMesh& body, std::size_t most_elements) {
 }
 
 Subdivision subdivide(const BoundaryMesh& body, std::size_t most_elements, const std::vector<Stations>& cuts,
-                      const std::vector<Stations>& cracks) {
-  return Subdivider(body, most_elements).run(cuts, cracks);
+                      const std::vector<Stations>& cracks, const Subdivision* before) {
+  return Subdivider(body, most_elements).run(cuts, cracks, before ? before->joined : nullptr);
 }
 
 }  // namespace bempd

@@ -195,7 +195,7 @@ std::unique_ptr<PreparedScene> Preparation::build(const PreparedScene* before, O
   const scene::Options& options = model_.options();
   const PreparedScene* const lender = operators == Operators::kept ? before : nullptr;
   auto p = std::make_unique<PreparedScene>();
-  p->fingerprint = fingerprint(scene_, options);
+  p->fingerprint = before ? before->fingerprint : fingerprint(scene_, options);
   p->discretization = regions::discretize(scene_, options, lender ? &lender->discretization : nullptr);
   regions::Discretization& d = p->discretization;
   p->conditions = regions::apply_conditions(scene_, d);

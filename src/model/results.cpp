@@ -21,12 +21,13 @@ void require_numbers(const Eigen::Ref<const Eigen::VectorXd>& values) {
 regions::Solution solution_of(const PreparedScene& prepared) {
   const fracture::EvolutionState& state = prepared.evolution->state();
   std::vector<std::vector<char>> closed(prepared.conditions.body_force.rows() / 3);
-  if (prepared.system->constraints().closed_exact_count() > 0)
+  const std::vector<coupling::OperatorSchurComplement>& operators = prepared.system->operators().list();
+  if (std::size_t first = 0; prepared.system->constraints().closed_exact_count() > 0)
     for (const auto& region : prepared.discretization.regions) {
       std::vector<char>& own = closed[static_cast<std::size_t>(region->id()) - 1];
-      if (!region->operators()) continue;
-      for (const regions::OperatorNodes& one : region->operators()->nodes_of_operators()) {
-        const std::vector<char> flags = prepared.system->operators().closed_on(one.nodes);
+      const std::size_t count = region->operators() ? region->operators()->count() : 0;
+      for (std::size_t k = 0; k < count; ++k) {
+        const std::vector<char> flags = operators[first++].closed();
         own.insert(own.end(), flags.begin(), flags.end());
       }
     }

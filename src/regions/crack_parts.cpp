@@ -20,6 +20,7 @@ std::vector<double> stations_on(const Scene& scene, const Segment& segment, doub
   std::vector<double> fractions{0.0, 1.0};
   for (int id : scene.region_ids()) {
     for (const Edge& edge : edges_of(scene.region(id).outline())) {
+      if (least_distance(edge, segment.at(0.5)) > 0.5 * segment.length() + 2 * tolerance) continue;
       for (const Crossing& crossing : meeting_points(Edge(segment.start, segment.end), edge))
         fractions.push_back(crossing.fraction_a);
       if (distance(segment, edge.start) <= tolerance) fractions.push_back(closest_fraction(segment, edge.start));
@@ -101,8 +102,16 @@ double way_to_bend(const std::vector<Point>& points, std::size_t from, bool forw
   return way;
 }
 
+// The crack as it was divided in the scene before, if it has not grown and has one part there; null if not.
+const PartedCrack* whole_before(const Preparation& p, int id, const scene::Crack& crack) {
+  if (!p.cracks_before || static_cast<std::size_t>(id) > p.cracks_before->size()) return nullptr;
+  const PartedCrack& before = (*p.cracks_before)[static_cast<std::size_t>(id) - 1];
+  return before.parts.size() == 1 && before.crack == crack ? &before : nullptr;
+}
+
 PartedCrack parted(const Preparation& p, int id, const scene::Crack& crack, std::vector<std::string>& warnings) {
   if (crack.points.empty()) return {};
+  if (const PartedCrack* same = whole_before(p, id, crack)) return *same;
   int region = 0;
   std::vector<CrackCrossing> crossings = crossings_of(p, id, crack.points, region);
   if (crossings.empty()) return {crack, {{region, crack.points, crack.grown_at_start, crack.grown_at_end}}};

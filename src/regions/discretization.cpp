@@ -102,16 +102,28 @@ RegionStatistics Discretization::statistics() const {
 
 Discretization discretize(const scene::Scene& scene, const scene::Options& options, const Discretization* before) {
   Discretization d;
-  std::vector<Outline> outlines;
-  for (int id : scene.region_ids()) outlines.push_back(scene.region(id).outline());
   const Box box = scene.bounding_box();
   d.tolerance = geometric_tolerance(box);
-  d.arrangement = arrange(outlines);
-  number_by_ids(d.arrangement, scene);
-  warn_of_gaps(scene, outlines, d);
+  if (before) {  // outlines are the same
+    d.arrangement = before->arrangement;
+    if (!before->gap.empty()) d.warnings.push_back(d.gap = before->gap);
+  } else {
+    std::vector<Outline> outlines;
+    for (int id : scene.region_ids()) outlines.push_back(scene.region(id).outline());
+    d.arrangement = arrange(outlines);
+    number_by_ids(d.arrangement, scene);
+    warn_of_gaps(scene, outlines, d);
+  }
   const std::unique_ptr<Scheme> scheme = make_scheme(options);
-  const Preparation preparation{scene,       options,   *scheme,  d.arrangement,
-                                d.tolerance, d.regions, d.cracks, before ? &before->regions : nullptr};
+  const Preparation preparation{scene,
+                                options,
+                                *scheme,
+                                d.arrangement,
+                                d.tolerance,
+                                d.regions,
+                                d.cracks,
+                                before ? &before->regions : nullptr,
+                                before ? &before->cracks : nullptr};
   require_compatible(preparation);
 
   for (int id : scene.region_ids()) {

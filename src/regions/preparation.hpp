@@ -30,6 +30,7 @@ struct Preparation {
   const std::vector<PartedCrack>& cracks;               // once all regions are there
   // Regions of the same scene with shorter cracks, whose unchanged operators are reused; null if there are none.
   const std::vector<std::unique_ptr<Region>>* before;
+  const std::vector<PartedCrack>* cracks_before;  // likewise
 };
 
 // Lists of the scene to which regions add their nodes, terms and warnings.

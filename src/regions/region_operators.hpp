@@ -28,6 +28,7 @@ class RegionOperators {
   // Dense operators with the region's stiffness on its nodes. A region equal to one in `before` takes its matrix, which
   // is then stored once.
   virtual std::vector<coupling::DenseOperator> dense_operators(std::span<const KnownOperator> before) const = 0;
+  virtual std::size_t count() const = 0;  // of dense operators
   // Nodes of each dense operator and their displacements in the stress-free, swollen state, in the same order.
   virtual std::vector<OperatorNodes> nodes_of_operators() const = 0;
   // Volume that flows out of an incompressible region per displacement of each degree of freedom; empty otherwise.

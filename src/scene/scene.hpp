@@ -17,6 +17,7 @@ struct Crack {
   int grown_at_start = 0, grown_at_end = 0;
   bool has_begun = false;  // in the run: the host has given no point of it
 
+  bool operator==(const Crack&) const = default;
   std::span<const Point> given() const {
     if (has_begun) return {};
     return std::span(points).subspan(static_cast<std::size_t>(grown_at_start),

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "coupling/equilibrium_system.hpp"
+#include "coupling/lower_blocks.hpp"
 #include "coupling/substructure_factor.hpp"
 
 // Factors by nested substructures: solutions, and what one factor takes over from another.
@@ -112,6 +113,25 @@ std::shared_ptr<const Eigen::MatrixXd> link(double stiffness, double to_ground) 
 }
 
 }  // namespace
+
+TEST(LowerBlocks, sum_up_packed_triangles_as_full_matrices) {
+  const Eigen::MatrixXd some = Eigen::MatrixXd::Random(4, 4), matrix = some * some.transpose();
+  const std::vector<int> places{3, 0, 4, 1};
+  PackedLower packed;
+  packed.take(matrix);
+  EXPECT_EQ(packed.entries.size(), 10U);
+  LowerBlocks full(2, 3), half(2, 3);
+  full.add(matrix, places), half.add(packed, places);
+  const auto below = [](const Eigen::MatrixXd& sum) { return Eigen::MatrixXd(sum.triangularView<Eigen::Lower>()); };
+  EXPECT_EQ(below(full.eliminated), below(half.eliminated));
+  EXPECT_EQ(full.mixed, half.mixed);
+  EXPECT_EQ(below(full.others), below(half.others));
+  // The unknowns at 0 and 1 are eliminated; the matrix has them as its second and its last.
+  EXPECT_EQ(half.eliminated(1, 0), matrix(3, 1));
+  EXPECT_EQ(half.mixed(1, 0), matrix(1, 0));
+  EXPECT_EQ(half.others(2, 1), matrix(2, 0));
+  EXPECT_EQ(half.others(2, 2), matrix(2, 2));
+}
 
 TEST(Substructures, solve_like_a_dense_matrix) {
   for (const int side : {3, 4, 7}) {

@@ -167,8 +167,21 @@ bool crosses(const Stations& cut, const Stations& crack) {
   return false;
 }
 
+void expect_same(const Subdivision& a, const Subdivision& b) {
+  EXPECT_EQ(a.cut_nodes, b.cut_nodes);
+  EXPECT_EQ(a.cuts, b.cuts);
+  ASSERT_EQ(a.subdomains.size(), b.subdomains.size());
+  for (std::size_t i = 0; i < a.subdomains.size(); ++i) {
+    const Subdomain &one = a.subdomains[i], &other = b.subdomains[i];
+    EXPECT_EQ(one.nodes, other.nodes);
+    EXPECT_EQ(one.elements, other.elements);
+    EXPECT_EQ(one.cracks, other.cracks);
+    EXPECT_EQ(one.mesh.nodes, other.mesh.nodes);
+  }
+}
+
 TEST(Subdomains, lie_around_cracks_and_change_beside_them_only) {
-  int kept = 0, all = 0;
+  int kept = 0, all = 0, shared = 0;
   for (unsigned seed = 1; seed <= 40; ++seed) {
     const int cells = 4 + static_cast<int>(seed % 3);
     const BoundaryMesh body = regular_sheet(cells);
@@ -193,6 +206,8 @@ TEST(Subdomains, lie_around_cracks_and_change_beside_them_only) {
     Stations& grown = cracks.front();
     grown.push_back(grown.back() + 0.2 * (grown.back() - grown.front()));
     const Subdivision next = subdivide(body, most, without.cuts, cracks);
+    expect_same(subdivide(body, most, without.cuts, cracks, &cut), next);
+    shared += subdivide(body, most, without.cuts, cracks, &cut).joined == cut.joined ? 1 : 0;
     for (const Subdomain& part : next.subdomains) {
       ++all;
       kept += std::any_of(cut.subdomains.begin(), cut.subdomains.end(),
@@ -200,6 +215,22 @@ TEST(Subdomains, lie_around_cracks_and_change_beside_them_only) {
     }
   }
   EXPECT_GT(kept, 0.9 * all);
+  EXPECT_GT(shared, 10);
+}
+
+TEST(Subdomains, of_another_mesh_or_with_other_cuts_are_made_anew) {
+  const int cells = 5;
+  const BoundaryMesh body = regular_sheet(cells);
+  const std::vector<Stations> cracks = cracks_at_holes(cells, 3);
+  const std::vector<Stations> cuts = subdivide(body, 80).cuts;
+  const Subdivision cut = subdivide(body, 80, cuts, cracks);
+  BoundaryMesh moved = body;
+  for (Point& node : moved.nodes) node.x() *= 1.001;
+  const std::vector<Stations> fewer(cuts.begin(), cuts.end() - 1);
+  const std::vector<Stations> other_cracks{{{2.5, 1.9}, {2.5, 2.0}, {2.5, 2.1}}};
+  expect_same(subdivide(moved, 80, cuts, cracks, &cut), subdivide(moved, 80, cuts, cracks));
+  expect_same(subdivide(body, 80, fewer, cracks, &cut), subdivide(body, 80, fewer, cracks));
+  expect_same(subdivide(body, 80, cuts, other_cracks, &cut), subdivide(body, 80, cuts, other_cracks));
 }
 
 TEST(Subdomains, are_none_where_a_cut_leaves_the_body) {

@@ -60,10 +60,11 @@ std::vector<coupling::DenseOperator> BoundaryOperators::dense_operators(std::spa
   const Eigen::SparseMatrix<double>& trace = mesh_.trace();
   const auto node_at = [this](int place) { return mesh_.node_at(place); };
   if (const RegionSubdomains* subdomains = parts_.subdomains()) {
-    auto all = subdomains->dense_operators(nodes, trace, swelling_.rest());
+    const TraceRows rows = trace;
+    auto all = subdomains->dense_operators(nodes, rows, swelling_.rest());
     for (const CrackedPart& part : parts_.cracked()) {
       coupling::DenseOperator& own = all[part.subdomain];
-      own.constraints = part.constraints_for(subdomains->trace_of_subdomain(part.subdomain, trace));
+      own.constraints = part.constraints_for(subdomains->trace_of_subdomain(part.subdomain, rows));
       own.pieces = part.pieces(node_at);
     }
     return all;

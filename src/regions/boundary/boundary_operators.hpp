@@ -27,6 +27,7 @@ class BoundaryOperators final : public RegionOperators {
   void add_statistics(RegionStatistics& statistics) const;
 
   std::vector<coupling::DenseOperator> dense_operators(std::span<const KnownOperator> before) const override;
+  std::size_t count() const override { return parts_.subdomains() ? parts_.subdomains()->count() : 1; }
   std::vector<OperatorNodes> nodes_of_operators() const override;
   std::optional<Eigen::VectorXd> outflow(Eigen::Index dof_count) const override;
   double memory_of_preparing(double times) const override;

@@ -16,6 +16,16 @@ BoundaryPanels BoundaryParts::find_cracks(const Preparation& preparation, const 
   return panels;
 }
 
+// Mesh of the region without its cracks. They have no effect on it but for grading, so it may be that of `before`.
+BoundaryMesh BoundaryParts::uncracked(const Preparation& preparation, const BoundaryMethod& method,
+                                      const RegionSubdomains* before) const {
+  const MeshingRules rules = method.meshing_rules(preparation.options);
+  if (before && before->uncracked() && !rules.grade_corners) return *before->uncracked();
+  BoundaryPanels panels = mesh_edges(preparation, rules, region_.id());
+  halve_elements(preparation, region_.id(), panels);
+  return method.make_mesh(panels.loops);
+}
+
 void BoundaryParts::cut_if_large(const Preparation& preparation, const BoundaryMethod& method, const BoundaryMesh& mesh,
                                  const BoundaryParts* before) {
   const scene::Options& options = preparation.options;
@@ -24,10 +34,9 @@ void BoundaryParts::cut_if_large(const Preparation& preparation, const BoundaryM
   if (can_be_cut && !cracks_) {
     subdomains_ = RegionSubdomains::of(mesh, options);
   } else if (can_be_cut) {
-    BoundaryPanels uncracked = mesh_edges(preparation, method.meshing_rules(options), region_.id());
-    halve_elements(preparation, region_.id(), uncracked);
-    subdomains_ = RegionSubdomains::around(cracks_->places(), mesh, method.make_mesh(uncracked.loops), options,
-                                           before ? before->subdomains() : nullptr);
+    const RegionSubdomains* const cut_before = before ? before->subdomains() : nullptr;
+    subdomains_ = RegionSubdomains::around(cracks_->places(), mesh, uncracked(preparation, method, cut_before), options,
+                                           cut_before);
   }
   if (subdomains_) return subdomains_->require_memory(options);
   if (cracks_) return;

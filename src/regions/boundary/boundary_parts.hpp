@@ -48,6 +48,8 @@ class BoundaryParts {
   double memory_of_preparing(double elements, double times) const;
 
  private:
+  BoundaryMesh uncracked(const Preparation& preparation, const BoundaryMethod& method,
+                         const RegionSubdomains* before) const;
   const CrackedPart* part_before(const CrackedPart& part, const BoundaryParts* before) const;
 
   const Region& region_;

@@ -25,43 +25,45 @@ constexpr double bytes_per_square_of_elements = 500;
 // Measured as 1.1 to 1.5.
 constexpr double squares_of_subdomains = 1.1;
 
-// Columns of `trace`, which are the region's nodes, that the displacements of a subdomain depend on, in the order of
-// its nodes.
-std::vector<int> columns_of(const Subdomain& part, const Eigen::SparseMatrix<double, Eigen::RowMajor>& trace) {
-  std::vector<int> columns;
-  std::vector<char> known(static_cast<std::size_t>(trace.cols()) / 2, 0);
-  for (const int node : part.nodes)
-    for (Eigen::SparseMatrix<double, Eigen::RowMajor>::InnerIterator entry(trace, 2 * node); entry; ++entry) {
-      const auto column = static_cast<std::size_t>(entry.col()) / 2;
-      if (!known[column]) columns.push_back(static_cast<int>(column));
-      known[column] = 1;
-    }
-  return columns;
-}
+// Finds the columns of a trace, which are the region's nodes, that the displacements of subdomains depend on.
+class TraceColumns {
+ public:
+  explicit TraceColumns(const TraceRows& trace)
+      : trace_(trace), known_(static_cast<std::size_t>(trace.cols()) / 2, 0) {}
+
+  // Columns of a subdomain, in the order of its nodes.
+  std::vector<int> of(const Subdomain& part) {
+    std::vector<int> columns;
+    columns.reserve(part.nodes.size());
+    for (const int node : part.nodes)
+      for (TraceRows::InnerIterator entry(trace_, 2 * node); entry; ++entry) {
+        const auto column = static_cast<std::size_t>(entry.col()) / 2;
+        if (!known_[column]) columns.push_back(static_cast<int>(column));
+        known_[column] = 1;
+      }
+    for (const int column : columns) known_[static_cast<std::size_t>(column)] = 0;
+    return columns;
+  }
+
+ private:
+  const TraceRows& trace_;
+  std::vector<char> known_;
+};
 
 // Part of the trace that gives the displacements of a subdomain's nodes from those of `columns`.
-Eigen::SparseMatrix<double> trace_of(const Subdomain& part, const std::vector<int>& columns,
-                                     const Eigen::SparseMatrix<double, Eigen::RowMajor>& trace) {
+Eigen::SparseMatrix<double> trace_of(const Subdomain& part, const std::vector<int>& columns, const TraceRows& trace) {
   std::vector<int> place(static_cast<std::size_t>(trace.cols()) / 2, -1);
   for (std::size_t i = 0; i < columns.size(); ++i) place[static_cast<std::size_t>(columns[i])] = static_cast<int>(i);
   std::vector<Eigen::Triplet<double>> entries;
   for (std::size_t i = 0; i < part.nodes.size(); ++i)
     for (int component = 0; component < 2; ++component)
-      for (Eigen::SparseMatrix<double, Eigen::RowMajor>::InnerIterator entry(trace, 2 * part.nodes[i] + component);
-           entry; ++entry)
+      for (TraceRows::InnerIterator entry(trace, 2 * part.nodes[i] + component); entry; ++entry)
         entries.emplace_back(2 * static_cast<int>(i) + component,
                              2 * place[static_cast<std::size_t>(entry.col()) / 2] + component, entry.value());
   Eigen::SparseMatrix<double> own(2 * static_cast<Eigen::Index>(part.nodes.size()),
                                   2 * static_cast<Eigen::Index>(columns.size()));
   own.setFromTriplets(entries.begin(), entries.end());
   return own;
-}
-
-std::vector<int> numbers_of(const std::vector<int>& columns, const std::vector<int>& nodes) {
-  std::vector<int> numbers;
-  numbers.reserve(columns.size());
-  for (const int column : columns) numbers.push_back(nodes[static_cast<std::size_t>(column)]);
-  return numbers;
 }
 
 }  // namespace
@@ -106,7 +108,8 @@ std::unique_ptr<RegionSubdomains> RegionSubdomains::around(const std::vector<Sta
     std::vector<Stations> cuts = subdivide(uncracked, sizes.most_elements).cuts;
     known = std::make_shared<const Uncracked>(Uncracked{std::move(uncracked), sizes.most_elements, std::move(cuts)});
   }
-  Subdivision subdivision = subdivide(body, sizes.most_elements, known->cuts, cracks);
+  Subdivision subdivision =
+      subdivide(body, sizes.most_elements, known->cuts, cracks, before ? &before->subdivision_ : nullptr);
   if (subdivision.subdomains.size() == 1) return nullptr;
   auto made = std::make_unique<RegionSubdomains>(std::move(subdivision), body);
   made->uncracked_ = std::move(known);
@@ -162,34 +165,32 @@ void RegionSubdomains::build(const PlaneElasticity& elasticity, const bem::Assem
     if (!has_cracks(i)) operators_[i] = source[i].first->operators_[source[i].second];
 }
 
-std::vector<OperatorNodes> RegionSubdomains::nodes_of_operators(const std::vector<int>& nodes,
-                                                                const Eigen::SparseMatrix<double>& trace,
+std::vector<OperatorNodes> RegionSubdomains::nodes_of_operators(const std::vector<int>& nodes, const TraceRows& trace,
                                                                 const coupling::Affine& rest) const {
-  const Eigen::SparseMatrix<double, Eigen::RowMajor> rows = trace;
+  TraceColumns columns_of(trace);
   std::vector<OperatorNodes> all;
   for (const Subdomain& part : subdivision_.subdomains) {
-    const std::vector<int> columns = columns_of(part, rows);
+    std::vector<int> columns = columns_of.of(part);
     coupling::Affine own(rest.rows() > 0 ? 2 * static_cast<Eigen::Index>(columns.size()) : 0, 2);
     for (Eigen::Index i = 0; 2 * i < own.rows(); ++i)
       own.middleRows<2>(2 * i) = rest.middleRows<2>(2 * columns[static_cast<std::size_t>(i)]);
-    all.push_back({numbers_of(columns, nodes), std::move(own)});
+    for (int& column : columns) column = nodes[static_cast<std::size_t>(column)];  // its number in the scene
+    all.push_back({std::move(columns), std::move(own)});
   }
   return all;
 }
 
 std::vector<coupling::DenseOperator> RegionSubdomains::dense_operators(const std::vector<int>& nodes,
-                                                                       const Eigen::SparseMatrix<double>& trace,
+                                                                       const TraceRows& trace,
                                                                        const coupling::Affine& rest) const {
-  const Eigen::SparseMatrix<double, Eigen::RowMajor> rows = trace;
   std::vector<OperatorNodes> own_nodes = nodes_of_operators(nodes, trace, rest);
   std::vector<coupling::DenseOperator> all;
   for (std::size_t i = 0; i < count(); ++i) {
     const Subdomain& part = subdivision_.subdomains[i];
-    const std::vector<int> columns = columns_of(part, rows);
     std::shared_ptr<const Eigen::MatrixXd> stiffness(operators_[i], &operators_[i]->stiffness());
     // A subdomain without slaved nodes has the nodes of its mesh, in their order.
-    if (columns.size() != part.nodes.size()) {
-      const Eigen::SparseMatrix<double> own = trace_of(part, columns, rows);
+    if (own_nodes[i].nodes.size() != part.nodes.size()) {
+      const Eigen::SparseMatrix<double> own = trace_of_subdomain(i, trace);
       const Eigen::MatrixXd half = *stiffness * own;
       stiffness = std::make_shared<const Eigen::MatrixXd>(own.transpose() * half);
     }
@@ -199,11 +200,9 @@ std::vector<coupling::DenseOperator> RegionSubdomains::dense_operators(const std
   return all;
 }
 
-Eigen::SparseMatrix<double> RegionSubdomains::trace_of_subdomain(std::size_t subdomain,
-                                                                 const Eigen::SparseMatrix<double>& trace) const {
-  const Eigen::SparseMatrix<double, Eigen::RowMajor> rows = trace;
+Eigen::SparseMatrix<double> RegionSubdomains::trace_of_subdomain(std::size_t subdomain, const TraceRows& trace) const {
   const Subdomain& part = subdivision_.subdomains[subdomain];
-  return trace_of(part, columns_of(part, rows), rows);
+  return trace_of(part, TraceColumns(trace).of(part), trace);
 }
 
 Eigen::VectorXd RegionSubdomains::values_of(const Subdomain& part, const Eigen::VectorXd& all) const {

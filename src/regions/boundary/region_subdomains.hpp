@@ -24,6 +24,9 @@ double memory_of_operator(double elements);
 // Estimate of the least memory [B] of a region with this number of elements, cut into subdomains if it is large.
 double least_memory_of_region(double elements);
 
+// Matrix that gives displacements at places from those of nodes, by rows.
+using TraceRows = Eigen::SparseMatrix<double, Eigen::RowMajor>;
+
 // Subdomains into which a large region is cut, because the cost of one dense operator grows with the square and cube of
 // its nodes. Each subdomain has a boundary operator of its own, and the nodes on cuts join them. The region's mesh,
 // fields and loads stay those of its outline. Its places are those of the mesh's nodes, then of the nodes on cuts.
@@ -43,6 +46,8 @@ class RegionSubdomains {
   // Throws Error (argument) if the operators need more memory than the option memory.limit allows.
   void require_memory(const scene::Options& options) const;
 
+  // Mesh of a body with cracks without them; null without.
+  const BoundaryMesh* uncracked() const { return uncracked_ ? &uncracked_->mesh : nullptr; }
   std::size_t count() const { return subdivision_.subdomains.size(); }
   const std::vector<Point>& cut_nodes() const { return subdivision_.cut_nodes; }
 
@@ -61,14 +66,13 @@ class RegionSubdomains {
   // Nodes of each operator, and the operators themselves. `nodes` are the region's nodes by their numbers in the scene;
   // the matrix `trace` gives the displacements of all places of the mesh from those of these nodes; `rest` is the
   // nodes' rest displacement, or empty.
-  std::vector<OperatorNodes> nodes_of_operators(const std::vector<int>& nodes, const Eigen::SparseMatrix<double>& trace,
+  std::vector<OperatorNodes> nodes_of_operators(const std::vector<int>& nodes, const TraceRows& trace,
                                                 const coupling::Affine& rest) const;
-  std::vector<coupling::DenseOperator> dense_operators(const std::vector<int>& nodes,
-                                                       const Eigen::SparseMatrix<double>& trace,
+  std::vector<coupling::DenseOperator> dense_operators(const std::vector<int>& nodes, const TraceRows& trace,
                                                        const coupling::Affine& rest) const;
 
   // Matrix that gives the displacements of a subdomain's nodes from those of the nodes of its operator.
-  Eigen::SparseMatrix<double> trace_of_subdomain(std::size_t subdomain, const Eigen::SparseMatrix<double>& trace) const;
+  Eigen::SparseMatrix<double> trace_of_subdomain(std::size_t subdomain, const TraceRows& trace) const;
 
   // Tractions on the traction nodes of the body's mesh: the mean of the subdomains that meet there. `states` are those
   // of the parts with cracks.

@@ -1,0 +1,60 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <algorithm>
+#include <vector>
+
+namespace bempd::coupling {
+
+// Lower triangle of a symmetric matrix, column by column: half the memory.
+struct PackedLower {
+  std::vector<double> entries;
+
+  void take(const Eigen::MatrixXd& full) {
+    entries.clear();
+    entries.reserve(static_cast<std::size_t>(full.rows() * (full.rows() + 1) / 2));
+    for (Eigen::Index j = 0; j < full.cols(); ++j)
+      entries.insert(entries.end(), full.col(j).data() + j, full.col(j).data() + full.rows());
+  }
+};
+
+// Lower triangle of a symmetric sum in three blocks: of the eliminated unknowns, of both kinds, of the others.
+struct LowerBlocks {
+  Eigen::MatrixXd eliminated, mixed, others;
+
+  LowerBlocks(Eigen::Index first, Eigen::Index rest)
+      : eliminated(zero_below(first)), mixed(Eigen::MatrixXd::Zero(rest, first)), others(zero_below(rest)) {}
+
+  // Adds the lower triangle of a symmetric matrix, whose unknowns have these places in the sum.
+  void add(const Eigen::MatrixXd& matrix, const std::vector<int>& places) {
+    for (std::size_t j = 0; j < places.size(); ++j) add_column(matrix.data() + j * (places.size() + 1), j, places);
+  }
+  void add(const PackedLower& matrix, const std::vector<int>& places) {
+    const double* column = matrix.entries.data();
+    for (std::size_t j = 0; j < places.size(); ++j) {
+      add_column(column, j, places);
+      column += places.size() - j;
+    }
+  }
+
+ private:
+  // Square matrix whose lower triangle is zero; no page of memory is touched above it.
+  static Eigen::MatrixXd zero_below(Eigen::Index size) {
+    Eigen::MatrixXd matrix(size, size);
+    for (Eigen::Index j = 0; j < size; ++j) matrix.col(j).tail(size - j).setZero();
+    return matrix;
+  }
+  // Adds the entries of column j from the diagonal on.
+  void add_column(const double* entries, std::size_t j, const std::vector<int>& places) {
+    const Eigen::Index first = eliminated.cols(), column = places[j];
+    for (std::size_t i = j; i < places.size(); ++i) {
+      const Eigen::Index row = places[i];
+      const Eigen::Index high = std::max(row, column), low = std::min(row, column);
+      (low >= first    ? others(high - first, low - first)
+       : high >= first ? mixed(high - first, low)
+                       : eliminated(high, low)) += *entries++;
+    }
+  }
+};
+
+}  // namespace bempd::coupling
