@@ -1722,8 +1722,14 @@ BEMPD_API bempd_status bempd_bond_count(bempd_model* model, int32_t region, int6
 BEMPD_API bempd_status bempd_copy_bonds(bempd_model* model, int32_t region, int64_t capacity, int32_t* points,
                                         int32_t* states);
 
-/** @brief Force that a support exerts on the body at the present load factor. Where supports share a node's component
- * the first one counts it: add the support first whose edge is to have the corner.
+/** @brief Force that a support exerts on the body at the present load factor. The reactions of all supports sum to the
+ * whole.
+ *
+ * Where supports share a node's component (corners, ends of interfaces, places where one support ends and the next
+ * begins), edges of boundary elements each have the force that the tractions beside the node on their own side make
+ * there, and of what then is missing or left a share by the lengths of the elements beside it. A point that an edge
+ * holds too has none of it. So reactions converge as tractions do, in whatever order supports were added. Of material
+ * points, and where supports overlap along an edge, the first support counts all.
  * @param[in] model the model @param[in] support id of a support
  * @param[out] force shape [2], resultant [N] @return status @since 0.1 */
 BEMPD_API bempd_status bempd_reaction(bempd_model* model, int32_t support, double* force);

@@ -10,9 +10,9 @@ namespace bempd::fracture {
 
 CrackEvolution::CrackEvolution(coupling::EquilibriumSystem& system, const std::vector<Point>& positions,
                                std::vector<double> critical_stretch, const std::vector<int>& cut,
-                               std::vector<std::vector<int>> reaction_dofs, ContactPlan contact)
+                               coupling::SupportDofs supports, ContactPlan contact)
     : system_(system),
-      body_(system, positions, std::move(critical_stretch), cut, std::move(reaction_dofs), std::move(contact), state_),
+      body_(system, positions, std::move(critical_stretch), cut, std::move(supports), std::move(contact), state_),
       sources_(body_, cut),
       inner_work_(system, state_),
       records_(state_, body_, inner_work_),

@@ -45,10 +45,10 @@ enum class StopReason {
 // another body. It saves and restores the state.
 class CrackEvolution {
  public:
-  // `reaction_dofs[s]` are the degrees of freedom of support s. The bonds `cut` are broken from the start.
+  // The bonds `cut` are broken from the start.
   CrackEvolution(coupling::EquilibriumSystem& system, const std::vector<Point>& positions,
-                 std::vector<double> critical_stretch, const std::vector<int>& cut,
-                 std::vector<std::vector<int>> reaction_dofs, ContactPlan contact = {});
+                 std::vector<double> critical_stretch, const std::vector<int>& cut, coupling::SupportDofs supports,
+                 ContactPlan contact = {});
 
   // Lets cracks grow as lines from these tips, by the laws that they refer to; called before the first step. `openings`
   // finds the openings of cracks in lattices, `factors` the stress intensity factors of tips from the field around

@@ -8,7 +8,7 @@ using coupling::Affine;
 
 LoadedBody::LoadedBody(coupling::EquilibriumSystem& system, const std::vector<Point>& positions,
                        std::vector<double> critical_stretch, const std::vector<int>& cut,
-                       std::vector<std::vector<int>> reaction_dofs, ContactPlan contact, BodyState& state)
+                       coupling::SupportDofs supports, ContactPlan contact, BodyState& state)
     : system_(system),
       positions_(positions),
       state_(state),
@@ -16,7 +16,7 @@ LoadedBody::LoadedBody(coupling::EquilibriumSystem& system, const std::vector<Po
       response_(system, std::move(critical_stretch), state),
       faces_(system, positions, std::move(contact), cut),
       loads_(system, positions, state),
-      supports_(system, positions, state, loads_, std::move(reaction_dofs)),
+      supports_(system, positions, state, loads_, std::move(supports)),
       holder_(system, positions, state, freed_parts_, response_, loads_),
       contact_(system, positions, state, faces_, response_, holder_) {
   const Eigen::Index dofs = 2 * system.node_count();

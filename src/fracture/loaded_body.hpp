@@ -19,11 +19,10 @@ namespace bempd::fracture {
 // Whole body under its loads: its parts, and what only all of them together can do.
 class LoadedBody {
  public:
-  // `reaction_dofs[s]` are the degrees of freedom of support s. The bonds `cut` are broken from the start. `state`
-  // belongs to the caller, who saves and restores it.
+  // The bonds `cut` are broken from the start. `state` belongs to the caller, who saves and restores it.
   LoadedBody(coupling::EquilibriumSystem& system, const std::vector<Point>& positions,
-             std::vector<double> critical_stretch, const std::vector<int>& cut,
-             std::vector<std::vector<int>> reaction_dofs, ContactPlan contact, BodyState& state);
+             std::vector<double> critical_stretch, const std::vector<int>& cut, coupling::SupportDofs supports,
+             ContactPlan contact, BodyState& state);
   LoadedBody(const LoadedBody&) = delete;
   LoadedBody& operator=(const LoadedBody&) = delete;
 

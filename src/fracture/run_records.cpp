@@ -13,7 +13,7 @@ namespace bempd::fracture {
 void RunRecords::forget_since(const Start& start) noexcept {
   static_cast<Sums&>(state_) = start.sums;
   state_.history.resize(start.history_size);
-  const std::size_t values = 2 * body_.supports().dofs().size() * start.history_size;
+  const std::size_t values = 2 * body_.supports().dofs().own.size() * start.history_size;
   for (std::vector<double>* of_supports : {&state_.reactions, &state_.reactions_before, &state_.support_displacements})
     of_supports->resize(values);
   state_.extensions.resize(start.extensions_size);

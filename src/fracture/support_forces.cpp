@@ -10,7 +10,8 @@ namespace bempd::fracture {
 
 Eigen::Vector2d SupportForces::reaction(std::size_t support) const {
   Eigen::Vector2d sum = Eigen::Vector2d::Zero();
-  for (int dof : dofs_[support]) sum[dof % 2] += reaction_at(dof);
+  for (int dof : dofs_.own[support]) sum[dof % 2] += reaction_at(dof);
+  for (const coupling::SharedForce& one : dofs_.shared[support]) sum[one.dof % 2] += one.weight * reaction_at(one.dof);
   return sum;
 }
 
@@ -20,17 +21,20 @@ double SupportForces::reaction_at(int dof) const {
 }
 
 double SupportForces::reaction_moment(std::size_t support, const Point& about) const {
+  const auto arm = [&](int node, int component) {
+    const Point from = positions_[static_cast<std::size_t>(node)] - about;
+    return component == 0 ? -from.y() : from.x();
+  };
   double sum = 0;
-  for (int dof : dofs_[support]) {
-    const Point arm = positions_[static_cast<std::size_t>(dof / 2)] - about;
-    sum += reaction_at(dof) * (dof % 2 == 0 ? -arm.y() : arm.x());
-  }
+  for (int dof : dofs_.own[support]) sum += reaction_at(dof) * arm(dof / 2, dof % 2);
+  for (const coupling::SharedForce& one : dofs_.shared[support])
+    sum += one.weight * reaction_at(one.dof) * arm(one.node, one.dof % 2);
   return sum;
 }
 
 std::vector<double> SupportForces::reactions() const {
   std::vector<double> result;
-  for (std::size_t s = 0; s < dofs_.size(); ++s) {
+  for (std::size_t s = 0; s < dofs_.own.size(); ++s) {
     const Eigen::Vector2d force = reaction(s);
     result.insert(result.end(), {force.x(), force.y()});
   }
@@ -39,7 +43,7 @@ std::vector<double> SupportForces::reactions() const {
 
 std::vector<double> SupportForces::displacements() const {
   std::vector<double> result;
-  for (const std::vector<int>& dofs : dofs_) {
+  for (const std::vector<int>& dofs : dofs_.own) {
     Eigen::Vector2d sum = Eigen::Vector2d::Zero(), count = Eigen::Vector2d::Zero();
     for (int dof : dofs) {
       if (!system_.unknowns().is_prescribed(dof)) continue;

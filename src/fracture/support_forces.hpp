@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "coupling/equilibrium_system.hpp"
+#include "coupling/support_dofs.hpp"
 #include "fracture/body_loads.hpp"
 #include "fracture/evolution_state.hpp"
 
@@ -12,12 +13,13 @@ namespace bempd::fracture {
 // Reactions of supports at the present load factor, and the force that the body carries.
 class SupportForces {
  public:
-  // `dofs[s]` are the degrees of freedom of support s.
   SupportForces(const coupling::EquilibriumSystem& system, const std::vector<Point>& positions, const BodyState& state,
-                const BodyLoads& loads, std::vector<std::vector<int>> dofs)
-      : system_(system), positions_(positions), state_(state), loads_(loads), dofs_(std::move(dofs)) {}
+                const BodyLoads& loads, coupling::SupportDofs dofs)
+      : system_(system), positions_(positions), state_(state), loads_(loads), dofs_(std::move(dofs)) {
+    dofs_.shared.resize(dofs_.own.size());
+  }
 
-  const std::vector<std::vector<int>>& dofs() const { return dofs_; }
+  const coupling::SupportDofs& dofs() const { return dofs_; }
   Eigen::Vector2d reaction(std::size_t support) const;
   double reaction_moment(std::size_t support, const Point& about) const;  // [N m]
   double reaction_at(int dof) const;                                      // of one that is held [N]
@@ -35,7 +37,7 @@ class SupportForces {
   const std::vector<Point>& positions_;
   const BodyState& state_;
   const BodyLoads& loads_;
-  std::vector<std::vector<int>> dofs_;
+  coupling::SupportDofs dofs_;
 };
 
 }  // namespace bempd::fracture

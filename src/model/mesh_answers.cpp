@@ -54,6 +54,8 @@ MeshAnswers read_answers(const PreparedScene& scene, std::size_t supports, std::
   }
   const fracture::LoadedBody& body = scene.evolution->body();
   for (std::size_t s = 0; s < supports; ++s) answers.reactions.push_back(body.supports().reaction(s));
+  const std::vector<std::vector<coupling::SharedForce>>& shared = body.supports().dofs().shared;
+  answers.supports_share = std::any_of(shared.begin(), shared.end(), [](const auto& own) { return !own.empty(); });
   answers.carried = body.supports().resistance(body.supports().reactions());
   answers.growth_load = infinite;
   for (const TipLoad& one : loads)

@@ -27,6 +27,7 @@ struct MeshAnswers {
   std::vector<Point> places;  // of nodes, ascending by x, then y; places with two nodes (crack faces) are left out
   std::vector<Eigen::Vector2d> displacements;
   std::vector<Eigen::Vector2d> reactions;
+  bool supports_share = false;           // forces of nodes that several of them hold
   double carried = 0;                    // half the sum of the magnitudes of reactions and nodal loads [N]
   std::vector<regions::TipValues> tips;  // with boundary elements
   std::vector<TipLoad> loads;

@@ -14,6 +14,7 @@
 #include "regions/fluid_paths.hpp"
 #include "regions/incompressible.hpp"
 #include "regions/initial_cracks.hpp"
+#include "regions/shared_reactions.hpp"
 #include "regions/swelling.hpp"
 
 namespace bempd::model {
@@ -213,7 +214,8 @@ std::unique_ptr<PreparedScene> Preparation::build(const PreparedScene* before, O
   if (!before) check_mechanism(scene_, *p);  // what growth has cut off is held
   if (before) check_loads_inside_free_pieces(*p);
   p->evolution = std::make_unique<fracture::CrackEvolution>(*p->system, d.positions, d.critical_stretch, p->cut_bonds,
-                                                            p->conditions.reaction_dofs, contact_plan(options, *p));
+                                                            regions::dofs_of_supports(scene_, d, p->conditions),
+                                                            contact_plan(options, *p));
   grow_lines(*p);
   add_crack_fluid(scene_, *p);
   p->evolution->loads().load_faces(p->conditions.face_offsets);

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <map>
 
 #include "host.hpp"
 
@@ -31,8 +32,8 @@ std::array<double, 3> stress(double nu) {
   return {c * (xx + nu * yy), c * (yy + nu * xx), 0.5 * young / (1 + nu) * shear};
 }
 
-// The order in which supports are added decides which of them counts a corner in bempd_reaction(); it matters to no
-// edge.
+// The order in which supports are added decides which of them counts the corner of a lattice in bempd_reaction(); it
+// matters to no edge, and not to supports of elements.
 TEST(EdgeReaction, of_uniform_stress_is_its_resultant_in_whatever_order_supports_are_added) {
   constexpr double width = 1.5, height = 0.9, nu = 1.0 / 3;
   const std::array<double, 3> s = stress(nu);
@@ -42,7 +43,8 @@ TEST(EdgeReaction, of_uniform_stress_is_its_resultant_in_whatever_order_supports
       const int32_t id = model.add(material(young, nu, BEMPD_PLANE_STRESS, thickness));
       const Outline outline = rectangle(0, 0, width, height);
       const int32_t body = lattice ? model.pd(id, outline, 0.1, 3) : model.bem(id, outline, 0.2);
-      for (const int32_t edge : order) model.prescribe(body, edge, 0, 1, strained);
+      std::map<int32_t, int32_t> supports;  // by edge
+      for (const int32_t edge : order) supports[edge] = model.prescribe(body, edge, 0, 1, strained);
       model.step(1);
       const Vector normals[] = {{0, -1}, {1, 0}, {0, 1}, {-1, 0}};
       const Vector middles[] = {{0.5 * width, 0}, {width, 0.5 * height}, {0.5 * width, height}, {0, 0.5 * height}};
@@ -56,6 +58,14 @@ TEST(EdgeReaction, of_uniform_stress_is_its_resultant_in_whatever_order_supports
         EXPECT_LE(std::abs(report(lattice ? "lattice, y" : "elements, y", found.force[1], fy, "uniform stress")),
                   1e-12);
         EXPECT_NEAR(found.moment, 0, 1e-12);
+        if (lattice) continue;
+        const Vector of_support = model.reaction(supports[edge]);
+        EXPECT_LE(std::abs(report("support, x", of_support[0], fx, "uniform stress")), 1e-12);
+        EXPECT_LE(std::abs(report("support, y", of_support[1], fy, "uniform stress")), 1e-12);
+        double moment = 0;
+        model.check(
+            bempd_reaction_moment(model.get(), supports[edge], middles[edge - 1][0], middles[edge - 1][1], &moment));
+        EXPECT_NEAR(moment, 0, 1e-12);
       }
     }
   }

@@ -243,7 +243,7 @@ class Shrinking : public testing::TestWithParam<Shrinkage> {
     system = std::make_unique<coupling::EquilibriumSystem>(dofs / 2, operators, d.bonds, held, d.ties);
     evolution =
         std::make_unique<fracture::CrackEvolution>(*system, d.positions, std::vector<double>(d.bonds.size(), critical),
-                                                   across(d, 9.5, -1, 2.1), std::vector<std::vector<int>>{pulled});
+                                                   across(d, 9.5, -1, 2.1), coupling::SupportDofs{{pulled}, {}});
     coupling::Affine prescribed = coupling::Affine::Zero(dofs, 2);
     for (const int dof : pulled) prescribed.row(dof) << 1e-4, 2e-5;
     evolution->loads().set(coupling::Affine::Zero(dofs, 2), prescribed);

@@ -31,10 +31,13 @@ std::vector<WindowSolver::Function> WindowFunctions::list() const {
   for (int part = 0; part < 2; ++part) {
     result.push_back(force_of_supports(system_, system_.load().prescribed().col(part)));
   }
-  for (const std::vector<int>& support : reaction_dofs_) {
+  for (std::size_t s = 0; s < supports_.own.size(); ++s) {
     for (int component = 0; component < 2; ++component) {
       Eigen::VectorXd moved = Eigen::VectorXd::Zero(dofs);
-      for (int dof : support) moved[dof] = dof % 2 == component ? 1 : moved[dof];
+      for (int dof : supports_.own[s])
+        if (dof % 2 == component) moved[dof] = 1;
+      for (const coupling::SharedForce& one : supports_.shared[s])
+        if (one.dof % 2 == component) moved[one.dof] += one.weight;
       result.push_back(force_of_supports(system_, std::move(moved)));
     }
   }
@@ -54,9 +57,11 @@ double WindowFunctions::work(const Values& before, const Values& after, double l
 std::vector<double> WindowFunctions::reactions(const Values& values, double load_factor) const {
   const Eigen::Vector2d at(1, load_factor);
   std::vector<double> result;
-  for (std::size_t s = 0; s < reaction_dofs_.size(); ++s) {
+  for (std::size_t s = 0; s < supports_.own.size(); ++s) {
     Eigen::Vector2d reaction = values.middleRows<2>(first_reaction + 2 * static_cast<Eigen::Index>(s)) * at;
-    for (int dof : reaction_dofs_[s]) reaction[dof % 2] -= system_.load().force().row(dof).dot(at);
+    const auto load = [&](int dof) { return system_.load().force().row(dof).dot(at); };
+    for (int dof : supports_.own[s]) reaction[dof % 2] -= load(dof);
+    for (const coupling::SharedForce& one : supports_.shared[s]) reaction[one.dof % 2] -= one.weight * load(one.dof);
     result.insert(result.end(), {reaction.x(), reaction.y()});
   }
   return result;

@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "coupling/equilibrium_system.hpp"
+#include "coupling/support_dofs.hpp"
 #include "fracture/window/window_solver.hpp"
 
 namespace bempd::fracture {
@@ -20,8 +21,8 @@ class WindowFunctions {
  public:
   using Values = Eigen::Matrix<double, Eigen::Dynamic, 2>;
 
-  WindowFunctions(const coupling::EquilibriumSystem& system, const std::vector<std::vector<int>>& reaction_dofs)
-      : system_(system), reaction_dofs_(reaction_dofs) {}
+  WindowFunctions(const coupling::EquilibriumSystem& system, const coupling::SupportDofs& supports)
+      : system_(system), supports_(supports) {}
 
   std::vector<WindowSolver::Function> list() const;
 
@@ -34,7 +35,7 @@ class WindowFunctions {
 
  private:
   const coupling::EquilibriumSystem& system_;
-  const std::vector<std::vector<int>>& reaction_dofs_;
+  const coupling::SupportDofs& supports_;
 };
 
 }  // namespace bempd::fracture

@@ -30,6 +30,15 @@ std::vector<PlacedNode> EdgePart::nodes(const scene::Scene& scene, const Discret
   return nodes_in_order(d, region_, {edge_, scene.region(region_).edge(edge_), from_, to_});
 }
 
+std::map<int, double> EdgePart::weights(const scene::Scene& scene, const Discretization& d) const {
+  Eigen::VectorXd force = Eigen::VectorXd::Zero(2 * static_cast<Eigen::Index>(d.positions.size()));
+  d.region(region_).loads().add_traction(
+      {edge_, scene.region(region_).edge(edge_), from_, to_}, [](const Point&) { return Point(1, 0); }, force);
+  std::map<int, double> found;
+  for (const PlacedNode& n : nodes(scene, d)) found.emplace(n.node, force[2 * n.node]);
+  return found;
+}
+
 std::vector<PlacedNode> EdgePart::held_nodes(const scene::Scene& scene, const Discretization& d, int support) const {
   std::vector<PlacedNode> nodes =
       d.region(region_).loads().nodes_on({edge_, scene.region(region_).edge(edge_), from_, to_}, d.tolerance);

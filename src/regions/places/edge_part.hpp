@@ -1,5 +1,7 @@
 #pragma once
 
+#include <map>
+
 #include "geometry/edge.hpp"
 #include "scene/place.hpp"
 
@@ -20,6 +22,8 @@ class EdgePart : public scene::Place {
   std::vector<double> breaks_on(const scene::Scene& scene, int region, int edge, double tolerance) const override;
   // Nodes of the scene on this part of the edge, in order from its start.
   std::vector<PlacedNode> nodes(const scene::Scene& scene, const Discretization& discretization) const;
+  // Integrals of their shape functions over this part, times the thickness [m2].
+  std::map<int, double> weights(const scene::Scene& scene, const Discretization& discretization) const;
   bool covers(int region, int edge, double fraction) const override;
   std::vector<PlacedNode> held_nodes(const scene::Scene& scene, const Discretization& discretization,
                                      int support) const override;

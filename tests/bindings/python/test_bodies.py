@@ -58,6 +58,51 @@ def test_a_point_support_ends_the_halving():
     assert any("act at a point" in message for message in told)
 
 
+# Scenes whose supports share a vertex, as (corners, held edges, pulled edge); in each the supports can be added either way.
+SHARED = {"vertex in the middle of an edge": ([(0, 0), (2, 0), (2, 1), (0, 1), (0, 0.4)], ((4, ""), (5, "")), 2),
+          "corner": ([(0, 0), (2, 0), (2, 1), (0, 1)], ((4, ""), (1, "")), 2),
+          "clamp beside a plane of symmetry": ([(0, 0), (2, 0), (2, 1), (0, 1)], ((4, "x"), (1, "")), 2)}
+
+
+def held_at(shared, turned, wanted, **options):
+    corners, held, pulled = SHARED[shared]
+    model = bempd.Model(options={"error.wanted": wanted, **options})
+    body = model.add_body(model.add_material(young_modulus=1, poisson_ratio=0.3), corners)
+    for edge, component in held[::-1] if turned else held:
+        model.fix_edge(body, edge, *component)
+    model.add_traction(body, pulled, "x", proportional=1)
+    model.add_traction(body, pulled, "y", proportional=-0.3)
+    model.step(1)
+    return model, np.array([model.reaction(s) for s in ((2, 1) if turned else (1, 2))])
+
+
+@pytest.mark.parametrize("turned", [False, True])
+@pytest.mark.parametrize("shared", SHARED)
+def test_reactions_of_supports_that_share_a_vertex_take_few_elements(shared, turned):
+    model, found = held_at(shared, turned, 0.001)
+    exact = held_at(shared, turned, 0.001, **{"test.halvings": 3})[1]
+    plan, scale = model.plan(), np.linalg.norm(exact, axis=1).max()
+    true = np.linalg.norm(found - exact, axis=1).max() / scale
+    print(f"{shared}: {plan.boundary_elements} elements, told {plan.reaction_error:.2g}, true {true:.2g} (halved three times)")
+    assert plan.meets_wish and plan.boundary_elements < 300
+    assert true <= plan.reaction_error
+    assert sum(found) == pytest.approx([-1, 0.3], abs=1e-9)
+
+
+def test_an_edge_has_its_force_beside_a_point_that_is_held_too():
+    found = []
+    for order in (0, 1):
+        model = bempd.Model()
+        body = model.add_body(model.add_material(young_modulus=1, poisson_ratio=0.3), bempd.rectangle(0, 0, 2, 1))
+        for point in (order, 1 - order):
+            model.fix_point((0, 0)) if point else model.fix_edge(body, 4)
+        model.add_traction(body, 2, "x", proportional=1)
+        model.step(1)
+        found.append(model.reaction(order + 1)[0])
+        assert model.reaction(2 - order)[0] == 0
+    assert found == pytest.approx([-1, -1])
+
+
 def test_loads_that_balance_each_other_ask_for_no_more_elements():
     model = bempd.Model(options={"error.wanted": 0.01})
     plate = model.add_body(model.add_material(young_modulus=1, poisson_ratio=0.3), bempd.rectangle(0, 0, 2, 2))

@@ -2868,9 +2868,15 @@ extern "C" {
     ) -> bempd_status;
 }
 extern "C" {
-    /// Force that a support exerts on the body at the present load factor. Where supports share a
-    /// node's component the first one counts it: add the support first whose edge is to have the
-    /// corner.
+    /// Force that a support exerts on the body at the present load factor. The reactions of all
+    /// supports sum to the whole.
+    ///
+    /// Where supports share a node's component (corners, ends of interfaces, places where one
+    /// support ends and the next begins), edges of boundary elements each have the force that the
+    /// tractions beside the node on their own side make there, and of what then is missing or left
+    /// a share by the lengths of the elements beside it. A point that an edge holds too has none of
+    /// it. So reactions converge as tractions do, in whatever order supports were added. Of
+    /// material points, and where supports overlap along an edge, the first support counts all.
     ///
     /// * model \[in\]: the model
     /// * support \[in\]: id of a support

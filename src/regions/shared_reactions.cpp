@@ -1,0 +1,130 @@
+#include "regions/shared_reactions.hpp"
+
+#include <algorithm>
+#include <map>
+#include <optional>
+
+#include "regions/edge_nodes.hpp"
+#include "regions/places/edge_part.hpp"
+
+namespace bempd::regions {
+
+namespace {
+
+using coupling::SharedForce;
+
+// Nodes of a support's part of an edge from one of its ends on: an end of an element, its middle, the next end and so
+// on. Each has its distance from that end, as a fraction of the part, and the integral of its shape function over it.
+struct Side {
+  std::size_t support;
+  std::vector<int> nodes;
+  std::vector<double> distances, weights;
+};
+
+class HeldParts {
+ public:
+  HeldParts(const scene::Scene& scene, const Discretization& d)
+      : scene_(scene), d_(d), known_(scene.supports().size()) {}
+
+  // Nodes of a support that is a part of an edge, from the start of the part on.
+  const Side& of(std::size_t support) {
+    if (known_[support]) return *known_[support];
+    const auto& part = dynamic_cast<const EdgePart&>(*scene_.supports()[support].place);
+    const std::map<int, double> weights = part.weights(scene_, d_);
+    Side side{support, {}, {}, {}};
+    for (const PlacedNode& n : part.nodes(scene_, d_)) {
+      side.nodes.push_back(n.node);
+      side.distances.push_back(n.fraction);
+      side.weights.push_back(weights.at(n.node));
+    }
+    return known_[support].emplace(std::move(side));
+  }
+
+ private:
+  const scene::Scene& scene_;
+  const Discretization& d_;
+  std::vector<std::optional<Side>> known_;
+};
+
+Side reversed(Side side) {
+  const double end = side.distances.back();
+  std::reverse(side.nodes.begin(), side.nodes.end());
+  std::reverse(side.distances.begin(), side.distances.end());
+  std::reverse(side.weights.begin(), side.weights.end());
+  for (double& distance : side.distances) distance = end - distance;
+  return side;
+}
+
+// Force that the tractions on a side make at its first node, by the forces on the middle nodes of its first two
+// elements. A force on a middle node over its weight is the traction there. The traction at the first node continues
+// the line through two of them, and its weight makes it a force, since the first moment of an end's quadratic shape
+// function about that end is zero.
+std::vector<SharedForce> force_of_tractions(const Side& side, int component) {
+  const std::vector<double>&x = side.distances, &w = side.weights;
+  const int node = side.nodes.front();
+  const double first = w[0] / w[1];
+  if (side.nodes.size() < 5) return {{2 * side.nodes[1] + component, node, first}};
+  const double slope = x[1] / (x[3] - x[1]);
+  return {{2 * side.nodes[1] + component, node, first * (1 + slope)},
+          {2 * side.nodes[3] + component, node, -w[0] / w[3] * slope}};
+}
+
+// Sides of edges that meet in a node, by the supports that hold one of its components; nothing where the first support
+// has all.
+std::vector<Side> sides_at(int node, const std::vector<std::size_t>& supports, const scene::Scene& scene,
+                           const Discretization& d, HeldParts& parts) {
+  const auto is_point = [&](std::size_t s) { return scene.supports()[s].place->point().has_value(); };
+  const bool is_one_edge = std::count_if(supports.begin(), supports.end(), is_point) + 1 == std::ssize(supports);
+  std::vector<Side> sides;
+  for (const std::size_t s : supports) {
+    if (is_point(s)) continue;
+    const auto edge = scene.supports()[s].place->edge();
+    if (!edge || d.region(edge->first).bonds()) return {};
+    Side side = parts.of(s);
+    const bool is_inside = side.nodes.front() != node && side.nodes.back() != node;
+    if (is_inside && !is_one_edge) return {};
+    if (side.nodes.back() == node) side = reversed(std::move(side));
+    const auto is_same = [&](const Side& other) { return other.nodes[1] == side.nodes[1]; };
+    if (std::none_of(sides.begin(), sides.end(), is_same)) sides.push_back(std::move(side));
+  }
+  return sides;
+}
+
+// Divides the force on a degree of freedom, which the first of its supports counts until now.
+void divide(int dof, std::size_t first, const std::vector<Side>& sides, std::vector<std::vector<SharedForce>>& shared) {
+  const int node = dof / 2;
+  shared[first].push_back({dof, node, -1});
+  double all = 0;
+  for (const Side& side : sides) all += side.weights.front();
+  std::vector<SharedForce> rest{{dof, node, 1}};  // of the node's force besides those of the tractions
+  for (const Side& side : sides) {
+    for (const SharedForce& one : sides.size() > 1 ? force_of_tractions(side, dof % 2) : std::vector<SharedForce>()) {
+      shared[side.support].push_back(one);
+      rest.push_back({one.dof, node, -one.weight});
+    }
+  }
+  for (const Side& side : sides)
+    for (const SharedForce& one : rest)
+      shared[side.support].push_back({one.dof, node, one.weight * side.weights.front() / all});
+}
+
+}  // namespace
+
+coupling::SupportDofs dofs_of_supports(const scene::Scene& scene, const Discretization& d,
+                                       const DofConditions& conditions) {
+  coupling::SupportDofs dofs{conditions.reaction_dofs, {}};
+  dofs.shared.resize(dofs.own.size());
+  std::map<int, std::vector<std::size_t>> holders;
+  for (std::size_t s = 0; s < conditions.held_dofs.size(); ++s)
+    for (const int dof : conditions.held_dofs[s]) holders[dof].push_back(s);
+  HeldParts parts(scene, d);
+  for (const auto& [dof, supports] : holders) {
+    if (supports.size() < 2) continue;
+    const std::vector<Side> sides = sides_at(dof / 2, supports, scene, d, parts);
+    if (!sides.empty() && (sides.size() > 1 || sides.front().support != supports.front()))
+      divide(dof, supports.front(), sides, dofs.shared);
+  }
+  return dofs;
+}
+
+}  // namespace bempd::regions
