@@ -15,6 +15,7 @@ namespace {
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
 constexpr double largest_distance = 1e100;  // with which boxes can be compared
+constexpr std::size_t many_edges = 100;     // from which on a tree finds those near a place sooner
 
 // Limit on the ratio of two distances from a point of a crack line that meets another line at a joint: that to the
 // other line, and that along its own line to the joint. Below the limit the two lines run beside each other with a gap;
@@ -82,7 +83,7 @@ CrackSizes::CrackSizes(const CrackLines& cracks, const std::vector<Edge>& bounda
                        std::vector<MouthOnRow> mouths)
     : cracks_(cracks),
       boundary_(boundary),
-      edges_(coarse_boxes(boundary)),
+      edges_(boundary.size() < many_edges ? std::vector<Box>() : coarse_boxes(boundary)),
       tolerance_(tolerance),
       grading_(grading),
       mouths_(std::move(mouths)),
@@ -175,14 +176,17 @@ void CrackSizes::for_neighbours(int l, double way, const Point& x, const double&
         apart = std::min(apart, end == 0 ? way : ways.back() - way);
     return apart;
   };
-  // The tolerance covers the rounding of the boxes.
-  const Point reach = Point::Constant(std::min(limit, largest_distance) + 2 * tolerance_);
-  for (const int number : edges_.meeting({x - reach, x + reach})) {
-    const Edge& edge = boundary_[static_cast<std::size_t>(number)];
-    if (least_distance(edge, x) - tolerance_ >= limit) continue;
+  const auto visit_edge = [&](const Edge& edge) {
+    if (least_distance(edge, x) - tolerance_ >= limit) return;
     const double apart =
         way_to_joint([&](int joint) { return bempd::distance(edge, cracks_.joints[joint].place) <= 8 * tolerance_; });
     visit(Neighbour{bempd::distance(edge, x), apart, -1});
+  };
+  if (boundary_.size() < many_edges) {
+    for (const Edge& edge : boundary_) visit_edge(edge);
+  } else {  // the tolerance covers the rounding of boxes
+    const Point reach = Point::Constant(std::min(limit, largest_distance) + 2 * tolerance_);
+    for (const int edge : edges_.meeting({x - reach, x + reach})) visit_edge(boundary_[static_cast<std::size_t>(edge)]);
   }
   for (int other = 0; other < static_cast<int>(cracks_.lines.size()); ++other) {
     if (other == l) continue;

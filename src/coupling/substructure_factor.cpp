@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <numeric>
 #include <utility>
 
@@ -27,6 +28,10 @@ struct Substructure {
   Eigen::VectorXd diagonal;  // of the sum of all parts, for the unknowns that remain
   double smallest_pivot_ratio = 1;
 
+  // Last right-hand side, and what eliminate_from() made of it: the same is given in scenes with longer cracks.
+  mutable Eigen::VectorXd rhs, eliminated_rhs;
+
+  void eliminate_from(Eigen::MatrixXd& values) const;
   const void* first_component() const {
     return halves.empty() ? parts.front().source.get() : static_cast<const void*>(halves.front().get());
   }
@@ -85,6 +90,24 @@ bool Substructure::eliminate() {
   const Eigen::VectorXd ratios = pivots.lower().diagonal().cwiseAbs2().cwiseQuotient(whole.head(eliminated));
   smallest_pivot_ratio = std::min(smallest_pivot_ratio, ratios.minCoeff());
   return smallest_pivot_ratio > linalg::singular_pivot_ratio;
+}
+
+// Forward elimination of a right-hand side of the substructure's unknowns.
+void Substructure::eliminate_from(Eigen::MatrixXd& values) const {
+  const bool is_one = values.cols() == 1;
+  const auto bytes = static_cast<std::size_t>(values.size()) * sizeof(double);
+  if (is_one && rhs.size() == values.size() && std::memcmp(rhs.data(), values.data(), bytes) == 0) {
+    values = eliminated_rhs;
+    return;
+  }
+  Eigen::VectorXd given;
+  if (is_one) given = values;
+  rhs.resize(0);  // until the result is there, if memory ends
+  pivots.lower().triangularView<Eigen::Lower>().solveInPlace(values.topRows(eliminated));
+  values.bottomRows(below.rows()).noalias() -= below * values.topRows(eliminated);
+  if (!is_one) return;
+  eliminated_rhs = values;
+  rhs.swap(given);
 }
 
 // Gathers parts into substructures and eliminates their unknowns.
@@ -252,8 +275,7 @@ void SubstructureFactor::solve_in_place(Eigen::Ref<Eigen::MatrixXd> rhs) const {
     const Substructure& s = *step.result;
     if (s.eliminated == 0) continue;
     take(step.unknowns);
-    s.pivots.lower().triangularView<Eigen::Lower>().solveInPlace(values.topRows(s.eliminated));
-    values.bottomRows(s.below.rows()).noalias() -= s.below * values.topRows(s.eliminated);
+    s.eliminate_from(values);
     put(step.unknowns);
   }
   for (auto step = steps_.rbegin(); step != steps_.rend(); ++step) {

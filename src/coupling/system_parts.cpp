@@ -33,19 +33,18 @@ StiffnessRange::StiffnessRange(int node_count, const std::vector<DenseOperator>&
       diagonal[2 * node + 1] += terms.stiffness[t] * y * y;
     });
   }
+  double least_of_operators = smallest;  // largest stiffness in each
   for (const DenseOperator& op : operators) {
-    for (std::size_t i = 0; i < op.nodes.size(); ++i) {
-      for (int c = 0; c < 2; ++c) {
-        const auto own = 2 * static_cast<Eigen::Index>(i) + c;
-        diagonal[2 * op.nodes[i] + c] += (*op.stiffness)(own, own);
-      }
-    }
+    const Eigen::VectorXd own = op.stiffness->diagonal();
+    for (std::size_t i = 0; i < op.nodes.size(); ++i)
+      diagonal.segment<2>(2 * op.nodes[i]) += own.segment<2>(2 * static_cast<Eigen::Index>(i));
+    least_of_operators = std::min(least_of_operators, own.maxCoeff());
   }
   if (diagonal.size() > 0) largest = diagonal.maxCoeff();
   for (double k : diagonal) {
     if (k > 0) smallest = std::min(smallest, k);
   }
-  for (const DenseOperator& op : operators) smallest = std::min(smallest, op.stiffness->diagonal().maxCoeff());
+  smallest = std::min(smallest, least_of_operators);
 }
 
 SystemParts::SystemParts(int nodes, std::vector<DenseOperator> dense_operators, Terms given_terms,

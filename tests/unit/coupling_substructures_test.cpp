@@ -190,6 +190,32 @@ TEST(Substructures, are_computed_only_where_parts_changed) {
   EXPECT_GE(second->substructures() - second->taken_over(), 5U);
 }
 
+TEST(Substructures, know_their_last_right_hand_side) {
+  std::vector<std::shared_ptr<const Eigen::MatrixXd>> links;
+  for (int k = 0; k < 64; ++k) links.push_back(link(1 + 0.1 * k, 0.01));
+  const std::array<Point, 2> box = {Point(0, 0), Point(64, 0)};
+  const auto solved = [&](const SubstructureFactor* before, const Eigen::MatrixXd& rhs) {
+    const auto factor = SubstructureFactor::of(chain_of(links), box, 65, before);
+    Eigen::MatrixXd values = rhs;
+    factor->solve_in_place(values);
+    return values;
+  };
+  const auto first = SubstructureFactor::of(chain_of(links), box, 65, nullptr);
+  Eigen::MatrixXd rhs = Eigen::VectorXd::LinSpaced(65, -1, 2), other = rhs;
+  other.row(30) *= 2;
+  Eigen::MatrixXd two(65, 2), once = rhs;
+  two << rhs, other;
+  first->solve_in_place(once);
+  links[20] = link(7, 0.01);
+  const Eigen::MatrixXd fresh = solved(nullptr, rhs), fresh_of_other = solved(nullptr, other);
+  EXPECT_NE(fresh, once);
+  EXPECT_EQ(solved(first.get(), rhs), fresh);
+  EXPECT_EQ(solved(first.get(), other), fresh_of_other);
+  EXPECT_LT((solved(first.get(), two).col(1) - fresh_of_other).cwiseAbs().maxCoeff(),
+            1e-12 * fresh.cwiseAbs().maxCoeff());
+  EXPECT_EQ(solved(first.get(), rhs), fresh);
+}
+
 TEST(Substructures, that_change_are_joined_last) {
   std::vector<std::shared_ptr<const Eigen::MatrixXd>> links;
   for (int k = 0; k < 256; ++k) links.push_back(link(1 + 0.1 * k, 0.01));

@@ -64,7 +64,8 @@ std::vector<double> all_breaks(const Preparation& p, int region, int edge, const
   std::vector<double> breaks = own_breaks(p, region, edge);
   const Edge whole = p.scene.region(region).edge(edge);
   for (const Point& mouth : mouths)
-    if (distance(whole, mouth) <= 8 * p.tolerance) breaks.push_back(closest_fraction(whole, mouth));
+    if (least_distance(whole, mouth) <= 16 * p.tolerance && distance(whole, mouth) <= 8 * p.tolerance)
+      breaks.push_back(closest_fraction(whole, mouth));
   for (const Contact& contact : p.arrangement.contacts) {
     if (contact.region != region - 1 || contact.edge != edge - 1) continue;
     if (border_of(p, &contact) != Border::elements) continue;
