@@ -491,7 +491,7 @@ typedef struct bempd_body_plan {
   int64_t bonds;             /**< of peridynamic regions */
   double memory;             /**< largest memory of preparing, without the sparse factor [B] */
   double seconds;            /**< time of preparing with this mesh and of the first solution [s] */
-  double seconds_spent;      /**< time that coarser meshes took until now [s] */
+  double seconds_spent;      /**< time that other meshes, which tell the errors, took until now [s] */
   double error_wanted;       /**< option error.wanted [-] */
   double displacement_error; /**< [-] */
   double reaction_error;     /**< [-] */
@@ -509,9 +509,9 @@ typedef struct bempd_body_plan {
  * @return status @since 0.4 */
 BEMPD_API bempd_status bempd_body_plan_init(bempd_body_plan* plan, int64_t struct_size);
 
-/** @brief Plan the elements of bodies before anything expensive is solved: only meshes are solved whose elements are
- * twice as long as those of the plan, or longer. The model is not prepared by it, and the scene may still change. Of a
- * prepared model it tells what has come.
+/** @brief Plan the elements of bodies before anything expensive is solved: only small meshes are solved, and others
+ * whose elements are twice as long as those of the plan, or longer. The model is not prepared by it, and the scene may
+ * still change. Of a prepared model it tells what has come.
  * @param[in] model a model with a body @param[in,out] plan struct_size in, the rest out @return status @since 0.4 */
 BEMPD_API bempd_status bempd_plan(bempd_model* model, bempd_body_plan* plan);
 

@@ -480,7 +480,7 @@ module bempd_c
     real(c_double) :: memory
     !> time of preparing with this mesh and of the first solution [s]
     real(c_double) :: seconds
-    !> time that coarser meshes took until now [s]
+    !> time that other meshes, which tell the errors, took until now [s]
     real(c_double) :: seconds_spent
     !> option error.wanted [-]
     real(c_double) :: error_wanted
@@ -1703,9 +1703,9 @@ module bempd_c
       integer(c_int) :: bempd_body_plan_init
     end function bempd_body_plan_init
 
-    !> Plan the elements of bodies before anything expensive is solved: only meshes are solved whose elements are twice
-    !> as long as those of the plan, or longer. The model is not prepared by it, and the scene may still change. Of a
-    !> prepared model it tells what has come.
+    !> Plan the elements of bodies before anything expensive is solved: only small meshes are solved, and others whose
+    !> elements are twice as long as those of the plan, or longer. The model is not prepared by it, and the scene may
+    !> still change. Of a prepared model it tells what has come.
     !>
     !> model [in]: a model with a body
     !> plan [in,out]: struct_size in, the rest out

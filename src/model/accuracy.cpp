@@ -18,6 +18,11 @@ namespace {
 // Meshes with more halvings than this would only be needed for errors within rounding.
 constexpr int most_halvings = 8;
 
+// Scenes of which two meshes were solved are solved with elements halved once more to tell errors if they have no
+// lattice and at most so many elements: that takes two to three times as long as these two meshes took. With tips there
+// are more, since the size and the direction of their factors have errors of different orders.
+constexpr double most_certified = 125, most_certified_with_tips = 160;
+
 const scene::OptionGroup accuracy_group(scene::OptionPlace::general, [] {
   scene::OptionDescription budget = scene::number_option(
       "budget.seconds",
@@ -56,6 +61,7 @@ std::uint64_t Accuracy::mark() const {
 
 void Accuracy::forget() {
   levels_.clear();
+  certified_.reset(), seconds_certifying_ = 0;
   finest_.reset();
   promised_.reset(), chosen_.reset();
 }
@@ -106,28 +112,50 @@ std::vector<TipLoad> Accuracy::loads_of_elements() {
   return answers.loads;
 }
 
-void Accuracy::solve_next() {
-  const std::uint64_t now = mark();
-  if (mark_ != now) forget();
-  mark_ = now;
-  finest_.reset();
+Accuracy::Level Accuracy::solve(int halvings, std::unique_ptr<PreparedScene>& scene) {
   Level level;
-  const int halvings = static_cast<int>(levels_.size());
   {
     const Stopwatch watch(level.cost.seconds);
-    finest_ = solve_with({halvings, 0}, model_.scene().values(), 1,
-                         [&](PreparedScene& scene) { level.answers = answers_of(scene, 1); });
+    scene = solve_with({halvings, 0}, model_.scene().values(), 1,
+                       [&](PreparedScene& other) { level.answers = answers_of(other, 1); });
   }
-  const regions::Discretization& d = finest_->discretization;
+  const regions::Discretization& d = scene->discretization;
   const regions::RegionStatistics sizes = d.statistics();
   tolerance_ = d.tolerance;
   level.cost.halvings = halvings;
   level.cost.elements = static_cast<double>(sizes.boundary_elements);
   level.cost.unknowns = 2 * static_cast<double>(d.positions.size());
   level.cost.material_points = sizes.material_points;
-  level.cost.bonds = static_cast<std::int64_t>(finest_->system->terms().stiffness.size());
-  level.cost.bytes = bytes_of_elements(*finest_, 1);
-  levels_.push_back(std::move(level));
+  level.cost.bonds = static_cast<std::int64_t>(scene->system->terms().stiffness.size());
+  level.cost.bytes = bytes_of_elements(*scene, 1);
+  return level;
+}
+
+void Accuracy::solve_next() {
+  const std::uint64_t now = mark();
+  if (mark_ != now) forget();
+  mark_ = now;
+  finest_.reset();
+  levels_.push_back(solve(static_cast<int>(levels_.size()), finest_));
+}
+
+// Solves a small scene that has two meshes with the elements of the last one halved. Where its errors are larger than
+// wanted, that is its third mesh; else it tells the errors and goes. Returns whether anything is new.
+bool Accuracy::certify() {
+  const Level& last = levels_.back();
+  const double most = last.answers.tips.empty() ? most_certified : most_certified_with_tips;
+  const bool is_small = last.cost.elements <= most && last.cost.material_points == 0;
+  if (certified_ || levels_.size() != 2 || !is_small || !may_refine()) return false;
+  std::unique_ptr<PreparedScene> scene;
+  Level finer = solve(static_cast<int>(levels_.size()), scene);
+  certified_ = estimated_by_finer(finer.answers, last.answers, tolerance_, model_.options());
+  seconds_certifying_ = finer.cost.seconds;
+  if (wants_more()) {
+    certified_.reset(), seconds_certifying_ = 0;
+    levels_.push_back(std::move(finer));
+    finest_ = std::move(scene);
+  }
+  return true;
 }
 
 std::vector<const MeshAnswers*> Accuracy::meshes() const {
@@ -136,7 +164,9 @@ std::vector<const MeshAnswers*> Accuracy::meshes() const {
   return all;
 }
 
-MeshErrors Accuracy::estimate() const { return estimated(meshes(), tolerance_, model_.options()); }
+MeshErrors Accuracy::estimate() const {
+  return certified_ ? *certified_ : estimated(meshes(), tolerance_, model_.options());
+}
 
 double Accuracy::reduction() const { return expected_reduction(meshes(), tolerance_, model_.options()); }
 
@@ -181,6 +211,7 @@ bool Accuracy::may_refine() const {
 MeshPlan Accuracy::plan_of(const MeshCost& cost, bool is_solved) const {
   MeshPlan plan;
   plan.cost = cost;
+  plan.seconds_spent = seconds_certifying_;
   for (const Level& level : levels_) plan.seconds_spent += level.cost.seconds;
   if (is_solved) plan.seconds_spent -= cost.seconds;
   const double more = cost.halvings - levels_.back().cost.halvings;
@@ -201,7 +232,10 @@ const MeshPlan& Accuracy::plan() {
   while (levels_.size() < 2 || mark_ != mark()) solve_next();
   for (;;) {
     const double over = estimate().largest() / wanted();
-    if (over <= 1 || !may_refine()) return promised_.emplace(plan_of(levels_.back().cost, true));
+    if (over <= 1 || !may_refine()) {
+      if (certify()) continue;
+      return promised_.emplace(plan_of(levels_.back().cost, true));
+    }
     if (over <= reduction()) return promised_.emplace(plan_of(predicted(1), false));
     solve_next();
   }
@@ -233,7 +267,9 @@ void Accuracy::prepare() {
     return;
   }
   while (levels_.size() < 2 || mark_ != mark()) solve_next();
-  while (wants_more() && may_refine()) solve_next();
+  do {
+    while (wants_more() && may_refine()) solve_next();
+  } while (certify());
   chosen_ = plan_of(levels_.back().cost, true);
   regions::refine(model_.preparation().scene(), {levels_.back().cost.halvings, 0});
   model_.preparation().exchange(std::move(finest_));
@@ -242,6 +278,7 @@ void Accuracy::prepare() {
                               ? "; they hardly fall with shorter elements: does a support or a force act at a point?"
                               : "; shorter elements need more time or memory than the options allow";
   levels_.clear();
+  certified_.reset(), seconds_certifying_ = 0;
   const MeshErrors& errors = chosen_->errors;
   say([&] {
     model_.reports().log(chosen_->meets_wish ? 0 : 1, text("bodies have ", chosen_->cost.elements,

@@ -33,7 +33,7 @@ double bytes_of_elements(const PreparedScene& scene, double times);
 // Mesh that the library has chosen for the bodies of a scene, or that it predicts from coarser meshes to choose.
 struct MeshPlan {
   MeshCost cost;
-  double seconds_spent = 0;  // on coarser meshes, which tell the errors
+  double seconds_spent = 0;  // on other meshes, which tell the errors
   MeshErrors errors;
   double growth_load = 0;  // load factor of the first growth; infinite if no tip grows
   crack::TipId first;
@@ -44,7 +44,8 @@ struct MeshPlan {
 
 // Choice of the boundary elements of bodies: meshes with shorter and shorter elements are solved until the difference
 // of their results says that errors are below the option error.wanted, or the options budget.seconds or memory.limit
-// forbid the next one.
+// forbid the next one. Where the first two meshes are enough, a small scene is solved with elements halved once more to
+// tell its errors: two meshes do not tell how fast errors fall.
 class Accuracy {
  public:
   explicit Accuracy(Model& model) : model_(model) {}
@@ -94,7 +95,9 @@ class Accuracy {
     MeshAnswers answers;
   };
 
+  Level solve(int halvings, std::unique_ptr<PreparedScene>& scene);
   void solve_next();
+  bool certify();
   MeshCost predicted(int more) const;
   MeshErrors estimate() const;
   std::vector<const MeshAnswers*> meshes() const;
@@ -110,6 +113,8 @@ class Accuracy {
   std::vector<Level> levels_;
   std::uint64_t mark_ = 0;                 // of the scene and options for which levels_ are
   std::unique_ptr<PreparedScene> finest_;  // of the last level
+  std::optional<MeshErrors> certified_;    // errors of the last level by elements that are halved once more
+  double seconds_certifying_ = 0;
   double tolerance_ = 0;
   std::optional<MeshPlan> promised_, chosen_;
   RunJournal journal_;

@@ -1107,7 +1107,7 @@ since: 0.4""",
     "bempd_body_plan.bonds": """of peridynamic regions""",
     "bempd_body_plan.memory": """largest memory of preparing, without the sparse factor [B]""",
     "bempd_body_plan.seconds": """time of preparing with this mesh and of the first solution [s]""",
-    "bempd_body_plan.seconds_spent": """time that coarser meshes took until now [s]""",
+    "bempd_body_plan.seconds_spent": """time that other meshes, which tell the errors, took until now [s]""",
     "bempd_body_plan.error_wanted": """option error.wanted [-]""",
     "bempd_body_plan.displacement_error": """[-]""",
     "bempd_body_plan.reaction_error": """[-]""",
@@ -1128,9 +1128,9 @@ struct_size [in]: sizeof(bempd_body_plan) as the caller was compiled: older prog
 return: status
 since: 0.4""",
     "bempd_plan": """\
-Plan the elements of bodies before anything expensive is solved: only meshes are solved whose
-elements are twice as long as those of the plan, or longer. The model is not prepared by it, and the
-scene may still change. Of a prepared model it tells what has come.
+Plan the elements of bodies before anything expensive is solved: only small meshes are solved, and
+others whose elements are twice as long as those of the plan, or longer. The model is not prepared
+by it, and the scene may still change. Of a prepared model it tells what has come.
 
 model [in]: a model with a body
 plan [in,out]: struct_size in, the rest out

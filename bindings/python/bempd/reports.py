@@ -225,7 +225,7 @@ class BodyPlan:
     bonds: int
     memory: float  #: [B]
     seconds: float  #: of preparing with this mesh and of the first solution
-    seconds_spent: float  #: on coarser meshes
+    seconds_spent: float  #: on other meshes
     error_wanted: float
     displacement_error: float
     reaction_error: float

@@ -47,6 +47,21 @@ def test_breaks_change_no_factor_of_the_whole_body() -> None:
     assert windows.statistics().factor_updates == 0
 
 
+def test_supports_that_share_corners_of_elements_have_the_reactions_of_the_whole_body() -> None:
+    windows, plain = plate("window", "bond", 3.0), plate("plain", "bond", 3.0)
+    for model in (windows, plain):
+        model.fix_edge(2, 2, "x")  # shares its ends with edges 1 and 3
+        for _ in range(4):
+            model.step_to_next_event(1e6)
+    assert windows.statistics().factor_updates == 0
+    for support in (6, 8, 9):
+        ahead, whole = windows.support_history(support), plain.support_history(support)
+        assert abs(whole.force[-1, 0]) > 0.3
+        assert ahead.force == pytest.approx(whole.force, abs=1e-12)
+        assert ahead.force_before == pytest.approx(whole.force_before, abs=1e-12)
+        assert windows.reaction(support) == pytest.approx(whole.force[-1], abs=1e-12)
+
+
 def pressed_row() -> bempd.Model:
     """Four parts in a row, pressed together; a crack that begins in the second one, a lattice, runs into the third, of elements."""
     model = bempd.Model(options={"crack.tie_share": 0.02})

@@ -420,7 +420,7 @@ pub struct bempd_body_plan {
     pub memory: f64,
     /// time of preparing with this mesh and of the first solution \[s\]
     pub seconds: f64,
-    /// time that coarser meshes took until now \[s\]
+    /// time that other meshes, which tell the errors, took until now \[s\]
     pub seconds_spent: f64,
     /// option error.wanted \[-\]
     pub error_wanted: f64,
@@ -454,9 +454,10 @@ extern "C" {
     pub fn bempd_body_plan_init(plan: *mut bempd_body_plan, struct_size: i64) -> bempd_status;
 }
 extern "C" {
-    /// Plan the elements of bodies before anything expensive is solved: only meshes are solved
-    /// whose elements are twice as long as those of the plan, or longer. The model is not prepared
-    /// by it, and the scene may still change. Of a prepared model it tells what has come.
+    /// Plan the elements of bodies before anything expensive is solved: only small meshes are
+    /// solved, and others whose elements are twice as long as those of the plan, or longer. The
+    /// model is not prepared by it, and the scene may still change. Of a prepared model it tells
+    /// what has come.
     ///
     /// * model \[in\]: a model with a body
     /// * plan \[in,out\]: struct_size in, the rest out

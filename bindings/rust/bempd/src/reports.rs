@@ -221,7 +221,7 @@ mirror! {
         memory: f64,
         /// Time of preparing with this mesh and of the first solution [s].
         seconds: f64,
-        /// Time that coarser meshes took until now [s].
+        /// Time that other meshes, which tell the errors, took until now [s].
         seconds_spent: f64,
         /// Option error.wanted [-].
         error_wanted: f64,
