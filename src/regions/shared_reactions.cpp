@@ -108,18 +108,35 @@ void divide(int dof, std::size_t first, const std::vector<Side>& sides, std::vec
       shared[side.support].push_back({one.dof, node, one.weight * side.weights.front() / all});
 }
 
+// Supports that hold a degree of freedom, of those that several of them hold. Most scenes have none, also large ones.
+std::map<int, std::vector<std::size_t>> shared_dofs(const DofConditions& conditions) {
+  std::map<int, std::vector<std::size_t>> holders;
+  for (std::size_t s = 0; s < conditions.held_dofs.size(); ++s) {
+    const std::vector<int>& counted = conditions.reaction_dofs[s];  // the others count for a support before
+    auto next = counted.begin();
+    for (const int dof : conditions.held_dofs[s]) {
+      if (next != counted.end() && *next == dof) {
+        ++next;
+      } else {
+        holders.try_emplace(dof);
+      }
+    }
+  }
+  if (holders.empty()) return holders;
+  for (std::size_t s = 0; s < conditions.held_dofs.size(); ++s)
+    for (const int dof : conditions.held_dofs[s])
+      if (const auto found = holders.find(dof); found != holders.end()) found->second.push_back(s);
+  return holders;
+}
+
 }  // namespace
 
 coupling::SupportDofs dofs_of_supports(const scene::Scene& scene, const Discretization& d,
                                        const DofConditions& conditions) {
   coupling::SupportDofs dofs{conditions.reaction_dofs, {}};
   dofs.shared.resize(dofs.own.size());
-  std::map<int, std::vector<std::size_t>> holders;
-  for (std::size_t s = 0; s < conditions.held_dofs.size(); ++s)
-    for (const int dof : conditions.held_dofs[s]) holders[dof].push_back(s);
   HeldParts parts(scene, d);
-  for (const auto& [dof, supports] : holders) {
-    if (supports.size() < 2) continue;
+  for (const auto& [dof, supports] : shared_dofs(conditions)) {
     const std::vector<Side> sides = sides_at(dof / 2, supports, scene, d, parts);
     if (!sides.empty() && (sides.size() > 1 || sides.front().support != supports.front()))
       divide(dof, supports.front(), sides, dofs.shared);
