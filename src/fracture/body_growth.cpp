@@ -34,7 +34,9 @@ void BodyGrowth::take_over_lattices(const BodyState& old, const FormerBody& form
                                     const std::vector<crack::TipId>& entering) {
   for (std::size_t t = 0; t < old.stages.size(); ++t) {
     if (old.stages[t] == 0) continue;
-    std::uint8_t& now = state_.stages[static_cast<std::size_t>(former.now(static_cast<int>(t)))];
+    const int term = former.now(static_cast<int>(t));
+    if (term < 0) continue;
+    std::uint8_t& now = state_.stages[static_cast<std::size_t>(term)];
     now = std::max(now, old.stages[t]);
   }
   std::vector<GrowingTip> tips = old.tips;
@@ -47,8 +49,8 @@ void BodyGrowth::take_over_lattices(const BodyState& old, const FormerBody& form
 }
 
 // Takes over the contact state. Exact constraints are at first as those nearest to them were, so that few of them are
-// switched on the way to the new equilibrium. If a crack has entered a lattice, places on initial cracks are open at
-// first, and some places of broken bonds may have become places of the crack.
+// switched on the way to the new equilibrium. If a crack has entered a lattice, or left a part of it to elements,
+// places on initial cracks are open at first, and some places of broken bonds may have become places of the crack.
 void BodyGrowth::take_over_faces(LoadedBody& then, const FaceState& old, const FormerBody& former) {
   FaceState& faces = state_.faces;
   const CrackFaces& before = then.faces();
@@ -59,20 +61,24 @@ void BodyGrowth::take_over_faces(LoadedBody& then, const FaceState& old, const F
     const std::vector<char> closed = system_.operators().closed_as_in(then.system().operators(), old.closed);
     std::copy(closed.begin(), closed.end(), faces.closed.begin());
   }
-  const bool same_places = before.first_grown() - exact_before == body_.faces().first_grown() - exact;
+  const bool same_places =
+      !former.has_fewer_terms && before.first_grown() - exact_before == body_.faces().first_grown() - exact;
   const auto initial = old.closed.begin() + static_cast<std::ptrdiff_t>(exact_before);
   const auto grown = old.closed.begin() + static_cast<std::ptrdiff_t>(before.first_grown());
   if (same_places) std::copy(initial, grown, faces.closed.begin() + static_cast<std::ptrdiff_t>(exact));
   for (std::size_t k = 0; k < old.grown.size(); ++k) {
     GrownFace face = old.grown[k];
     face.term = former.now(face.term);
+    if (face.term < 0) continue;
     if (!same_places && state_.stages[static_cast<std::size_t>(face.term)] != 0) continue;
     faces.grown.push_back(face);
     faces.closed.push_back(grown[static_cast<std::ptrdiff_t>(k)]);
   }
   faces.pending = old.pending;
-  for (std::vector<int>& terms : faces.pending)
+  for (std::vector<int>& terms : faces.pending) {
     for (int& term : terms) term = former.now(term);
+    std::erase(terms, -1);
+  }
 }
 
 // Takes over the body's state: what is broken, and what holds separated parts.

@@ -24,10 +24,18 @@ struct Growth {
 struct FormerBody {
   std::vector<int> node;      // by node: the one at the same place before, or a close one
   std::vector<int> node_now;  // by node before: the one at the same place, or a close one; -1: there is none
-  // New numbers of terms, by those before. All that have changed are known; empty: every term has the same number.
+  // New numbers of terms, by those before. All that have changed are known, but for those of lattices that elements
+  // have replaced; empty: every term has the same number.
   std::optional<std::unordered_map<int, int>> terms;
+  bool has_fewer_terms = false;  // elements have replaced a part of a lattice, and carry a crack there
 
-  int now(int term) const { return terms ? terms->at(term) : term; }
+  // New number of a term; -1 if it is gone.
+  int now(int term) const {
+    if (!terms) return term;
+    if (!has_fewer_terms) return terms->at(term);
+    const auto found = terms->find(term);
+    return found == terms->end() ? -1 : found->second;
+  }
 };
 
 // Growth of cracks with boundary elements, or of lattices that follow tips, at which a run goes on in another body,

@@ -91,8 +91,8 @@ struct EvolutionState : BodyState, Sums {
   // its nodes, NaN where a component is not prescribed [m].
   std::vector<double> reactions, reactions_before, support_displacements;
   std::vector<CrackExtension> extensions;
-  // What lattice patches have grown by: extensions by their places in the list, or broken bonds, each a number below 0
-  // (regions::BreakNearBorder).
+  // What lattice patches have followed: extensions by their places in the list, with a high bit if elements have got
+  // what lies behind them (regions::gives_back), or broken bonds, each a number below 0 (regions::BreakNearBorder).
   std::vector<std::int64_t> layouts;
 };
 

@@ -112,19 +112,35 @@ void end_at_outline(scene::Crack& crack, int end, const scene::Scene& scene, dou
 
 }  // namespace
 
+std::size_t known_extensions(const scene::Crack& crack, const crack::TipId& tip,
+                             std::span<const fracture::CrackExtension> extensions) {
+  for (std::size_t k = extensions.size(); k-- > 0;) {
+    const fracture::CrackExtension& e = extensions[k];
+    if (e.tip() == tip && std::ranges::find(crack.points, Point(e.x, e.y)) != crack.points.end()) return k + 1;
+  }
+  return 0;
+}
+
+void add_extensions(scene::Crack& crack, const crack::TipId& tip,
+                    std::span<const fracture::CrackExtension> extensions) {
+  for (const fracture::CrackExtension& e : extensions.subspan(known_extensions(crack, tip, extensions)))
+    if (e.tip() == tip) extend(crack, e.end, {e.x, e.y});
+}
+
 scene::Crack& with_line(std::vector<scene::Crack>& cracks, const crack::TipId& line,
                         std::span<const fracture::CrackExtension> extensions, const scene::Scene& scene,
                         double tolerance) {
   scene::Crack& crack = crack_of(line, cracks);
-  const bool is_new = crack.points.empty();
-  const std::vector<Point> known = crack.points;
-  for (const fracture::CrackExtension& e : extensions) {
-    if (e.crack != line.crack || (!is_new && e.end != line.end)) continue;
-    if (crack.points.empty()) crack.points.emplace_back(e.from_x, e.from_y);
-    if (std::find(known.begin(), known.end(), Point(e.x, e.y)) == known.end()) extend(crack, e.end, {e.x, e.y});
+  if (!crack.points.empty()) {
+    add_extensions(crack, line, extensions);
+    return crack;
   }
-  if (is_new)
-    for (const int end : {0, 1}) end_at_outline(crack, end, scene, tolerance);
+  for (const fracture::CrackExtension& e : extensions) {
+    if (e.crack != line.crack) continue;
+    if (crack.points.empty()) crack.points.emplace_back(e.from_x, e.from_y);
+    extend(crack, e.end, {e.x, e.y});
+  }
+  for (const int end : {0, 1}) end_at_outline(crack, end, scene, tolerance);
   return crack;
 }
 

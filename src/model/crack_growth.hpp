@@ -2,12 +2,14 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <set>
 #include <vector>
 
 #include "crack/tip.hpp"
 #include "model/answers.hpp"
 #include "model/tip_factors.hpp"
+#include "regions/patches.hpp"
 #include "regions/region.hpp"
 #include "scene/scene.hpp"
 #include "scene/scene_values.hpp"
@@ -46,9 +48,12 @@ class CrackGrowth {
   // Prepared scene with longer cracks, in which the present run continues (longer_cracks.cpp). `on_way` are the values
   // of loads that act; null for those of the host. Throws crack::CannotGrow if the longer cracks are impossible.
   std::unique_ptr<PreparedScene> with_cracks(std::vector<scene::Crack> longer, const scene::SceneValues* on_way);
-  // Prepared scene with the patches that the scene has now, by what fracture::EvolutionState::layouts tells, in which
-  // the present run continues in the same way.
-  std::unique_ptr<PreparedScene> with_patches(const scene::SceneValues* on_way, std::int64_t layout);
+  // Prepared scene with other patches, which are then those of the model's scene, as are `cracks` if elements carry
+  // more of them; `layout` is an entry of fracture::EvolutionState::layouts (laid_patches.cpp). The present run
+  // continues in it in the same way. After an error the model's scene is as before.
+  std::unique_ptr<PreparedScene> with_patches(std::vector<regions::Patch> patches,
+                                              std::optional<std::vector<scene::Crack>> cracks,
+                                              const scene::SceneValues* on_way, std::int64_t layout);
   // Prepared scene with the extensions of `growing`, in which the run continues in the same way.
   std::unique_ptr<PreparedScene> extended_scene(const std::vector<scene::Crack>& before, Growing& growing,
                                                 const scene::SceneValues* on_way);

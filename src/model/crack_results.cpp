@@ -54,11 +54,8 @@ bool has_extensions(const crack::TipId& tip, std::span<const fracture::CrackExte
 double grown_among_bonds(int crack, int end, const scene::Crack& described,
                          std::span<const fracture::CrackExtension> extensions) {
   double sum = 0;
-  for (const fracture::CrackExtension& e : extensions) {
-    const bool is_known =
-        std::find(described.points.begin(), described.points.end(), Point(e.x, e.y)) != described.points.end();
-    if (e.crack == crack && e.end == end && !is_known) sum += e.length;
-  }
+  for (const fracture::CrackExtension& e : extensions.subspan(known_extensions(described, {crack, end}, extensions)))
+    if (e.crack == crack && e.end == end) sum += e.length;
   return sum;
 }
 

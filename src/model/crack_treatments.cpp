@@ -10,6 +10,15 @@
 
 namespace bempd::model {
 
+namespace {
+
+const scene::OptionGroup treatment_hooks(scene::OptionPlace::test_hooks, [] {
+  return std::vector<scene::OptionDescription>{
+      scene::number_option("test.give_back", "0: lattice patches give no blocks back.", 1, 0, 1, true)};
+});
+
+}  // namespace
+
 void CrackTreatments::set(int crack, CrackTreatment treatment) {
   if (crack < 1 || crack > model_.cracks().count()) model_.scene().crack(crack);  // throws
   const auto known = treatments_.find(crack);
@@ -114,24 +123,41 @@ std::optional<std::vector<regions::Patch>> CrackTreatments::followed(const regio
   return regions::grown_around(model_.scene(), patches(), broken);
 }
 
-bool CrackTreatments::follow(std::span<const std::int64_t>& layouts, std::span<const crack::Extension> grown) {
+std::optional<LaidBack> CrackTreatments::laid_back(const std::vector<regions::Patch>& patches,
+                                                   std::span<const crack::Extension> extensions) const {
+  if (model_.options().whole_number("test.give_back") == 0) return std::nullopt;
+  return model::laid_back(model_.scene(), patches, extensions);
+}
+
+bool CrackTreatments::follow(std::span<const std::int64_t>& layouts, std::span<const crack::Extension> grown,
+                             std::vector<scene::Crack>& cracks) {
   const std::size_t before = layouts.size();
   for (; !layouts.empty() && regions::extensions_before(layouts.front()) == grown.size();
        layouts = layouts.subspan(1)) {
     const std::int64_t layout = layouts.front();
-    std::optional<std::vector<regions::Patch>> larger =
+    std::optional<std::vector<regions::Patch>> next =
         layout < 0 ? followed(regions::break_of(layout)) : followed(grown.back());
-    require(larger.has_value(), "the state has other lattice patches; its bytes were altered");
-    move(std::move(*larger));
+    std::optional<LaidBack> back;
+    if (next && regions::gives_back(layout)) {
+      back = model::laid_back(model_.scene(), *next, grown);
+      next = back ? std::optional(std::move(back->layout.patches)) : std::nullopt;
+    }
+    require(next.has_value(), "the state has other lattice patches; its bytes were altered");
+    move(std::move(*next));
+    if (!back) continue;
+    const auto number = static_cast<std::size_t>(back->crack) - 1;
+    cracks[number] = back->cracks[number];
+    model_.preparation().scene().set_cracks(std::move(back->cracks));
   }
   return layouts.size() < before;
 }
 
 void CrackTreatments::move(std::vector<regions::Patch> next) {
+  const int own = own_regions();
   try {
-    regions::move_patches(model_.preparation().scene(), next, own_regions());
+    regions::move_patches(model_.preparation().scene(), next, own);
   } catch (...) {
-    regions::move_patches(model_.preparation().scene(), patches(), own_regions());
+    regions::move_patches(model_.preparation().scene(), patches(), own);
     throw;
   }
   laid_patches_.present = std::move(next);

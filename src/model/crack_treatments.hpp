@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "crack/extension.hpp"
+#include "model/given_back.hpp"
 #include "model/mesh_answers.hpp"
 #include "regions/patches.hpp"
 
@@ -39,9 +40,14 @@ class CrackTreatments {
   std::optional<std::vector<regions::Patch>> followed(const crack::Extension& extension) const;
   // Patches that have more blocks around a broken bond; empty if they cannot.
   std::optional<std::vector<regions::Patch>> followed(const regions::BreakNearBorder& broken) const;
+  // What patches, which may not be in the scene yet, can give back behind the line that has grown last.
+  std::optional<LaidBack> laid_back(const std::vector<regions::Patch>& patches,
+                                    std::span<const crack::Extension> extensions) const;
   // Gives patches the blocks that they got in a run when it had just the extensions `grown`, by its layouts, of which
-  // those are taken from the list (fracture::EvolutionState). Returns whether there were any; the prepared scene stays.
-  bool follow(std::span<const std::int64_t>& layouts, std::span<const crack::Extension> grown);
+  // those are taken from the list (fracture::EvolutionState), and the scene the cracks that elements carried from then
+  // on; `cracks` get these, too. Returns whether there were any; the prepared scene stays.
+  bool follow(std::span<const std::int64_t>& layouts, std::span<const crack::Extension> grown,
+              std::vector<scene::Crack>& cracks);
   // Gives the patches in the scene other blocks. The prepared scene stays as it is.
   void move(std::vector<regions::Patch> next);
   void go_back_to(std::vector<regions::Patch> before) noexcept;

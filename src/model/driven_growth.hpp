@@ -48,6 +48,12 @@ bool is_at_border(const fracture::CrackExtension& extension, const scene::Scene&
                   const regions::Discretization& discretization);
 // Last extension of one end of a crack; empty (default values) if it has not grown.
 fracture::CrackExtension last_of(const crack::TipId& tip, std::span<const fracture::CrackExtension> extensions);
+// Number of extensions in a list up to the last one of a tip that a crack has as a point: it has all of them. Its path
+// may have fewer points, where elements carry it.
+std::size_t known_extensions(const scene::Crack& crack, const crack::TipId& tip,
+                             std::span<const fracture::CrackExtension> extensions);
+// Adds the extensions of a tip to its crack that it does not have.
+void add_extensions(scene::Crack& crack, const crack::TipId& tip, std::span<const fracture::CrackExtension> extensions);
 // The crack of a line with all places that the line has reached, at both ends if it has begun in the run.
 scene::Crack& with_line(std::vector<scene::Crack>& cracks, const crack::TipId& line,
                         std::span<const fracture::CrackExtension> extensions, const scene::Scene& scene,

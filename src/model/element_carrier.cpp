@@ -3,13 +3,13 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <span>
 
 #include "cancellation.hpp"
 #include "crack/cannot_grow.hpp"
 #include "error.hpp"
 #include "model/element_growth.hpp"
 #include "model/model.hpp"
-#include "regions/memory_limit.hpp"
 
 namespace bempd::model {
 
@@ -155,12 +155,24 @@ void ElementCarrier::change_scene(std::unique_ptr<PreparedScene> next,
   if (!start_) start_ = std::move(next);
 }
 
-// Gives patches more blocks around lines that have grown since the last call.
+// Gives patches more blocks around lines that have grown since the last call, and elements what lies behind these lines
+// where the faces are apart.
 void ElementCarrier::follow_lines() {
-  if (model_.treatments().patches().empty()) return;
+  const CrackTreatments& treatments = model_.treatments();
+  if (treatments.patches().empty()) return;
   const std::size_t count = body().progress().extensions.size();
-  for (std::size_t k = extensions_seen_; k < count; ++k)
-    follow(model_.treatments().followed(body().progress().extensions[k]), static_cast<std::int64_t>(k));
+  for (std::size_t k = extensions_seen_; k < count; ++k) {
+    const std::span all(body().progress().extensions);
+    const auto layout = static_cast<std::int64_t>(k);
+    std::optional<std::vector<regions::Patch>> larger = treatments.followed(all[k]);
+    if (!larger) continue;
+    body().sources().bring_up_to_date();
+    std::optional<LaidBack> back = treatments.laid_back(*larger, all.first(k + 1));
+    if (back && has_apart_faces(model_.prepared(), *back) &&
+        lay(std::move(back->layout.patches), std::move(back->cracks), regions::giving_back + layout))
+      continue;
+    lay(std::move(*larger), std::nullopt, layout);
+  }
 }
 
 // Gives patches more blocks around bonds that have broken where cracks do not grow as lines.
@@ -182,32 +194,25 @@ bool ElementCarrier::follow_breaks(const std::vector<coupling::StageChange>& bro
     if (!near) continue;
     auto larger = treatments.followed(*near);
     if (larger && regions::near_border(*larger, place, extensions)) larger.reset();
-    if (follow(std::move(larger), regions::number_of(*near))) continue;
+    if (larger && lay(std::move(*larger), std::nullopt, regions::number_of(*near))) continue;
     has_no_room = true;
     say([&] { model_.reports().warn_of_break(place); });
   }
   return has_no_room;
 }
 
-// Lets the run go on in larger patches. If these cannot be, for lack of memory as well, the patches stay, and a line
-// goes on in elements.
-bool ElementCarrier::follow(std::optional<std::vector<regions::Patch>> larger, std::int64_t layout) {
-  if (!larger) return false;
-  std::vector<regions::Patch> before = model_.treatments().patches();
+// Lets the run go on in other patches, and with other cracks in elements. If these cannot be, for lack of memory as
+// well, the patches stay, and a line goes on in elements.
+bool ElementCarrier::lay(std::vector<regions::Patch> patches, std::optional<std::vector<scene::Crack>> cracks,
+                         std::int64_t layout) {
   body().sources().bring_up_to_date();
   std::unique_ptr<PreparedScene> next;
   try {
-    model_.treatments().move(std::move(*larger));
-    regions::require_memory(model_.scene(), model_.options());
-    next = model_.growth().with_patches(on_way_, layout);
+    next = model_.growth().with_patches(std::move(patches), std::move(cracks), on_way_, layout);
   } catch (const Error& error) {
-    model_.treatments().go_back_to(std::move(before));
     if (error.failure() != Failure::argument && error.failure() != Failure::unsolvable) throw;
-    say([&] { model_.reports().warn_of_patch(error.what()); });
+    if (!regions::gives_back(layout)) say([&] { model_.reports().warn_of_patch(error.what()); });
     return false;
-  } catch (...) {
-    model_.treatments().go_back_to(std::move(before));
-    throw;
   }
   change_scene(std::move(next), [&](const PreparedScene&) { model_.reports().tell_of_layout(); });
   return true;

@@ -60,7 +60,7 @@ class ElementCarrier final : public fracture::BodyCarrier {
   Grown carried_on(const crack::Extension& last, const Point& place, std::vector<scene::Crack> longer, bool is_driven);
   std::vector<crack::TipId> lines_at_border();
   void follow_lines();
-  bool follow(std::optional<std::vector<regions::Patch>> larger, std::int64_t layout);
+  bool lay(std::vector<regions::Patch> patches, std::optional<std::vector<scene::Crack>> cracks, std::int64_t layout);
   void change_scene(std::unique_ptr<PreparedScene> next, const std::function<void(const PreparedScene&)>& tell);
   Grown grown(const std::vector<scene::Crack>& before, const std::function<Grown()>& grow);
 

@@ -32,11 +32,13 @@ std::vector<crack::PathVertex> path_in(const scene::Scene& scene, const Prepared
   std::vector<Point> given(found.given().begin(), found.given().end());
   for (const int end : {0, 1}) {
     Point& place = end == 0 ? given.front() : given.back();
-    const bool has_grown =
-        std::ranges::any_of(extensions, [&](const auto& e) { return e.crack == crack && e.end == end; });
-    if (parted.region_at(end) > 0)
+    const auto first =
+        std::ranges::find_if(extensions, [&](const auto& e) { return e.crack == crack && e.end == end; });
+    if (first != extensions.end())
+      place = {first->from_x, first->from_y};
+    else if (parted.region_at(end) > 0)
       place = end == 0 ? parted.crack.given().front() : parted.crack.given().back();
-    else if (!has_grown)
+    else
       place = prepared.in_lattices.ends[number][static_cast<std::size_t>(end)];
   }
   return path_of(crack, given, extensions);

@@ -72,8 +72,12 @@ void require_fit(const SavedState& saved, const PreparedScene& scene) {
   // may be counted twice.
   const bool both = std::any_of(scene.discretization.cracks.begin(), scene.discretization.cracks.end(),
                                 [](const auto& crack) { return crack.has_elements() && crack.cuts_bonds(); });
+  // Broken bonds of a lattice that elements have replaced are counted, but not there any more.
+  const bool has_fewer = std::ranges::any_of(state.layouts, regions::gives_back);
   const auto most = static_cast<std::int64_t>(cut.size()) + state.broken_bonds;
-  must((both ? broken <= most && broken >= state.broken_bonds : broken == most) &&
+  must((has_fewer ? broken <= most
+        : both    ? broken <= most && broken >= state.broken_bonds
+                  : broken == most) &&
        std::all_of(cut.begin(), cut.end(), [&](int bond) { return is_broken(static_cast<std::size_t>(bond)); }));
   must(fits(saved.continuation, state, scene));
 }
@@ -173,7 +177,7 @@ void States::restore(const SavedState& state) {
 bool States::has_grown_as(const fracture::EvolutionState& state) const {
   const fracture::EvolutionState& present = model_.prepared_or_null()->evolution->progress();
   const auto has_same = [&](std::int64_t number) {
-    const auto k = static_cast<std::size_t>(number);
+    const auto k = static_cast<std::size_t>(regions::extension_of(number));
     return number < 0 || (k < state.extensions.size() && k < present.extensions.size() &&
                           are_same(state.extensions[k], present.extensions[k]));
   };
@@ -206,7 +210,7 @@ std::unique_ptr<PreparedScene> States::as_grown(const fracture::EvolutionState& 
   };
   const auto among_bonds = [&](const crack::Extension& e) { return is_among_bonds(model_, e); };
   std::span<const std::int64_t> layouts = state.layouts;
-  model_.treatments().follow(layouts, {});
+  model_.treatments().follow(layouts, {}, cracks);
   for (std::size_t k = 0; k < extensions.size(); ++k) {
     const crack::Extension& e = extensions[k];
     if (!among_bonds(e)) {
@@ -223,7 +227,7 @@ std::unique_ptr<PreparedScene> States::as_grown(const fracture::EvolutionState& 
         grown = preparation.build(grown.get());
       }
     }
-    if (model_.treatments().follow(layouts, std::span(extensions).first(k + 1))) is_built = false;
+    if (model_.treatments().follow(layouts, std::span(extensions).first(k + 1), cracks)) is_built = false;
   }
   require(layouts.empty(), "the state has more lattice patches than growth; its bytes were altered");
   build_anew();

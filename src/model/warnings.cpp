@@ -163,7 +163,7 @@ void RunReports::tell_of_growth(const fracture::Growth& growth, const PreparedSc
 
 void RunReports::tell_of_layout() const {
   const PreparedScene& now = model_.prepared();
-  log(2, text("load factor ", now.evolution->progress().load_factor, ": lattice patches have grown to ",
+  log(2, text("load factor ", now.evolution->progress().load_factor, ": lattice patches now have ",
               now.discretization.statistics().material_points, " material points; the stored energy changes by ",
               now.evolution->growth().stored_by_layout()));
 }

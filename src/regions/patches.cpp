@@ -93,27 +93,32 @@ void cut_out(scene::Scene& scene, const std::vector<Patch>& patches) {
   }
 }
 
+void add_part(scene::Scene& scene, const Patch& patch) {
+  const scene::Region& body = scene.region(patch.body);
+  auto part = std::make_unique<PeridynamicDescription>(
+      body.material(), scene.material_of(patch.body), Outline{{patch.outline}, {}}, patch.spacing, patch.horizon_ratio);
+  part->make_part_of(patch.body);
+  part->set_fracture_energies(body.fracture_energies());
+  scene.add_region(std::move(part));
+}
+
 }  // namespace
 
 void add_patches(scene::Scene& scene, const std::vector<Patch>& patches) {
-  for (const Patch& patch : patches) {
-    const scene::Region& body = scene.region(patch.body);
-    auto part =
-        std::make_unique<PeridynamicDescription>(body.material(), scene.material_of(patch.body),
-                                                 Outline{{patch.outline}, {}}, patch.spacing, patch.horizon_ratio);
-    part->make_part_of(patch.body);
-    part->set_fracture_energies(body.fracture_energies());
-    scene.add_region(std::move(part));
-  }
+  for (const Patch& patch : patches) add_part(scene, patch);
   cut_out(scene, patches);
 }
 
 void move_patches(scene::Scene& scene, const std::vector<Patch>& patches, int count) {
   for (const int id : scene.region_ids())
     if (BoundaryDescription* boundary = boundary_in(scene, id)) boundary->make_whole();
+  if (scene.region_count() > count + static_cast<int>(patches.size()))
+    remove_parts(scene, count + static_cast<int>(patches.size()));
   int id = count;
-  for (const Patch& patch : patches)
-    const_cast<scene::Region&>(scene.region(++id)).set_outline(Outline{{patch.outline}, {}});
+  for (const Patch& patch : patches) {
+    if (++id > scene.region_count()) add_part(scene, patch);
+    const_cast<scene::Region&>(scene.region(id)).set_outline(Outline{{patch.outline}, {}});
+  }
   cut_out(scene, patches);
 }
 
@@ -208,14 +213,13 @@ class GrowingPatch {
   PatchWalls walls_;
 };
 
-// Number of the patch in which a place lies; that of all patches if it lies in none.
+}  // namespace
+
 std::size_t patch_around(const std::vector<Patch>& patches, const Point& place) {
   const auto found =
       std::ranges::find_if(patches, [&](const Patch& patch) { return block_at(patch, place).has_value(); });
   return static_cast<std::size_t>(found - patches.begin());
 }
-
-}  // namespace
 
 std::optional<std::vector<Patch>> followed(const scene::Scene& scene, const std::vector<Patch>& patches,
                                            const FollowedTip& tip) {

@@ -62,10 +62,19 @@ struct BreakNearBorder {
 // Number below 0 that stands for one, from which it can be told again.
 std::int64_t number_of(const BreakNearBorder& broken);
 BreakNearBorder break_of(std::int64_t number);
-// Number of extensions that there were when a patch grew, by a layout of fracture::EvolutionState.
+
+// Number of a layout that follows an extension: its place in the list, with a high bit if the patch gives back blocks
+// as well (patches_back.hpp).
+inline constexpr std::int64_t giving_back = std::int64_t{1} << 62;
+inline bool gives_back(std::int64_t layout) { return layout >= giving_back; }
+inline std::int64_t extension_of(std::int64_t layout) { return gives_back(layout) ? layout - giving_back : layout; }
+// Number of extensions that there were when a patch changed, by a layout of fracture::EvolutionState.
 inline std::size_t extensions_before(std::int64_t layout) {
-  return layout < 0 ? break_of(layout).extensions : static_cast<std::size_t>(layout) + 1;
+  return layout < 0 ? break_of(layout).extensions : static_cast<std::size_t>(extension_of(layout)) + 1;
 }
+
+// Number of the patch in which a place lies; that of all patches if it lies in none.
+std::size_t patch_around(const std::vector<Patch>& patches, const Point& place);
 
 // Whether a place lies in a patch that does not have all blocks within two and a half horizons of it; empty if it does
 // not.
@@ -80,7 +89,8 @@ int lattice_around(const scene::Scene& scene, int crack);
 
 // Cuts patches out of their bodies and adds them to the scene, as regions with the next ids.
 void add_patches(scene::Scene& scene, const std::vector<Patch>& patches);
-// Gives the patches, which are behind the `count` other regions, other blocks. Their ids stay.
+// Gives the patches, which are behind the `count` other regions, other blocks. Their ids stay; patches that the scene
+// does not have get the next ids, and those that are not in the list go.
 void move_patches(scene::Scene& scene, const std::vector<Patch>& patches, int count);
 // Takes all patches out again; the scene has `count` regions then.
 void remove_patches(scene::Scene& scene, int count);

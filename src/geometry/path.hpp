@@ -1,0 +1,43 @@
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "geometry/blocks.hpp"
+#include "geometry/segment.hpp"
+
+namespace bempd {
+
+// Polyline with the ways of its points along it.
+class Path {
+ public:
+  explicit Path(std::vector<Point> points);
+
+  double length() const { return ways_.back(); }
+  std::size_t pieces() const { return points_.size() - 1; }
+  Segment piece(std::size_t i) const { return {points_[i], points_[i + 1]}; }
+  double way(std::size_t i) const { return ways_[i]; }
+  Point at(double way) const;
+
+  struct Nearest {
+    double way, distance;
+  };
+  Nearest nearest(const Point& place) const;
+
+ private:
+  std::vector<Point> points_;
+  std::vector<double> ways_;
+};
+
+// Crossing of a path with a line of the grid of blocks.
+struct GridCrossing {
+  double way;
+  std::size_t axis;  // of the line's normal
+  int line;          // number
+  int row;           // of the block on either side
+};
+
+// Crossings of a path with lines of a grid, by their ways.
+std::vector<GridCrossing> crossings_of(const Path& path, const BlockGrid& grid);
+
+}  // namespace bempd

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "crack/extension.hpp"
+#include "regions/patches_back.hpp"
+#include "scene/scene.hpp"
+
+namespace bempd::model {
+
+struct PreparedScene;
+
+// Layout of patches in which blocks behind a crack line are elements again. These carry the crack there, so its path
+// in the scene goes on to its tips.
+struct LaidBack {
+  regions::GivenBack layout;
+  std::vector<scene::Crack> cracks;  // of the scene, with the longer one
+  int crack;                         // id of that one
+  std::vector<Point> path;           // its whole one, of which the scene needs fewer points
+};
+
+// What a patch can give back behind the line that has grown last, by the scene's cracks, all extensions so far, and
+// patches that may not be in the scene yet. Empty if that is nothing.
+std::optional<LaidBack> laid_back(const scene::Scene& scene, const std::vector<regions::Patch>& patches,
+                                  std::span<const crack::Extension> extensions);
+
+// Whether no intact bond joins the two faces of the crack in the blocks that are to be given back, nothing else is
+// broken, held or without its loads there, and no pressure acts in the crack.
+bool has_apart_faces(const PreparedScene& prepared, const LaidBack& back);
+
+}  // namespace bempd::model
