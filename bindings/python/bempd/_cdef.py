@@ -1077,7 +1077,9 @@ the numbers of its edges, and its supports and loads; loads on the whole body ac
 well. Nodes of the patch's border follow those of the body's outline. Between an edge or another
 crack and the patch one block of elements stays, so a crack that begins at an edge has elements
 there. A tip that has no two such blocks ahead of it any more gets five: points and bonds of the
-patch get other numbers, and the history a line. A tip that no more blocks fit around goes on in
+patch get other numbers, and the history a line. What a line has left more than six horizons behind
+may get elements again then, if no bond joins its faces there: the patch becomes smaller, or falls
+into two, of which one gets the next free id. A tip that no more blocks fit around goes on in
 elements within two horizons of the border. Bond by bond (crack.rule = "bond") blocks are added
 around a bond that breaks within 2.5 horizons of the border; where none fit, each event there ends
 its step as BEMPD_STOP_CRACK_STOPPED, since loads are no longer those of a large lattice.
@@ -3706,7 +3708,7 @@ call of bempd_grow_cracks(). Energies that no double can hold are as in bempd_st
 since: 0.1""",
     "bempd_history_entry.struct_size": """sizeof(bempd_history_entry), set by bempd_history_entry_init()""",
     "bempd_history_entry.event": """\
-number of the event, or 0 for the end of a step or a lattice patch that grows""",
+number of the event, or 0 for the end of a step or a change of a lattice patch""",
     "bempd_history_entry.total_broken_bonds": """bonds broken so far""",
     "bempd_history_entry.load_factor": """load factor [-]""",
     "bempd_history_entry.stretch_ratio": """\
