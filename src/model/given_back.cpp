@@ -95,7 +95,6 @@ std::optional<LaidBack> laid_back(const scene::Scene& scene, const std::vector<r
 }
 
 bool has_apart_faces(const PreparedScene& prepared, const LaidBack& back) {
-  if (!prepared.conditions.crack_pressures.empty()) return false;
   const std::vector<Point>& positions = prepared.discretization.positions;
   const regions::Patch& patch = back.layout.patches[back.layout.number];
   const fracture::EvolutionState& state = prepared.evolution->progress();

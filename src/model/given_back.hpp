@@ -26,8 +26,8 @@ struct LaidBack {
 std::optional<LaidBack> laid_back(const scene::Scene& scene, const std::vector<regions::Patch>& patches,
                                   std::span<const crack::Extension> extensions);
 
-// Whether no intact bond joins the two faces of the crack in the blocks that are to be given back, nothing else is
-// broken, held or without its loads there, and no pressure acts in the crack.
+// Whether no intact bond joins the two faces of the crack in the blocks that are to be given back, and nothing else is
+// broken, held or without its loads there.
 bool has_apart_faces(const PreparedScene& prepared, const LaidBack& back);
 
 }  // namespace bempd::model
