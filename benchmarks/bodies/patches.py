@@ -149,8 +149,9 @@ def following(quick: bool) -> list[str]:
         stored = history["stored_energy"]
         jumps = np.abs(stored[1:] / stored[:-1] - 1)[history["event"][1:] == 0]
         memory = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss / 1e6
-        lines.append(f"| {model.crack_length(crack) - POINTS:.0f} | {len(jumps)} | {model.statistics().material_points:,} | {model.parts()[0].boundary_elements} "
-                     f"| {time.process_time() - begin:.1f} | {of_layouts:.1f} | {usual:.3f} | {memory:.2f} | {jumps.max(initial=0):.1e} |")
+        lines.append(f"| {model.crack_length(crack) - POINTS:.0f} | {len(jumps)} | {model.statistics().material_points:,} "
+                     f"| {model.parts()[0].boundary_elements} | {time.process_time() - begin:.1f} | {of_layouts:.1f} | {usual:.3f} "
+                     f"| {memory:.2f} | {jumps.max(initial=0):.1e} |")
     return lines
 
 
