@@ -74,6 +74,7 @@ std::optional<LaidBack> laid_back(const scene::Scene& scene, const std::vector<r
   if (number >= cracks.size() || cracks[number].has_begun || cracks[number].points.empty()) return std::nullopt;
   int count = static_cast<int>(cracks.size());
   for (const crack::Extension& e : extensions) count = std::max(count, e.crack);
+  if (static_cast<std::size_t>(count) > cracks.size() + extensions.size()) return std::nullopt;  // altered bytes
   std::vector<std::vector<Point>> paths;
   for (int id = 1; id <= count; ++id) {
     const auto place = static_cast<std::size_t>(id) - 1;
