@@ -4,7 +4,7 @@
 #include <cmath>
 #include <utility>
 
-#include "geometry/path.hpp"
+#include "geometry/measured_path.hpp"
 
 namespace bempd::regions {
 
@@ -44,7 +44,8 @@ struct NewBorder {
 
 class GivingPatch {
  public:
-  GivingPatch(const std::vector<Patch>& patches, std::size_t number, Path path, std::vector<Path> others)
+  GivingPatch(const std::vector<Patch>& patches, std::size_t number, MeasuredPath path,
+              std::vector<MeasuredPath> others)
       : patches_(patches),
         number_(number),
         path_(std::move(path)),
@@ -150,20 +151,20 @@ class GivingPatch {
 
   bool is_left_behind(const Block& block, const std::optional<NewBorder>& first, const NewBorder& second) const {
     const Point centre = grid().box(block).center();
-    const Path::Nearest nearest = path_.nearest(centre);
+    const MeasuredPath::Nearest nearest = path_.nearest(centre);
     const double straight = straight_border * grid().size;
     const auto is_kept_by = [&](const NewBorder& border, int side) {
       const double beyond = side * (nearest.way - border.crossing.way);
       return std::abs(beyond) <= straight ? border.keeps(block) : beyond > 0;
     };
     if (is_kept_by(second, 1) || (first && is_kept_by(*first, -1))) return false;
-    return std::ranges::none_of(others_,
-                                [&](const Path& other) { return other.nearest(centre).distance < nearest.distance; });
+    return std::ranges::none_of(
+        others_, [&](const MeasuredPath& other) { return other.nearest(centre).distance < nearest.distance; });
   }
 
   // Whether any crack passes near a block.
   bool is_near_path(const Block& block) const {
-    const auto is_near = [&](const Path& path) {
+    const auto is_near = [&](const MeasuredPath& path) {
       for (std::size_t i = 0; i < path.pieces(); ++i)
         if (distance(grid().box(block), path.piece(i)) < apart_from_others * grid().size) return true;
       return false;
@@ -203,7 +204,7 @@ class GivingPatch {
     const auto is_kept = [&](const Block& block, double, double) { return kept.contains(block); };
     if (!each_cell(from, to, is_given) || !each_cell(to, path_.length(), is_kept)) return false;
     if (first && !each_cell(0, from, is_kept)) return false;
-    return std::ranges::none_of(others_, [&](const Path& other) {
+    return std::ranges::none_of(others_, [&](const MeasuredPath& other) {
       for (std::size_t i = 0; i < other.pieces(); ++i)
         for (const Block& block : given)
           if (distance(grid().box(block), other.piece(i)) < apart_from_others * size) return true;
@@ -223,8 +224,8 @@ class GivingPatch {
 
   const std::vector<Patch>& patches_;
   std::size_t number_;
-  Path path_;
-  std::vector<Path> others_;
+  MeasuredPath path_;
+  std::vector<MeasuredPath> others_;
   std::vector<GridCrossing> crossings_;
 };
 
@@ -238,10 +239,10 @@ std::optional<GivenBack> given_back(const std::vector<Patch>& patches, const std
   if (end == 0) std::ranges::reverse(points);
   const std::size_t number = patch_around(patches, points.back());
   if (number == patches.size()) return std::nullopt;
-  std::vector<Path> others;
+  std::vector<MeasuredPath> others;
   for (std::size_t c = 0; c < paths.size(); ++c)
     if (c != own && paths[c].size() > 1) others.emplace_back(paths[c]);
-  Path path(std::move(points));
+  MeasuredPath path(std::move(points));
   const double length = path.length();
   std::optional<GivenBack> given = GivingPatch(patches, number, std::move(path), std::move(others)).behind_tip();
   if (given && end == 0) given->from = length - std::exchange(given->to, length - given->from);

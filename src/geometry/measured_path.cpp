@@ -1,4 +1,4 @@
-#include "geometry/path.hpp"
+#include "geometry/measured_path.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -7,18 +7,18 @@
 
 namespace bempd {
 
-Path::Path(std::vector<Point> points) : points_(std::move(points)) {
+MeasuredPath::MeasuredPath(std::vector<Point> points) : points_(std::move(points)) {
   for (std::size_t i = 0; i < points_.size(); ++i)
     ways_.push_back(i == 0 ? 0 : ways_.back() + (points_[i] - points_[i - 1]).norm());
 }
 
-Point Path::at(double way) const {
+Point MeasuredPath::at(double way) const {
   std::size_t i = 0;
   while (i + 2 < points_.size() && way > ways_[i + 1]) ++i;
   return piece(i).at(std::clamp((way - ways_[i]) / (ways_[i + 1] - ways_[i]), 0.0, 1.0));
 }
 
-Path::Nearest Path::nearest(const Point& place) const {
+MeasuredPath::Nearest MeasuredPath::nearest(const Point& place) const {
   Nearest found{0, std::numeric_limits<double>::infinity()};
   for (std::size_t i = 0; i < pieces(); ++i) {
     const double fraction = closest_fraction(piece(i), place), apart = (piece(i).at(fraction) - place).norm();
@@ -27,7 +27,7 @@ Path::Nearest Path::nearest(const Point& place) const {
   return found;
 }
 
-std::vector<GridCrossing> crossings_of(const Path& path, const BlockGrid& grid) {
+std::vector<GridCrossing> crossings_of(const MeasuredPath& path, const BlockGrid& grid) {
   std::vector<GridCrossing> found;
   for (std::size_t i = 0; i < path.pieces(); ++i) {
     const Segment piece = path.piece(i);

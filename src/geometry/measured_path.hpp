@@ -9,9 +9,9 @@
 namespace bempd {
 
 // Polyline with the ways of its points along it.
-class Path {
+class MeasuredPath {
  public:
-  explicit Path(std::vector<Point> points);
+  explicit MeasuredPath(std::vector<Point> points);
 
   double length() const { return ways_.back(); }
   std::size_t pieces() const { return points_.size() - 1; }
@@ -38,6 +38,6 @@ struct GridCrossing {
 };
 
 // Crossings of a path with lines of a grid, by their ways.
-std::vector<GridCrossing> crossings_of(const Path& path, const BlockGrid& grid);
+std::vector<GridCrossing> crossings_of(const MeasuredPath& path, const BlockGrid& grid);
 
 }  // namespace bempd
