@@ -468,9 +468,10 @@ typedef enum bempd_treatment {
  * another crack and the patch one block of elements stays, so a crack that begins at an edge has elements there. A tip
  * that has no two such blocks ahead of it any more gets five: points and bonds of the patch get other numbers, and the
  * history a line. What a line has left more than six horizons behind may get elements again then, if no bond joins its
- * faces there: the patch becomes smaller, or falls into two, of which one gets the next free id. A tip that no more blocks fit around goes on in elements within two horizons of the border. Bond by
- * bond (crack.rule = "bond") blocks are added around a bond that breaks within 2.5 horizons of the border; where none
- * fit, each event there ends its step as BEMPD_STOP_CRACK_STOPPED, since loads are no longer those of a large lattice.
+ * faces there: the patch becomes smaller, or falls into two, of which one gets the next free id. A tip that no more
+ * blocks fit around goes on in elements within two horizons of the border. Bond by bond (crack.rule = "bond") blocks
+ * are added around a bond that breaks within 2.5 horizons of the border; where none fit, each event there ends its step
+ * as BEMPD_STOP_CRACK_STOPPED, since loads are no longer those of a large lattice.
  *
  * BEMPD_TREATMENT_FROZEN does what bempd_set_tip_frozen() does at both ends, and any other treatment releases a crack
  * of which both are frozen. That may be done between steps too. Whether a crack has a patch cannot change any more once
