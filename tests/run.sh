@@ -1,20 +1,18 @@
 #!/usr/bin/env bash
 # Builds and tests everything; installs missing Debian packages first.
-#   tests/run.sh        everything, also with the other sparse backend, then clang's sanitizers in a host that fetches the library
-#   tests/run.sh quick  without the sanitizers
+#   tests/run.sh        everything, also with the other sparse backend, and hosts under Valgrind: a quarter of an hour on two cores
 #   tests/run.sh long   all of it, tests and cases that take long, the site of documents looked at in Chromium, the library
-#                       without the scheme paper, then unit and physics tests under the sanitizers, threads, clang, the
-#                       branches that tests take, and searches of an hour and more (BEMPD_FUZZ_SECONDS, 1800 for each fuzz target, BEMPD_SCENES, 20000,
+#                       without the scheme paper, then clang's sanitizers, in a host that fetches the library as well, threads,
+#                       clang, the branches that tests take, and searches of an hour and more (BEMPD_FUZZ_SECONDS, 1800 for each fuzz target, BEMPD_SCENES, 20000,
 #                       and BEMPD_ALLOCATIONS that fail in each call, 2000, 0 for all, shorten or lengthen them)
 set -euo pipefail
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 cd "$root"
 
 case "${1:-all}" in
-  all) stages=(ci fetch-sanitize) ;;
-  quick) stages=(ci) ;;
+  all) stages=(ci) ;;
   long) stages=(ci cases site scenes backends memory ci-symmetric eigen fetch-sanitize sanitize tsan clang coverage fuzz) ;;
-  *) echo "usage: tests/run.sh [quick | long]" >&2; exit 2 ;;
+  *) echo "usage: tests/run.sh [long]" >&2; exit 2 ;;
 esac
 
 # Debian's own tools before others of the same name: they see Debian's libraries and Python modules.

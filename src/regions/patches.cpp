@@ -249,20 +249,20 @@ constexpr double least_around_break = 1.25;
 constexpr double blocks_around_break = 2.2;
 
 // Parts of the number of a broken bond: columns and rows of blocks from -half_of_rows on, and patches.
-constexpr std::int64_t half_of_rows = 1 << 13, rows = 2 * half_of_rows, most_patches = 1 << 8;
+constexpr std::int64_t half_of_rows = 1 << 13, block_rows = 2 * half_of_rows, most_patches = 1 << 8;
 
 }  // namespace
 
 std::int64_t number_of(const BreakNearBorder& broken) {
   std::int64_t number = static_cast<std::int64_t>(broken.extensions) * most_patches + broken.patch;
-  for (const int place : broken.block) number = number * rows + place + half_of_rows;
+  for (const int place : broken.block) number = number * block_rows + place + half_of_rows;
   return -1 - number;
 }
 
 BreakNearBorder break_of(std::int64_t number) {
   number = -1 - number;
   const auto next = [&](std::int64_t count) { return static_cast<int>(std::exchange(number, number / count) % count); };
-  const int row = next(rows), column = next(rows), patch = next(most_patches);
+  const int row = next(block_rows), column = next(block_rows), patch = next(most_patches);
   return {static_cast<std::size_t>(number),
           patch,
           {column - static_cast<int>(half_of_rows), row - static_cast<int>(half_of_rows)}};
