@@ -123,10 +123,10 @@ std::optional<std::vector<regions::Patch>> CrackTreatments::followed(const regio
   return regions::grown_around(model_.scene(), patches(), broken);
 }
 
-std::optional<LaidBack> CrackTreatments::laid_back(const std::vector<regions::Patch>& patches,
-                                                   std::span<const crack::Extension> extensions) const {
+std::optional<ShorterPatches> CrackTreatments::shorter_patches(const std::vector<regions::Patch>& patches,
+                                                               std::span<const crack::Extension> extensions) const {
   if (model_.options().whole_number("test.give_back") == 0) return std::nullopt;
-  return model::laid_back(model_.scene(), patches, extensions);
+  return model::shorter_patches(model_.scene(), patches, extensions);
 }
 
 bool CrackTreatments::follow(std::span<const std::int64_t>& layouts, std::span<const crack::Extension> grown,
@@ -137,9 +137,9 @@ bool CrackTreatments::follow(std::span<const std::int64_t>& layouts, std::span<c
     const std::int64_t layout = layouts.front();
     std::optional<std::vector<regions::Patch>> next =
         layout < 0 ? followed(regions::break_of(layout)) : followed(grown.back());
-    std::optional<LaidBack> back;
+    std::optional<ShorterPatches> back;
     if (next && regions::gives_back(layout)) {
-      back = model::laid_back(model_.scene(), *next, grown);
+      back = model::shorter_patches(model_.scene(), *next, grown);
       next = back ? std::optional(std::move(back->layout.patches)) : std::nullopt;
     }
     require(next.has_value(), "the state has other lattice patches; its bytes were altered");

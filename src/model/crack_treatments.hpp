@@ -41,8 +41,8 @@ class CrackTreatments {
   // Patches that have more blocks around a broken bond; empty if they cannot.
   std::optional<std::vector<regions::Patch>> followed(const regions::BreakNearBorder& broken) const;
   // What patches, which may not be in the scene yet, can give back behind the line that has grown last.
-  std::optional<LaidBack> laid_back(const std::vector<regions::Patch>& patches,
-                                    std::span<const crack::Extension> extensions) const;
+  std::optional<ShorterPatches> shorter_patches(const std::vector<regions::Patch>& patches,
+                                                std::span<const crack::Extension> extensions) const;
   // Gives patches the blocks that they got in a run when it had just the extensions `grown`, by its layouts, of which
   // those are taken from the list (fracture::EvolutionState), and the scene the cracks that elements carried from then
   // on; `cracks` get these, too. Returns whether there were any; the prepared scene stays.

@@ -167,7 +167,7 @@ void ElementCarrier::follow_lines() {
     std::optional<std::vector<regions::Patch>> larger = treatments.followed(all[k]);
     if (!larger) continue;
     body().sources().bring_up_to_date();
-    std::optional<LaidBack> back = treatments.laid_back(*larger, all.first(k + 1));
+    std::optional<ShorterPatches> back = treatments.shorter_patches(*larger, all.first(k + 1));
     if (back && has_apart_faces(model_.prepared(), *back) &&
         lay(std::move(back->layout.patches), std::move(back->cracks), regions::giving_back + layout))
       continue;

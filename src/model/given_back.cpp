@@ -66,8 +66,8 @@ void leave_out_points(scene::Crack& crack, double from, double to, double off) {
 
 }  // namespace
 
-std::optional<LaidBack> laid_back(const scene::Scene& scene, const std::vector<regions::Patch>& patches,
-                                  std::span<const crack::Extension> extensions) {
+std::optional<ShorterPatches> shorter_patches(const scene::Scene& scene, const std::vector<regions::Patch>& patches,
+                                              std::span<const crack::Extension> extensions) {
   const crack::TipId tip = extensions.back().tip();
   std::vector<scene::Crack> cracks = scene.cracks();
   const auto number = static_cast<std::size_t>(tip.crack) - 1;
@@ -90,12 +90,12 @@ std::optional<LaidBack> laid_back(const scene::Scene& scene, const std::vector<r
   if (!layout) return std::nullopt;
   scene::Crack longer = std::move(cracks[number]);
   leave_out_points(longer, layout->from, layout->to, off_path * patches[layout->number].spacing);
-  LaidBack back{std::move(*layout), scene.cracks(), tip.crack, std::move(paths[number])};
+  ShorterPatches back{std::move(*layout), scene.cracks(), tip.crack, std::move(paths[number])};
   back.cracks[number] = std::move(longer);
   return back;
 }
 
-bool has_apart_faces(const PreparedScene& prepared, const LaidBack& back) {
+bool has_apart_faces(const PreparedScene& prepared, const ShorterPatches& back) {
   const std::vector<Point>& positions = prepared.discretization.positions;
   const regions::Patch& patch = back.layout.patches[back.layout.number];
   const fracture::EvolutionState& state = prepared.evolution->progress();

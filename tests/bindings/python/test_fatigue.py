@@ -288,6 +288,26 @@ def test_a_crack_of_a_few_spacings_has_a_warning(spacings: int) -> None:
     assert [str(one.message).startswith("crack 1 is 4 spacings") for one in told] == ([True] if spacings == 4 else [])
 
 
+@pytest.mark.parametrize("spacings, short", [(2, 0.39), (6, 0.10)])
+def test_lives_of_a_few_spacings_are_as_short_as_the_warning_says(spacings: int, short: float) -> None:
+    found = []
+    for in_lattice in (True, False):
+        model = bempd.Model(log=None)
+        acrylic = model.add_material(young_modulus=3e9, poisson_ratio=1 / 3, fracture_energy=1e6)
+        square = bempd.rectangle(0, -0.5, 1, 0.5)
+        region = (model.add_pd_region(acrylic, square, spacing=1 / 40) if in_lattice else
+                  model.add_bem_region(acrylic, square, element_length=1 / 16))
+        model.add_crack([(0.5 - spacings / 80, 1 / 80), (0.5 + spacings / 80, 1 / 80)])
+        model.fix_point((1, -0.5))
+        model.fix_point((1, 0.5), "x")
+        model.add_traction(region, 3, "y", 1e6)
+        model.add_traction(region, 1, "y", -1e6)
+        model.set_growth_rate(acrylic, coefficient=1e-11, exponent=3, unit_intensity=1e6)
+        found.append(model.grow_fatigue(most_length=0.5).cycles)
+    print(f"{spacings} spacings: {found[0] / found[1] - 1:+.1%} from elements")
+    assert 1 - found[0] / found[1] == pytest.approx(short, abs=0.02)
+
+
 def test_a_crack_that_does_not_grow_has_its_length_from_the_beginning() -> None:
     model = plate(0.01)
     model.set_growth_rate(1, coefficient=1e-11, exponent=3, unit_intensity=1e6, threshold=1e3)
