@@ -59,7 +59,8 @@ void PairIntegrator::split(const Side& side, const Singularities* singularities,
   }
 }
 
-void PairIntegrator::alongside(const Side& outer, const Side& inner, PairPart part, PairMoments& moments) const {
+void PairIntegrator::integrate_alongside(const Side& outer, const Side& inner, PairPart part,
+                                         PairMoments& moments) const {
   assert(outer.interval.from < outer.interval.to && inner.interval.from < inner.interval.to);
   const ElementGeometry &outer_element = elements_[outer.element], &inner_element = elements_[inner.element];
   const std::vector<Singularities> ends = singularities_of_integral(outer_element, inner_element, inner.interval);

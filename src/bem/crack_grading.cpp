@@ -169,18 +169,18 @@ template <class Visit>
 void CrackSizes::for_neighbours(int l, double way, const Point& x, const double& limit, const Visit& visit) const {
   const CrackLine& line = cracks_.lines[l];
   const std::vector<double>& ways = ways_[l];
-  const auto way_to_joint = [&](const auto& is_there) {
-    double apart = infinite;
+  const auto to_joint = [&](const auto& is_there) {
+    double nearest = infinite;
     for (int end = 0; end < 2; ++end)
       if (line.joints[end] >= 0 && is_there(line.joints[end]))
-        apart = std::min(apart, end == 0 ? way : ways.back() - way);
-    return apart;
+        nearest = std::min(nearest, end == 0 ? way : ways.back() - way);
+    return nearest;
   };
   const auto visit_edge = [&](const Edge& edge) {
     if (least_distance(edge, x) - tolerance_ >= limit) return;
-    const double apart =
-        way_to_joint([&](int joint) { return bempd::distance(edge, cracks_.joints[joint].place) <= 8 * tolerance_; });
-    visit(Neighbour{bempd::distance(edge, x), apart, -1});
+    const double along =
+        to_joint([&](int joint) { return bempd::distance(edge, cracks_.joints[joint].place) <= 8 * tolerance_; });
+    visit(Neighbour{bempd::distance(edge, x), along, -1});
   };
   if (boundary_.size() < many_edges) {
     for (const Edge& edge : boundary_) visit_edge(edge);
@@ -191,8 +191,8 @@ void CrackSizes::for_neighbours(int l, double way, const Point& x, const double&
   for (int other = 0; other < static_cast<int>(cracks_.lines.size()); ++other) {
     if (other == l) continue;
     const CrackLine& them = cracks_.lines[other];
-    const double apart = way_to_joint([&](int joint) { return them.joints[0] == joint || them.joints[1] == joint; });
-    visit(Neighbour{distance(them, x), apart, other});
+    const double along = to_joint([&](int joint) { return them.joints[0] == joint || them.joints[1] == joint; });
+    visit(Neighbour{distance(them, x), along, other});
   }
   for (std::size_t i = 0; i + 1 < ways.size(); ++i)
     if (way < ways[i] || way > ways[i + 1])
@@ -219,11 +219,11 @@ double CrackSizes::on_line(int l, double way) const {
   const double least = std::ldexp(own, -grading_.halvings_at_kinks);
   double limit = std::min({share * from_kinks(l, way), from_tips(l, way), from_rows(x)});
   double widest = limit / share;  // gaps as wide as this set no limit below the present one
-  for_neighbours(l, way, x, widest, [&](const Neighbour& thing) {
-    if (thing.apart == infinite)
-      limit = std::min(limit, along_gap(thing.gap, share * thing.gap, part_along_crack * own, x));
-    else if (thing.gap < aside * thing.apart)
-      limit = std::min(limit, std::max(thing.gap, least));
+  for_neighbours(l, way, x, widest, [&](const Neighbour& near) {
+    if (near.distance_along == infinite)
+      limit = std::min(limit, along_gap(near.gap, share * near.gap, part_along_crack * own, x));
+    else if (near.gap < aside * near.distance_along)
+      limit = std::min(limit, std::max(near.gap, least));
     widest = limit / share;
   });
   return limit;
@@ -235,8 +235,8 @@ NarrowGap CrackSizes::narrowest_gap() const {
   for (int l = 0; l < static_cast<int>(cracks_.lines.size()); ++l)
     for (const double way : stations_[l]) {
       const Point x = place_at(l, way);
-      for_neighbours(l, way, x, least.width, [&](const Neighbour& thing) {
-        if (thing.apart == infinite && thing.gap < least.width) least = {l, thing.line, thing.gap, x};
+      for_neighbours(l, way, x, least.width, [&](const Neighbour& near) {
+        if (near.distance_along == infinite && near.gap < least.width) least = {l, near.line, near.gap, x};
       });
     }
   return least;
@@ -270,10 +270,10 @@ double CrackSizes::on_boundary(const Point& x, double undivided) const {
     double allowed = along_gap(gap, gap, part_along_boundary * undivided, x);
     for (int end = 0; end < 2; ++end) {
       if (line.joints[end] < 0 || !cracks_.joints[line.joints[end]].mouth) continue;
-      const double apart = (cracks_.joints[line.joints[end]].place - x).norm();
+      const double to_end = (cracks_.joints[line.joints[end]].place - x).norm();
       const double element = end == 0 ? stations[1] : stations.back() - stations[stations.size() - 2];
-      const bool beside = apart > tolerance_ && gap < aside * apart;  // at the mouth both are rounding errors
-      allowed = std::max(allowed, beside ? least * element : std::max(apart, element));
+      const bool beside = to_end > tolerance_ && gap < aside * to_end;  // at the mouth both are rounding errors
+      allowed = std::max(allowed, beside ? least * element : std::max(to_end, element));
     }
     limit = std::min(limit, allowed);
   }

@@ -55,8 +55,9 @@ class CrackSizes {
   // Crack or edge near a place on a crack line.
   struct Neighbour {
     double gap;
-    double apart;  // distance along the line to the place where it meets the neighbour; infinite if it does not
-    int line;      // -1: an edge of the boundary
+    // Distance along the line to the place where the line meets this neighbour; infinite if the two do not meet.
+    double distance_along;
+    int line;  // number of the neighbouring crack line; -1: an edge of the boundary
   };
   // Calls visit(neighbour) for the cracks and edges beside a place x of a line whose gap is not sure to be as large as
   // `limit`, which visit() may make smaller.

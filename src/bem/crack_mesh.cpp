@@ -35,7 +35,7 @@ Mouth split_at(const Point& place, BoundaryMesh& mesh, double tolerance) {
 }
 
 // Opening node of a line at a joint with others; its sign is positive if the line starts there.
-struct Member {
+struct OpeningAtJoint {
   int node;
   double sign;
 };
@@ -43,7 +43,7 @@ struct Member {
 class Mesher {
  public:
   Mesher(const CrackLines& cracks, BoundaryMesh& boundary, double tolerance)
-      : cracks_(cracks), boundary_(boundary), members_(cracks.joints.size()), mouths_(cracks.joints.size()) {
+      : cracks_(cracks), boundary_(boundary), openings_at_joint_(cracks.joints.size()), mouths_(cracks.joints.size()) {
     for (std::size_t j = 0; j < cracks.joints.size(); ++j) {
       places_.push_back(cracks.joints[j].place);
       mesh.mouth_of_joint.push_back({-1, -1});
@@ -119,10 +119,10 @@ class Mesher {
       const CrackElement& element = mesh.elements[tip.element];
       removed[element.nodes[tip.end == TipEnd::start ? 0 : 2]] = 1;
     }
-    for (std::size_t j = 0; j < members_.size(); ++j) {
+    for (std::size_t j = 0; j < openings_at_joint_.size(); ++j) {
       if (!sectors_[j].empty())
-        for (const Member& member : members_[j]) removed[member.node] = 1;
-      if (!members_[j].empty()) removed[members_[j].back().node] = 1;
+        for (const OpeningAtJoint& opening : openings_at_joint_[j]) removed[opening.node] = 1;
+      if (!openings_at_joint_[j].empty()) removed[openings_at_joint_[j].back().node] = 1;
     }
     for (int n = 0; n < raw; ++n)
       if (!removed[n]) column[n] = boundary_nodes + mesh.free_nodes++;
@@ -132,15 +132,15 @@ class Mesher {
     };
     for (int n = 0; n < raw; ++n)
       if (!removed[n]) add(n, column[n], 1);
-    for (std::size_t j = 0; j < members_.size(); ++j) {
-      if (members_[j].empty()) continue;
+    for (std::size_t j = 0; j < openings_at_joint_.size(); ++j) {
+      if (openings_at_joint_[j].empty()) continue;
       if (!sectors_[j].empty()) {
         open_between_sectors(static_cast<int>(j), add);
         continue;
       }
-      const Member last = members_[j].back();
-      for (std::size_t m = 0; m + 1 < members_[j].size(); ++m)
-        add(last.node, column[members_[j][m].node], -last.sign * members_[j][m].sign);
+      const OpeningAtJoint last = openings_at_joint_[j].back();
+      for (std::size_t m = 0; m + 1 < openings_at_joint_[j].size(); ++m)
+        add(last.node, column[openings_at_joint_[j][m].node], -last.sign * openings_at_joint_[j][m].sign);
       if (mouths_[j].before < 0) continue;
       add(last.node, mouths_[j].before, last.sign);
       add(last.node, mouths_[j].after, -last.sign);
@@ -246,13 +246,13 @@ class Mesher {
 
   void add_end(int joint, int node, double sign) {
     if (joint < 0) return;
-    members_[joint].push_back({node, sign});
+    openings_at_joint_[joint].push_back({node, sign});
     mesh.joint_of_node[node] = joint;
   }
 
   const CrackLines& cracks_;
   BoundaryMesh& boundary_;
-  std::vector<std::vector<Member>> members_;
+  std::vector<std::vector<OpeningAtJoint>> openings_at_joint_;
   std::vector<Mouth> mouths_;
   std::vector<Point> places_;
   std::vector<std::vector<int>> sectors_;       // of joints where pieces meet

@@ -17,11 +17,11 @@ namespace {
 
 // Directed piece of a walk with the body on its left, as a number: 2 l follows crack line l, 2 l + 1 runs back along
 // it, and 2 * (number of lines) + e is boundary element e.
-using Way = int;
+using WalkStep = int;
 
 // Closed walk along the boundary and the crack lines, with a part of the body on its left.
 struct Walk {
-  std::vector<Way> ways;
+  std::vector<WalkStep> steps;
   double area = 0;
 };
 
@@ -44,12 +44,12 @@ class Walks {
   std::vector<Walk> all() const {
     std::vector<char> seen(static_cast<std::size_t>(2 * lines()) + mesh_.elements.size(), 0);
     std::vector<Walk> walks;
-    for (Way first = 0; first < static_cast<Way>(seen.size()); ++first) {
+    for (WalkStep first = 0; first < static_cast<WalkStep>(seen.size()); ++first) {
       if (seen[first]) continue;
       Walk walk;
-      for (Way way = first; !seen[way]; way = next(way)) {
-        seen[way] = 1;
-        walk.ways.push_back(way);
+      for (WalkStep step = first; !seen[step]; step = next(step)) {
+        seen[step] = 1;
+        walk.steps.push_back(step);
       }
       walk.area = signed_area(edges(walk));
       walks.push_back(std::move(walk));
@@ -59,14 +59,14 @@ class Walks {
 
   std::vector<Edge> edges(const Walk& walk) const {
     std::vector<Edge> edges;
-    for (const Way way : walk.ways) {
-      if (way >= 2 * lines()) {
-        const BoundaryElement& e = mesh_.elements[way - 2 * lines()];
+    for (const WalkStep step : walk.steps) {
+      if (step >= 2 * lines()) {
+        const BoundaryElement& e = mesh_.elements[step - 2 * lines()];
         edges.emplace_back(Arc{mesh_.nodes[e.nodes[0]], mesh_.nodes[e.nodes[2]], e.sweep});
         continue;
       }
-      std::vector<Point> points = cracks_.lines[way / 2].points;
-      if (way % 2 == 1) std::reverse(points.begin(), points.end());
+      std::vector<Point> points = cracks_.lines[step / 2].points;
+      if (step % 2 == 1) std::reverse(points.begin(), points.end());
       for (std::size_t i = 0; i + 1 < points.size(); ++i) edges.emplace_back(points[i], points[i + 1]);
     }
     return edges;
@@ -75,19 +75,19 @@ class Walks {
   int lines() const { return static_cast<int>(cracks_.lines.size()); }
 
  private:
-  Way out(const LineEnd& e) const { return 2 * e.line + e.end; }
+  WalkStep out(const LineEnd& e) const { return 2 * e.line + e.end; }
 
   // Next piece of a walk: at a joint, the first one clockwise from the piece that arrives. At a tip the walk turns
   // back.
-  Way next(Way way) const {
-    if (way >= 2 * lines()) {
-      const int node = mesh_.elements[way - 2 * lines()].nodes[2];
+  WalkStep next(WalkStep step) const {
+    if (step >= 2 * lines()) {
+      const int node = mesh_.elements[step - 2 * lines()].nodes[2];
       const auto mouth = ends_at_.find(node);
       if (mouth != ends_at_.end()) return out(around_[mouth->second].back());
       return 2 * lines() + starting_at_.at(node);
     }
-    const int line = way / 2, end = way % 2 == 0 ? 1 : 0, joint = cracks_.lines[line].joints[end];
-    if (joint < 0) return way ^ 1;
+    const int line = step / 2, end = step % 2 == 0 ? 1 : 0, joint = cracks_.lines[line].joints[end];
+    if (joint < 0) return step ^ 1;
     const std::vector<LineEnd>& all = around_[joint];
     const auto own =
         std::find_if(all.begin(), all.end(), [&](const LineEnd& e) { return e.line == line && e.end == end; });
@@ -140,8 +140,8 @@ std::vector<int> parts_of(const std::vector<Walk>& walks, int lines) {
   linalg::DisjointSets joined(static_cast<int>(walks.size()));
   std::vector<int> walk_of(static_cast<std::size_t>(2 * lines), -1);
   for (std::size_t w = 0; w < walks.size(); ++w)
-    for (const Way way : walks[w].ways)
-      if (way < 2 * lines) walk_of[way] = static_cast<int>(w);
+    for (const WalkStep step : walks[w].steps)
+      if (step < 2 * lines) walk_of[step] = static_cast<int>(w);
   for (int l = 0; l < lines; ++l) joined.join(walk_of[2 * l], walk_of[2 * l + 1]);
   std::vector<int> part;
   for (std::size_t w = 0; w < walks.size(); ++w) part.push_back(joined.find(static_cast<int>(w)));
@@ -156,8 +156,8 @@ std::vector<char> go_around_outside(const std::vector<Walk>& walks, const std::v
   for (std::size_t w = 0; w < walks.size(); ++w) {
     int& best = least[part[w]];
     if (best < 0 || walks[w].area < walks[best].area) best = static_cast<int>(w);
-    const auto& ways = walks[w].ways;
-    if (std::find(ways.begin(), ways.end(), 2 * lines) != ways.end()) outermost = part[w];
+    const auto& steps = walks[w].steps;
+    if (std::find(steps.begin(), steps.end(), 2 * lines) != steps.end()) outermost = part[w];
   }
   std::vector<char> outside(walks.size(), 0);
   for (std::size_t p = 0; p < least.size(); ++p)
@@ -166,10 +166,10 @@ std::vector<char> go_around_outside(const std::vector<Walk>& walks, const std::v
 }
 
 // First boundary element of a walk; a number larger than all if the walk has none.
-Way first_on_boundary(const Walk& walk, int lines) {
-  Way first = std::numeric_limits<Way>::max();
-  for (const Way way : walk.ways)
-    if (way >= 2 * lines) first = std::min(first, way);
+WalkStep first_on_boundary(const Walk& walk, int lines) {
+  WalkStep first = std::numeric_limits<WalkStep>::max();
+  for (const WalkStep step : walk.steps)
+    if (step >= 2 * lines) first = std::min(first, step);
   return first;
 }
 
@@ -225,11 +225,11 @@ CrackPieces find_pieces(const CrackLines& cracks, const BoundaryMesh& mesh,
   pieces.of_element.assign(mesh.elements.size(), 0);
   pieces.of_line.assign(static_cast<std::size_t>(lines), {0, 0});
   for (std::size_t w = 0; w < walks.size(); ++w)
-    for (const Way way : walks[w].ways) {
-      if (way < 2 * lines) {
-        pieces.of_line[way / 2][way % 2] = piece[w];
+    for (const WalkStep step : walks[w].steps) {
+      if (step < 2 * lines) {
+        pieces.of_line[step / 2][step % 2] = piece[w];
       } else {
-        pieces.of_element[way - 2 * lines] = piece[w];
+        pieces.of_element[step - 2 * lines] = piece[w];
       }
     }
   return pieces;

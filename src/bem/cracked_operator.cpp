@@ -12,7 +12,7 @@ namespace {
 
 // Number of the position of each node, for nodes at which elements end: nodes that were split at a mouth have one
 // position, and so have the ends of cracks at a joint.
-std::vector<int> places_of(const BoundaryMesh& mesh, const CrackMesh& cracks) {
+std::vector<int> position_numbers(const BoundaryMesh& mesh, const CrackMesh& cracks) {
   const int boundary = static_cast<int>(mesh.nodes.size());
   std::vector<int> places(static_cast<std::size_t>(boundary) + cracks.nodes.size());
   std::iota(places.begin(), places.end(), 0);
@@ -108,7 +108,7 @@ std::vector<int> kept_unknowns(const std::vector<int>& kept_nodes, const Eigen::
 
 std::vector<GalerkinElement> cracked_galerkin_elements(const BoundaryMesh& mesh, const ScaledBoundary& boundary,
                                                        const CrackMesh& cracks) {
-  const std::vector<int> places = places_of(mesh, cracks);
+  const std::vector<int> places = position_numbers(mesh, cracks);
   std::vector<GalerkinElement> elements = boundary_galerkin_elements(mesh, boundary);
   for (GalerkinElement& e : elements) e.places = {places[e.nodes[0]], places[e.nodes[2]]};
   for (std::size_t e = 0; e < cracks.pieces.of_element.size(); ++e) elements[e].piece = cracks.pieces.of_element[e];

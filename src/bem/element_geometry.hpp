@@ -125,12 +125,12 @@ struct ElementGeometry {
   Quotients quotients(double xi, double from) const { return quotients(basis.quotients(xi, from)); }
   // Values at from + way, and divided differences between there and `from`, where way is not 0. `of_from` and `of_way`
   // are basis.half() of both, which several points may share.
-  struct Seen {
+  struct ValuesAndQuotients {
     Values values;
     Quotients quotients;
   };
-  Seen seen(double from, double way, const ElementBasis::HalfAngle& of_from,
-            const ElementBasis::HalfAngle& of_way) const {
+  ValuesAndQuotients values_and_quotients(double from, double way, const ElementBasis::HalfAngle& of_from,
+                                          const ElementBasis::HalfAngle& of_way) const {
     const double xi = from + way;
     return {values(xi, basis.at(xi, of_from.plus(of_way))), quotients(basis.quotients(from, way, of_from, of_way))};
   }

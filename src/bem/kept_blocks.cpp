@@ -10,9 +10,9 @@ namespace {
 bool alike(const GalerkinElement& a, const GalerkinElement& b) {
   if (a.crack != b.crack || a.geometry.tip != b.geometry.tip) return false;
   const double slack = 1e-12 * a.geometry.c1.norm() + 1e-15;
-  const auto close = [&](const Point& p, const Point& q) { return (p - q).lpNorm<Eigen::Infinity>() <= slack; };
-  return close(a.geometry.at(-1), b.geometry.at(-1)) && close(a.geometry.at(0), b.geometry.at(0)) &&
-         close(a.geometry.at(1), b.geometry.at(1));
+  const auto coincide = [&](const Point& p, const Point& q) { return (p - q).lpNorm<Eigen::Infinity>() <= slack; };
+  return coincide(a.geometry.at(-1), b.geometry.at(-1)) && coincide(a.geometry.at(0), b.geometry.at(0)) &&
+         coincide(a.geometry.at(1), b.geometry.at(1));
 }
 
 // Number of the same element in the list `before`, for every element; -1 if there is none. Both lists have similar

@@ -58,7 +58,7 @@ class Sums {
   [[gnu::always_inline]] static void add(const SingularPoints& points, PairPart part, PairMoments& moments) {
     SingularTable table;
     evaluate(points, table);
-    if (points.one_outer)
+    if (points.outer_ignores_angle)
       add_by_rows(points, table, part, moments);
     else
       add_by_products(points, table, part, moments);
@@ -148,7 +148,7 @@ class Sums {
         const SingularRow* kernel = table.at[weak_count + k];
         PairMoments::WideBlock& block = moments.double_layer[k];
         add_products(points, kernel, &Side::mass, false, &Side::difference, b, block[b]);
-        if (points.own_nodes) add_products(points, kernel, &Side::mass, true, &Side::difference, b, block[3 + b]);
+        if (points.has_outer_part) add_products(points, kernel, &Side::mass, true, &Side::difference, b, block[3 + b]);
       }
       for (int k = 0; k < weak_count && part != PairPart::double_layer_only; ++k) {
         if (part == PairPart::everything)
@@ -204,14 +204,14 @@ class Sums {
   }
 
   // Three sums of vectors, each vector times a number.
-  struct Three {
+  struct ThreeSums {
     Values a{}, b{}, c{};
     [[gnu::always_inline]] void add(double for_a, double for_b, double for_c, const Values& v) {
       a += for_a * v;
       b += for_b * v;
       c += for_c * v;
     }
-    [[gnu::always_inline]] void keep(Row* rows, int p) const {
+    [[gnu::always_inline]] void store_in(Row* rows, int p) const {
       store(a, &rows[0][p]);
       store(b, &rows[1][p]);
       store(c, &rows[2][p]);
@@ -222,17 +222,17 @@ class Sums {
   [[gnu::always_inline]] static void sum_inner(int outer_count, int count, const Row (&kernel)[max_regular_points],
                                                const std::array<Row, 3>& f, Row* rows) {
     for (int p = 0; p < outer_count; p += 2 * lanes) {
-      Three near, far;
+      ThreeSums near, far;
       if (p + lanes < outer_count) {
         for (int q = 0; q < count; ++q) {
           near.add(f[0][q], f[1][q], f[2][q], load<Values>(&kernel[q][p]));
           far.add(f[0][q], f[1][q], f[2][q], load<Values>(&kernel[q][p + lanes]));
         }
-        far.keep(rows, p + lanes);
+        far.store_in(rows, p + lanes);
       } else {
         for (int q = 0; q < count; ++q) near.add(f[0][q], f[1][q], f[2][q], load<Values>(&kernel[q][p]));
       }
-      near.keep(rows, p);
+      near.store_in(rows, p);
     }
   }
 
@@ -259,7 +259,7 @@ class Sums {
   [[gnu::always_inline]] static void sum_outer(int count, const std::array<double, points>* rows,
                                                const NodeWeights<points>& weights, PairMoments::Column* columns) {
     for (int node = 0; node < padded_nodes; node += lanes) {
-      Three sum;
+      ThreeSums sum;
       for (int p = 0; p < count; ++p) sum.add(rows[0][p], rows[1][p], rows[2][p], load<Values>(&weights[p][node]));
       store(Values(load<Values>(&columns[0][node]) + sum.a), &columns[0][node]);
       store(Values(load<Values>(&columns[1][node]) + sum.b), &columns[1][node]);

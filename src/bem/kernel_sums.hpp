@@ -25,12 +25,12 @@ struct SingularPoints {
     std::array<Values, 3> difference;  // its part of (N_b(y) - N_b(x)) / radius
   };
 
-  const Side& outer_at(int angle) const { return outer[one_outer ? 0 : angle]; }
-  const Side& inner_at(int angle) const { return inner[one_inner ? 0 : angle]; }
+  const Side& outer_at(int angle) const { return outer[outer_ignores_angle ? 0 : angle]; }
+  const Side& inner_at(int angle) const { return inner[inner_ignores_angle ? 0 : angle]; }
 
   int radii = 0, angles = 0;
-  bool one_outer = false, one_inner = false;  // point for all angles at a radius
-  bool own_nodes = true;                      // whether the outer element has a part of the difference
+  bool outer_ignores_angle = false, inner_ignores_angle = false;  // point for all angles at a radius
+  bool has_outer_part = true;  // whether the outer element has a part of the difference
   std::array<Pair, most_angles> pairs;
   std::array<Side, most_angles> outer, inner;
 };

@@ -24,7 +24,7 @@ Distances distances_between(const std::array<Point, 3>& outer, const std::array<
 
 constexpr int largest_rule = static_cast<int>(regular_point_counts.size()) - 1;
 // Largest number of pairs of intervals into which a pair of elements is split. A pair that would need more is left to
-// alongside(), at about the same cost.
+// integrate_alongside(), at about the same cost.
 constexpr std::size_t most_short_pairs = 256;
 
 double closest_singularity(const ElementGeometry& element, const Interval& interval,
@@ -123,12 +123,13 @@ void PairIntegrator::add(const ShortPair& pair, PairPart part, PairMoments& mome
   add_kernel_sums(x, y, part, moments);
 }
 
-void PairIntegrator::apart(const Stretch& outer, const Stretch& inner, PairPart part, PairMoments& moments) const {
+void PairIntegrator::integrate_separate(const Stretch& outer, const Stretch& inner, PairPart part,
+                                        PairMoments& moments) const {
   const Closeness close = closeness(outer, inner);
   if (close.outer.rule <= largest_rule && close.inner.rule <= largest_rule)
     return add({outer.side, inner.side, close.outer.rule, close.inner.rule}, part, moments);
   ShortPairs pairs;
-  if (!halve(outer, inner, 0, pairs)) return alongside(outer.side, inner.side, part, moments);
+  if (!halve(outer, inner, 0, pairs)) return integrate_alongside(outer.side, inner.side, part, moments);
   for (const ShortPair& pair : pairs) add(pair, part, moments);
 }
 
@@ -136,23 +137,23 @@ PairMoments PairIntegrator::integrate(int outer, int inner, Contact contact, Pai
   PairMoments moments;
   switch (contact) {
     case Contact::same:
-      same(outer, part, moments);
+      integrate_with_itself(outer, part, moments);
       break;
     case Contact::end_to_start:
-      touching({outer, {1, -1}}, {inner, {-1, 1}}, true, part, moments);
+      integrate_touching({outer, {1, -1}}, {inner, {-1, 1}}, true, part, moments);
       break;
     case Contact::start_to_end:
-      touching({outer, {-1, 1}}, {inner, {1, -1}}, true, part, moments);
+      integrate_touching({outer, {-1, 1}}, {inner, {1, -1}}, true, part, moments);
       break;
     case Contact::both_ends:
       // Two elements form a loop: their halves with the same sign of the parameter are apart, opposite ones touch.
-      touching({outer, {1, 0}}, {inner, {-1, 0}}, true, part, moments);
-      touching({outer, {-1, 0}}, {inner, {1, 0}}, true, part, moments);
-      apart(stretch({outer, {0, 1}}), stretch({inner, {0, 1}}), part, moments);
-      apart(stretch({outer, {-1, 0}}), stretch({inner, {-1, 0}}), part, moments);
+      integrate_touching({outer, {1, 0}}, {inner, {-1, 0}}, true, part, moments);
+      integrate_touching({outer, {-1, 0}}, {inner, {1, 0}}, true, part, moments);
+      integrate_separate(stretch({outer, {0, 1}}), stretch({inner, {0, 1}}), part, moments);
+      integrate_separate(stretch({outer, {-1, 0}}), stretch({inner, {-1, 0}}), part, moments);
       break;
     case Contact::none:
-      apart(whole_stretches_[outer], whole_stretches_[inner], part, moments);
+      integrate_separate(whole_stretches_[outer], whole_stretches_[inner], part, moments);
       break;
   }
   return moments;
@@ -161,7 +162,7 @@ PairMoments PairIntegrator::integrate(int outer, int inner, Contact contact, Pai
 PairMoments PairIntegrator::integrate_meeting(int outer, int outer_end, int inner, int inner_end, PairPart part) const {
   const auto from_end = [](int end) { return end == 0 ? Interval{-1, 1} : Interval{1, -1}; };
   PairMoments moments;
-  touching({outer, from_end(outer_end)}, {inner, from_end(inner_end)}, false, part, moments);
+  integrate_touching({outer, from_end(outer_end)}, {inner, from_end(inner_end)}, false, part, moments);
   return moments;
 }
 

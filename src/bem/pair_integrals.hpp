@@ -97,7 +97,7 @@ class PairIntegrator {
     Interval interval;
     int rule;
   };
-  void apart(const Stretch& outer, const Stretch& inner, PairPart part, PairMoments& moments) const;
+  void integrate_separate(const Stretch& outer, const Stretch& inner, PairPart part, PairMoments& moments) const;
   // Sum of the distances of the nearest singularity from the side's ends (see ellipse_size()), and the index of the
   // rule that it needs. The index exceeds that of the largest rule if none is enough, because the side is too long.
   struct Nearness {
@@ -114,11 +114,12 @@ class PairIntegrator {
   class ShortPairs;
   bool halve(const Stretch& outer, const Stretch& inner, int depth, ShortPairs& pairs) const;
   void add(const ShortPair& pair, PairPart part, PairMoments& moments) const;
-  void alongside(const Side& outer, const Side& inner, PairPart part, PairMoments& moments) const;
+  void integrate_alongside(const Side& outer, const Side& inner, PairPart part, PairMoments& moments) const;
   void split(const Side& side, const Singularities* singularities, std::size_t count, std::vector<Piece>& pieces) const;
-  void touching(const Side& outer, const Side& inner, bool common_node, PairPart part, PairMoments& moments) const;
-  void same(int element, PairPart part, PairMoments& moments) const;
-  void same_tip(int element, PairMoments& moments) const;
+  void integrate_touching(const Side& outer, const Side& inner, bool common_node, PairPart part,
+                          PairMoments& moments) const;
+  void integrate_with_itself(int element, PairPart part, PairMoments& moments) const;
+  void integrate_tip_with_itself(int element, PairMoments& moments) const;
   const ElementPoints& points(const Side& side, int rule, ElementPoints& scratch) const;
 
   std::vector<ElementGeometry> elements_;

@@ -99,7 +99,8 @@ class FromEnd {
   void set_at(double radius, double times_radius, bool common_node, double sign, std::size_t p, Point& chord,
               SingularPoints::Side& side) const {
     const double way = length_ * times_radius;
-    const auto [values, quotients] = element_.seen(from_, way * radius, half_, element_.basis.half(way * radius));
+    const auto [values, quotients] =
+        element_.values_and_quotients(from_, way * radius, half_, element_.basis.half(way * radius));
     chord = way * quotients.place;
     if (common_node)
       set(values, quotients.shape, sign * way, p, side);
@@ -120,8 +121,8 @@ class FromEnd {
 // Integrates over two elements that touch, with intervals that start at the common point. The parameters from + s (to -
 // from) of the two have s = radius, t = radius * w in one triangle of the unit square, and s = radius * w, t = radius
 // in the other one (M. G. Duffy, SIAM J. Numer. Anal. 19, 1982).
-void PairIntegrator::touching(const Side& outer, const Side& inner, bool common_node, PairPart part,
-                              PairMoments& moments) const {
+void PairIntegrator::integrate_touching(const Side& outer, const Side& inner, bool common_node, PairPart part,
+                                        PairMoments& moments) const {
   const ElementGeometry &a = elements_[outer.element], &b = elements_[inner.element];
   const FromEnd from_a(a, outer.interval), from_b(b, inner.interval);
   const PointCounts counts(a.straight() && b.straight(), tolerance_);
@@ -135,7 +136,7 @@ void PairIntegrator::touching(const Side& outer, const Side& inner, bool common_
   points.radii = counts.radial;
   for (const bool inner_is_nearer : {true, false}) {
     const AngularRule angular(inner_is_nearer ? ratio : 1.0 / ratio, tolerance_, counts.extra_angular);
-    points.one_outer = inner_is_nearer, points.one_inner = !inner_is_nearer;
+    points.outer_ignores_angle = inner_is_nearer, points.inner_ignores_angle = !inner_is_nearer;
     const FromEnd &nearer = inner_is_nearer ? from_b : from_a, &farther = inner_is_nearer ? from_a : from_b;
     auto &nearer_sides = inner_is_nearer ? points.inner : points.outer,
          &farther_sides = inner_is_nearer ? points.outer : points.inner;
@@ -164,13 +165,13 @@ void PairIntegrator::touching(const Side& outer, const Side& inner, bool common_
 
 // Integrates over an element with itself. The radius s is half the difference of the parameters, 2 s = |eta - xi|; the
 // lower parameter runs over -1 .. 1 - 2 s.
-void PairIntegrator::same(int element, PairPart part, PairMoments& moments) const {
+void PairIntegrator::integrate_with_itself(int element, PairPart part, PairMoments& moments) const {
   const ElementGeometry& geometry = elements_[element];
-  if (geometry.tip != TipEnd::none) return same_tip(element, moments);
+  if (geometry.tip != TipEnd::none) return integrate_tip_with_itself(element, moments);
   const PointCounts counts(geometry.straight(), tolerance_);
   const GaussRule &radial = gauss_rule(counts.radial), &along = gauss_rule(counts.along);
   SingularPoints points;
-  points.own_nodes = false;
+  points.has_outer_part = false;
   points.radii = counts.radial, points.angles = counts.along;
   for (std::size_t i = 0; i < radial.points.size(); ++i) {
     const double s = radial.points[i];
@@ -181,7 +182,7 @@ void PairIntegrator::same(int element, PairPart part, PairMoments& moments) cons
       const double log_weight = radial.log_weights[i] * area + weight * std::numbers::ln2;
       const ElementBasis::HalfAngle half_lower = geometry.basis.half(lower);
       const ElementGeometry::Values at_lower = geometry.values(lower, geometry.basis.at(lower, half_lower));
-      const auto [at_upper, quotients] = geometry.seen(lower, 2 * s, half_lower, half_way);
+      const auto [at_upper, quotients] = geometry.values_and_quotients(lower, 2 * s, half_lower, half_way);
       // The radius is taken with the sign of eta - xi: even kernels do not depend on it, and in the double layer it
       // cancels.
       set(quotients.place, weight, log_weight, i, points.pairs[j]);
@@ -203,7 +204,7 @@ void PairIntegrator::same(int element, PairPart part, PairMoments& moments) cons
 // With the parameters sigma and tau from the tip, r = length |sigma^2 - tau^2|, and the derivatives have the powers 0
 // and 2 of sigma and tau. All integrals follow from closed forms of those of  sigma^a tau^b ln|sigma^2 - tau^2|  over
 // the unit square.
-void PairIntegrator::same_tip(int element, PairMoments& moments) const {
+void PairIntegrator::integrate_tip_with_itself(int element, PairMoments& moments) const {
   const ElementGeometry& geometry = elements_[element];
   const Point along = 2 * geometry.c1, unit = along.normalized();
   constexpr double ln2 = std::numbers::ln2;

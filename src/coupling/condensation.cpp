@@ -52,9 +52,9 @@ std::vector<CondensedFunction> Condensation::condense(const Eigen::MatrixXd& fun
 Eigen::MatrixXd Condensation::expand(const Eigen::MatrixXd& kept, const std::vector<int>& part) const {
   const Stopwatch watch(system_.counters.seconds_solve);
   const std::vector<int>& order = system_.cholesky.elimination_order();
-  const Eigen::Index others = eliminated_.rows() - kept.rows();
+  const Eigen::Index eliminated = eliminated_.rows() - kept.rows();
   Eigen::MatrixXd unknowns(kept.cols(), eliminated_.rows());
-  unknowns.leftCols(others) = eliminated_.topRows(others).transpose()(part, Eigen::all);
+  unknowns.leftCols(eliminated) = eliminated_.topRows(eliminated).transpose()(part, Eigen::all);
   unknowns.rightCols(kept.rows()) = kept.transpose();
   system_.cholesky.solve_backward(unknowns, static_cast<int>(kept.rows()));
   ++system_.counters.solves;
@@ -89,9 +89,9 @@ Affine Condensation::displacement_at(const std::vector<int>& nodes, const Affine
   for (const int node : nodes)
     for (int dof = 2 * node; dof < 2 * node + 2; ++dof)
       if (place_of_[dof] >= 0) places.push_back(place_of_[dof]);
-  const Eigen::Index others = eliminated_.rows() - kept.rows();
+  const Eigen::Index eliminated = eliminated_.rows() - kept.rows();
   Eigen::MatrixXd unknowns(1, eliminated_.rows());
-  unknowns.leftCols(others) = eliminated_.col(1).head(others).transpose();
+  unknowns.leftCols(eliminated) = eliminated_.col(1).head(eliminated).transpose();
   unknowns.rightCols(kept.rows()) = kept.col(1).transpose();
   system_.cholesky.solve_backward_at(places, unknowns, static_cast<int>(kept.rows()));
   Affine all = system_.prescribed;

@@ -29,7 +29,7 @@ class ContactConstraints {
   void set(Constraints constraints);
   // Replaces all constraints, of which the exact ones must stay the same. The factor is left as it is, so that it
   // belongs to another matrix than the present one: for callers that do not solve with it, as while a window is open.
-  void put(Constraints constraints) { parts_.constraints = std::move(constraints); }
+  void set_without_factor(Constraints constraints) { parts_.constraints = std::move(constraints); }
   void exchange_gap_offsets(Affine& others) noexcept {  // a system's set_load() has to follow
     parts_.operators.exchange_gap_offsets(others);
   }

@@ -49,23 +49,23 @@ struct Entry {
 struct LatticeRow {
   explicit LatticeRow(const std::vector<double>& stations)
       : length(static_cast<int>(std::floor(stations.back() + 0.25))),
-        from_point(stations.front() > -0.25),
-        to_point(stations.back() < length + 0.25) {}
+        starts_at_point(stations.front() > -0.25),
+        ends_at_point(stations.back() < length + 0.25) {}
 
   int length;
-  bool from_point, to_point;
+  bool starts_at_point, ends_at_point;
 
-  bool is_end(int i) const { return (i == 0 && from_point) || (i == length && to_point); }
+  bool is_end(int i) const { return (i == 0 && starts_at_point) || (i == length && ends_at_point); }
   // Shares of the interface's length, in spacings, for each point; their sum and first moment are those of the whole
   // interface. At the mouth of a crack the interface goes on half a spacing beyond the last point, so the share of that
   // point does not suffice: the last two points make up for the moment.
   std::vector<double> shares() const {
     constexpr double lever = 0.125;
     std::vector<double> all(static_cast<std::size_t>(length) + 1, 1.0);
-    if (from_point) all.front() = 0.5;
-    if (to_point) all.back() = 0.5;
-    if (!from_point && length > 0) all[0] += lever, all[1] -= lever;
-    if (!to_point && length > 0) all.end()[-1] += lever, all.end()[-2] -= lever;
+    if (starts_at_point) all.front() = 0.5;
+    if (ends_at_point) all.back() = 0.5;
+    if (!starts_at_point && length > 0) all[0] += lever, all[1] -= lever;
+    if (!ends_at_point && length > 0) all.end()[-1] += lever, all.end()[-2] -= lever;
     return all;
   }
 };
@@ -91,7 +91,7 @@ std::optional<Eigen::SparseMatrix<double, Eigen::RowMajor>> interface_trace(cons
   const Elements elements{stations};
   const LatticeRow row(stations);
   const int length = row.length;
-  assert(length >= 1 || !row.from_point || !row.to_point);
+  assert(length >= 1 || !row.starts_at_point || !row.ends_at_point);
   const std::vector<Entry> entries = pattern(elements, row);
   const auto count = static_cast<Eigen::Index>(entries.size());
 

@@ -20,10 +20,10 @@ struct PackedLower {
 
 // Lower triangle of a symmetric sum in three blocks: of the eliminated unknowns, of both kinds, of the others.
 struct LowerBlocks {
-  Eigen::MatrixXd eliminated, mixed, others;
+  Eigen::MatrixXd eliminated, coupling, remaining;
 
   LowerBlocks(Eigen::Index first, Eigen::Index rest)
-      : eliminated(zero_below(first)), mixed(Eigen::MatrixXd::Zero(rest, first)), others(zero_below(rest)) {}
+      : eliminated(zero_below(first)), coupling(Eigen::MatrixXd::Zero(rest, first)), remaining(zero_below(rest)) {}
 
   // Adds the lower triangle of a symmetric matrix, whose unknowns have these places in the sum.
   void add(const Eigen::MatrixXd& matrix, const std::vector<int>& places) {
@@ -50,8 +50,8 @@ struct LowerBlocks {
     for (std::size_t i = j; i < places.size(); ++i) {
       const Eigen::Index row = places[i];
       const Eigen::Index high = std::max(row, column), low = std::min(row, column);
-      (low >= first    ? others(high - first, low - first)
-       : high >= first ? mixed(high - first, low)
+      (low >= first    ? remaining(high - first, low - first)
+       : high >= first ? coupling(high - first, low)
                        : eliminated(high, low)) += *entries++;
     }
   }

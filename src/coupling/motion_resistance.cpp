@@ -68,7 +68,7 @@ bool MotionResistance::resists_all(std::span<const int> broken) {
 // Finds the motions by an eigenvalue problem. K is the matrix with the springs, S has the pulls of the springs, scaled
 // by the roots of their stiffnesses. A motion m that nothing else resists has K m = S S^T m, so S^T K^-1 S y = y with y
 // = S^T m: the eigenvalue is 1. All other eigenvalues are less.
-std::vector<Eigen::VectorXd> MotionResistance::held_by(std::span<const HoldingSpring> springs) {
+std::vector<Eigen::VectorXd> MotionResistance::motions_held_by(std::span<const HoldingSpring> springs) {
   parts_.condense();
   // The matrix is summed without constraints, so that parts that only the contact of crack faces holds are free in it.
   const SystemMatrix::Matrix& matrix = matrix_.assemble_without_constraints();

@@ -27,7 +27,7 @@ class MotionResistance {
   bool resists_all(std::span<const int> broken);
 
   // Motions that nothing but these springs resists, with all constraints open. A motion need not belong to one spring.
-  std::vector<Eigen::VectorXd> held_by(std::span<const HoldingSpring> springs);
+  std::vector<Eigen::VectorXd> motions_held_by(std::span<const HoldingSpring> springs);
 
   // Motion with the least resistance: the free one, after solve() has failed or displacements have grown without bound.
   SoftMotion softest();

@@ -35,7 +35,7 @@ void RepeatableFactor::keep_last(std::vector<int> nodes) {
 }
 
 void RepeatableFactor::forget() {
-  if (source_.is_awaited) factor_.lose();
+  if (source_.is_awaited) factor_.drop_forgotten();
   source_.is_awaited = false;
   factor_.forget();
 }
@@ -87,7 +87,7 @@ void RepeatableFactor::make() {
 
 const linalg::SparseCholesky& RepeatableFactor::make_cholesky() {
   assert(parts_.is_symmetric());
-  if (substructures_.avoid()) forget();  // a factor by substructures has no Cholesky factor of the whole matrix
+  if (substructures_.disable()) forget();  // a factor by substructures has no Cholesky factor of the whole matrix
   make();
   return factor_.cholesky();
 }

@@ -59,8 +59,8 @@ constexpr double most_joined_last = 8;
 // Computes the elimination; false if the matrix is not positive definite.
 bool Substructure::eliminate() {
   check_cancelled();
-  const Eigen::Index others = count - eliminated;
-  LowerBlocks sum(eliminated, others);
+  const Eigen::Index remaining = count - eliminated;
+  LowerBlocks sum(eliminated, remaining);
   Eigen::VectorXd whole = Eigen::VectorXd::Zero(count);
   for (std::size_t k = 0; k < places.size(); ++k) {
     const bool is_half = k < halves.size();
@@ -74,18 +74,18 @@ bool Substructure::eliminate() {
       whole(places[k]) += matrix.diagonal();
     }
   }
-  diagonal = whole.tail(others);
-  below = std::move(sum.mixed);
+  diagonal = whole.tail(remaining);
+  below = std::move(sum.coupling);
   if (eliminated == 0) {
-    rest.take(sum.others);
+    rest.take(sum.remaining);
     return true;
   }
   pivots.compute(std::move(sum.eliminated));
   if (pivots.info() != Eigen::Success) return false;
-  if (others > 0) {
+  if (remaining > 0) {
     linalg::solve_upper_from_right(pivots.lower(), below);
-    linalg::add_square(sum.others, below, -1);
-    rest.take(sum.others);
+    linalg::add_square(sum.remaining, below, -1);
+    rest.take(sum.remaining);
   }
   const Eigen::VectorXd ratios = pivots.lower().diagonal().cwiseAbs2().cwiseQuotient(whole.head(eliminated));
   smallest_pivot_ratio = std::min(smallest_pivot_ratio, ratios.minCoeff());
@@ -212,16 +212,16 @@ class SubstructureFactor::Builder {
   // Unknowns of the components in the order in which they appear, those to eliminate first; sets place_ and
   // eliminated_.
   std::vector<int> numbered(const std::vector<const int*>& begin, const std::vector<const int*>& end) {
-    std::vector<int> order, others;
+    std::vector<int> order, kept;
     for (std::size_t c = 0; c < begin.size(); ++c)
       for (const int* u = begin[c]; u != end[c]; ++u) {
         const auto unknown = static_cast<std::size_t>(*u);
         if (place_[unknown] >= 0) continue;
         place_[unknown] = 0;
-        (uses_here_[unknown] == uses_[unknown] ? order : others).push_back(*u);
+        (uses_here_[unknown] == uses_[unknown] ? order : kept).push_back(*u);
       }
     eliminated_ = static_cast<Eigen::Index>(order.size());
-    order.insert(order.end(), others.begin(), others.end());
+    order.insert(order.end(), kept.begin(), kept.end());
     for (std::size_t k = 0; k < order.size(); ++k) place_[static_cast<std::size_t>(order[k])] = static_cast<int>(k);
     return order;
   }

@@ -83,21 +83,21 @@ class SubstructureSolver final : public SystemSolver {
 
 }  // namespace
 
-bool Substructures::avoid() {
-  is_avoided_ = true;
+bool Substructures::disable() {
+  is_disabled_ = true;
   return std::exchange(has_served_, false);
 }
 
-bool Substructures::serve(const MatrixSources& sources) const {
+bool Substructures::suits(const MatrixSources& sources) const {
   const linalg::SolverChoice* const choice = linalg::SolverScope::current();
   const bool is_own = !choice || (!choice->external && choice->scratch.empty());
-  return is_own && !is_avoided_ && !positions_.empty() && sources.operators.list().size() >= fewest_operators &&
+  return is_own && !is_disabled_ && !positions_.empty() && sources.operators.list().size() >= fewest_operators &&
          sources.terms.size() == 0 && sources.ties.empty() &&
          sources.constraints.size() == sources.constraints.exact_count();
 }
 
 std::unique_ptr<SystemSolver> Substructures::solver_of(const MatrixSources& sources, const Unknowns& unknowns) {
-  if (!serve(sources)) return nullptr;
+  if (!suits(sources)) return nullptr;
   const Phase phase("sparse factorization");
   PartList parts(unknowns, positions_);
   for (const OperatorSchurComplement& op : sources.operators.list()) parts.add(op);

@@ -38,17 +38,17 @@ class Substructures {
   void take_over(const Substructures& before) { last_ = before.last_; }
   // Makes solver_of() return null from now on, for callers that need a Cholesky factor of the whole matrix; returns
   // whether it has given a solver before.
-  bool avoid();
+  bool disable();
   // Solver with a factor of the matrix. Null if the system is of another kind, if another solver is wanted, or if the
   // matrix is not positive definite.
   std::unique_ptr<SystemSolver> solver_of(const MatrixSources& sources, const Unknowns& unknowns);
 
  private:
-  bool serve(const MatrixSources& sources) const;
+  bool suits(const MatrixSources& sources) const;
 
   std::vector<Point> positions_;
   std::shared_ptr<const SubstructureFactor> last_;
-  bool has_served_ = false, is_avoided_ = false;
+  bool has_served_ = false, is_disabled_ = false;
 };
 
 }  // namespace bempd::coupling

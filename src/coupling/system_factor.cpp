@@ -72,9 +72,9 @@ void SystemFactor::choose_order() {
     }
   };
   append(linalg::nested_dissection(*graph_, member));
-  const std::size_t others = order.size();
+  const std::size_t eliminated = order.size();
   append(kept_nodes_);
-  kept_ = static_cast<int>(order.size() - others);
+  kept_ = static_cast<int>(order.size() - eliminated);
   cholesky->set_elimination_order(std::move(order), kept_);
 }
 
@@ -86,14 +86,14 @@ bool SystemFactor::recall(const std::vector<FactorChange>& changes) {
 }
 
 void SystemFactor::factorize(const Matrix& matrix) {
-  lose();
+  drop_forgotten();
   state_ = FactorState::none;
   ++counters_.matrices;
   changes_.clear();
   const Stopwatch watch(counters_.seconds_factorization);
   largest_diagonal_ = matrix.diagonal().maxCoeff();
-  if (!solver_ || is_taken_) solver_ = method_.make_solver();
-  is_taken_ = false;
+  if (!solver_ || is_of_substructures_) solver_ = method_.make_solver();
+  is_of_substructures_ = false;
   {
     const Phase phase("ordering of the sparse system");
     choose_order();
@@ -113,10 +113,10 @@ bool SystemFactor::factorize(Substructures& substructures, const MatrixSources& 
   const Stopwatch watch(counters_.seconds_factorization);
   std::unique_ptr<SystemSolver> solver = substructures.solver_of(sources, unknowns_);
   if (!solver) return false;
-  lose();
+  drop_forgotten();
   changes_.clear();
   solver_ = std::move(solver);
-  is_taken_ = true;
+  is_of_substructures_ = true;
   largest_diagonal_ = sources.largest_stiffness;
   count_new_factor();
   return true;

@@ -54,13 +54,13 @@ class SystemFactor {
   // Undoes the last forget() and returns true, if no other factor has been made since and the forgotten one had
   // undergone just these changes. The caller must know that the matrix is the same.
   bool recall(const std::vector<FactorChange>& changes);
-  void lose() { forgotten_ = FactorState::none; }  // for good
+  void drop_forgotten() { forgotten_ = FactorState::none; }  // for good
   // Frees the factor and its solver; the next factorization asks for a solver again.
   void release() {
     forget();
-    lose();
+    drop_forgotten();
     solver_.reset();
-    is_taken_ = false;
+    is_of_substructures_ = false;
   }
 
   // Factorizes the matrix. Throws Error (unsolvable) if it is singular.
@@ -98,7 +98,7 @@ class SystemFactor {
   std::vector<int> kept_nodes_;
   int kept_ = 0;
   std::unique_ptr<SystemSolver> solver_;
-  bool is_taken_ = false;  // from outside: it cannot factorize another matrix
+  bool is_of_substructures_ = false;  // from outside: it cannot factorize another matrix
   FactorState state_ = FactorState::none, forgotten_ = FactorState::none;
   std::vector<int> kept_when_made_;
   std::vector<FactorChange> changes_;

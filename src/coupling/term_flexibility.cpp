@@ -51,7 +51,7 @@ Eigen::MatrixXd flexibility_of(EquilibriumSystem& system, std::span<const int> t
   return between(pulls_of(system, terms), system.factorized().cholesky);
 }
 
-Eigen::MatrixXd flexibility_apart(const EquilibriumSystem& system, std::span<const int> terms) {
+Eigen::MatrixXd flexibility_by_temporary_factor(const EquilibriumSystem& system, std::span<const int> terms) {
   const std::unique_ptr<linalg::SparseCholesky> cholesky = linalg::make_sparse_cholesky();
   if (!cholesky->factorize(system.matrix().assemble())) fail(Failure::unsolvable, "a part of the body can move freely");
   return between(pulls_of(system, terms), *cholesky);

@@ -13,6 +13,6 @@ Eigen::MatrixXd flexibility_of(EquilibriumSystem& system, std::span<const int> t
 
 // Flexibility matrix of terms as by flexibility_of(), but by a temporary factor of the present stiffness matrix. The
 // system's own factor, which may belong to another matrix, stays as it is.
-Eigen::MatrixXd flexibility_apart(const EquilibriumSystem& system, std::span<const int> terms);
+Eigen::MatrixXd flexibility_by_temporary_factor(const EquilibriumSystem& system, std::span<const int> terms);
 
 }  // namespace bempd::coupling

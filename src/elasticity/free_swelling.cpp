@@ -9,7 +9,7 @@ namespace bempd {
 namespace {
 
 // Deviation from a linear field, as a share of the largest strain, that counts as rounding of the host's formulas.
-constexpr double least_bend = 1e-10;
+constexpr double linearity_tolerance = 1e-10;
 
 }  // namespace
 
@@ -32,7 +32,7 @@ std::optional<FreeSwelling> FreeSwelling::through(const std::vector<Point>& plac
   if ((values.rowwise() - values.row(0)).cwiseAbs().maxCoeff() > 0) {
     found = (terms.transpose() * terms).ldlt().solve(terms.transpose() * values);
     const double largest = values.cwiseAbs().maxCoeff();
-    if ((terms * found - values).cwiseAbs().maxCoeff() > least_bend * largest) return std::nullopt;
+    if ((terms * found - values).cwiseAbs().maxCoeff() > linearity_tolerance * largest) return std::nullopt;
   }
   found.bottomRows<2>() /= size;
   return FreeSwelling(centre, found);

@@ -104,7 +104,7 @@ HeldParts PartHolder::held_parts() const {
   FreedPartFinder::Held held = freed_parts_.held_parts();
   HeldParts parts{std::move(held.nodes), {}};
   // Closed faces do not count as connections here, so that the set of barred constraints does not depend on them.
-  if (!held.others.empty()) parts.motions = system_.motions().held_by(held.others);
+  if (!held.others.empty()) parts.motions = system_.motions().motions_held_by(held.others);
   return parts;
 }
 

@@ -160,7 +160,7 @@ bool BodyMesher::split_crowded_by(const Point& place) {
 
 // Point to be added because a triangle of the body is too large or too thin: its circumcentre; empty if it is good.
 std::optional<Point> BodyMesher::missing_in(const Delaunay::Triangle& triangle) const {
-  if (!triangle.there || *std::min_element(triangle.points.begin(), triangle.points.end()) < 0) return std::nullopt;
+  if (!triangle.exists || *std::min_element(triangle.points.begin(), triangle.points.end()) < 0) return std::nullopt;
   const Point &a = point(triangle.points[0]), &b = point(triangle.points[1]), &c = point(triangle.points[2]);
   if (cross(b - a, c - a) < 1e-9 * size_ * size_) return std::nullopt;
   const double shortest = std::min({(b - a).norm(), (c - b).norm(), (a - c).norm()});
@@ -197,7 +197,7 @@ BodyMesh BodyMesher::result() const {
   BodyMesh mesh;
   mesh.points = points_;
   for (const Delaunay::Triangle& triangle : delaunay_.triangles()) {
-    if (!triangle.there || *std::min_element(triangle.points.begin(), triangle.points.end()) < 0) continue;
+    if (!triangle.exists || *std::min_element(triangle.points.begin(), triangle.points.end()) < 0) continue;
     const Point &a = point(triangle.points[0]), &b = point(triangle.points[1]), &c = point(triangle.points[2]);
     const double longest = std::max({(b - a).squaredNorm(), (c - b).squaredNorm(), (a - c).squaredNorm()});
     // Flat triangles are left out: they lie between an edge and points on it that have been rounded.

@@ -59,7 +59,7 @@ int Delaunay::triangle_at(const Place& p) const {
 std::vector<Delaunay::Rim> Delaunay::open_cavity(int first, const Place& p) {
   std::vector<Rim> rim;
   std::vector<int> waiting{first};
-  triangles_[static_cast<std::size_t>(first)].there = false;
+  triangles_[static_cast<std::size_t>(first)].exists = false;
   while (!waiting.empty()) {
     const Triangle triangle = triangles_[static_cast<std::size_t>(waiting.back())];
     waiting.pop_back();
@@ -67,9 +67,9 @@ std::vector<Delaunay::Rim> Delaunay::open_cavity(int first, const Place& p) {
       const int other = triangle.neighbours[k];
       if (other >= 0) {
         Triangle& beyond = triangles_[static_cast<std::size_t>(other)];
-        if (!beyond.there) continue;
+        if (!beyond.exists) continue;
         if (circle_holds(beyond, p)) {
-          beyond.there = false;
+          beyond.exists = false;
           waiting.push_back(other);
           continue;
         }

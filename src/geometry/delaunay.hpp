@@ -20,9 +20,9 @@ class Delaunay {
   struct Triangle {
     std::array<int, 3> points;      // counter-clockwise; negative: of the frame around the box
     std::array<int, 3> neighbours;  // across from the points; -1 outside the frame
-    bool there = true;
+    bool exists = true;
   };
-  // All triangles ever made. Those whose member `there` is false have been removed.
+  // All triangles ever made. Those whose member `exists` is false have been removed.
   const std::vector<Triangle>& triangles() const { return triangles_; }
   // Numbers of the triangles that the last insertion made.
   const std::vector<int>& fresh() const { return fresh_; }

@@ -39,7 +39,7 @@ void ScatteredField::triangulate() {
   }
   std::vector<Box> boxes;
   for (const Delaunay::Triangle& triangle : all.triangles()) {
-    if (!triangle.there) continue;
+    if (!triangle.exists) continue;
     const bool inside = std::ranges::all_of(triangle.points, [](int point) { return point >= 0; });
     if (inside) {
       triangles_.push_back(triangle.points);

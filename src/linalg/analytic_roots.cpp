@@ -31,13 +31,13 @@ struct Sample {
 
 // Change of the function's argument along the straight line between two places. The line is halved until no root can
 // lie so close to it that a turn is missed.
-double turning(const AnalyticFunction& f, const Sample& from, const Sample& to, int depth) {
+double argument_change(const AnalyticFunction& f, const Sample& from, const Sample& to, int depth) {
   constexpr double small = 0.8;
   constexpr int most_halvings = 40;
   const double change = std::arg(to.value / from.value), way = std::abs(to.place - from.place);
   if (way * std::max(from.slope, to.slope) < small || depth == most_halvings) return std::isfinite(change) ? change : 0;
   const Sample middle(f, 0.5 * (from.place + to.place));
-  return turning(f, from, middle, depth + 1) + turning(f, middle, to, depth + 1);
+  return argument_change(f, from, middle, depth + 1) + argument_change(f, middle, to, depth + 1);
 }
 
 // Number of roots in a box: how often the function turns around zero along the box's sides.
@@ -45,7 +45,7 @@ int count_roots(const AnalyticFunction& f, const Box& box) {
   const std::array<Sample, 4> corners{Sample(f, {box.left, box.low}), Sample(f, {box.right, box.low}),
                                       Sample(f, {box.right, box.high}), Sample(f, {box.left, box.high})};
   double sum = 0;
-  for (std::size_t side = 0; side < 4; ++side) sum += turning(f, corners[side], corners[(side + 1) % 4], 0);
+  for (std::size_t side = 0; side < 4; ++side) sum += argument_change(f, corners[side], corners[(side + 1) % 4], 0);
   return static_cast<int>(std::lround(sum / (2 * std::numbers::pi)));
 }
 

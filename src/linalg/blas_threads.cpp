@@ -56,13 +56,13 @@ const ThreadControl& control() {
 
 // State of all scopes of the process: their number, the number of BLAS threads before the first one, and the one in
 // force.
-struct Shared {
+struct ScopeState {
   std::mutex mutex;
   int scopes = 0, before = 0, now = 0;
 };
 
-Shared& shared() {
-  static Shared only;
+ScopeState& scope_state() {
+  static ScopeState only;
   return only;
 }
 
@@ -73,11 +73,11 @@ BlasThreads::BlasThreads(int threads) noexcept {
   if (blas.exchange) {
     before_ = blas.exchange(threads);
   } else if (blas.whole_process && blas.get) {
-    Shared& all = shared();
-    const std::lock_guard<std::mutex> lock(all.mutex);
-    if (all.scopes++ == 0) all.before = all.now = blas.get();
-    const int wanted = std::min(all.now, threads);
-    if (wanted != all.now) blas.set(all.now = wanted);
+    ScopeState& state = scope_state();
+    const std::lock_guard<std::mutex> lock(state.mutex);
+    if (state.scopes++ == 0) state.before = state.now = blas.get();
+    const int wanted = std::min(state.now, threads);
+    if (wanted != state.now) blas.set(state.now = wanted);
   } else if (blas.get) {
     before_ = blas.get();
     blas.set(threads);
@@ -89,10 +89,10 @@ BlasThreads::~BlasThreads() {
   if (blas.exchange) {
     blas.exchange(before_);
   } else if (blas.whole_process && blas.get) {
-    Shared& all = shared();
-    const std::lock_guard<std::mutex> lock(all.mutex);
+    ScopeState& state = scope_state();
+    const std::lock_guard<std::mutex> lock(state.mutex);
     // A number that the host has set meanwhile, in another thread or a callback, is left alone.
-    if (--all.scopes == 0 && all.now != all.before && blas.get() == all.now) blas.set(all.before);
+    if (--state.scopes == 0 && state.now != state.before && blas.get() == state.now) blas.set(state.before);
   } else if (blas.get) {
     blas.set(before_);
   }

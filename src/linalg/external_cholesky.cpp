@@ -80,7 +80,7 @@ class ExternalCholesky final : public SparseCholesky {
     for (Eigen::Index first = 0; first < rhs.cols(); first += most_sides_at_once) {
       auto part = rhs.middleCols(first, std::min(most_sides_at_once, rhs.cols() - first));
       const Eigen::MatrixXd ordered = part(order_, Eigen::all);
-      part.topRows(others()) = ordered.topRows(others());
+      part.topRows(eliminated_count()) = ordered.topRows(eliminated_count());
       if (plan_.kept == 0) continue;
       Eigen::MatrixXd values(ordered.rows(), ordered.cols());
       values(order_, Eigen::all) = ordered;
@@ -95,7 +95,7 @@ class ExternalCholesky final : public SparseCholesky {
   void solve_backward(Eigen::Ref<Eigen::MatrixXd> transposed, int known) const override {
     assert(has_factor_ && known <= plan_.kept);
     if (known < plan_.kept) finish_kept(transposed, known);
-    if (others() == 0) return;
+    if (eliminated_count() == 0) return;
     for (Eigen::Index first = 0; first < transposed.rows(); first += most_sides_at_once) {
       auto part = transposed.middleRows(first, std::min(most_sides_at_once, transposed.rows() - first));
       Eigen::MatrixXd values(part.cols(), part.rows());
@@ -108,7 +108,7 @@ class ExternalCholesky final : public SparseCholesky {
       }
       solver_->solve(number_, values);
       values = scale_.asDiagonal() * values;
-      part.leftCols(others()) = values(order_, Eigen::all).topRows(others()).transpose();
+      part.leftCols(eliminated_count()) = values(order_, Eigen::all).topRows(eliminated_count()).transpose();
       check_cancelled();
     }
   }
@@ -122,7 +122,7 @@ class ExternalCholesky final : public SparseCholesky {
     Eigen::MatrixXd solutions = b.transpose();
     solutions.rightCols(known).setZero();
     solve_backward(solutions, known);
-    return a.topRows(others()).transpose() * solutions.leftCols(others()).transpose();
+    return a.topRows(eliminated_count()).transpose() * solutions.leftCols(eliminated_count()).transpose();
   }
 
   Eigen::MatrixXd inverse_block(const std::vector<int>& unknowns) const override {
@@ -153,11 +153,11 @@ class ExternalCholesky final : public SparseCholesky {
     if (!has_factor_ || !change_.has_room_for(columns.cols(), scale_.size(), entries_)) return false;
     return change_.add(columns, change, [this](Eigen::Ref<Eigen::MatrixXd> sides) { solve_unchanged(sides); });
   }
-  double smallest_pivot_ratio() const override { return std::min(smallest_pivot_, change_.least_share()); }
+  double smallest_pivot_ratio() const override { return std::min(smallest_pivot_, change_.least_resistance_ratio()); }
   std::int64_t factor_nonzeros() const override { return entries_; }
 
  private:
-  Eigen::Index others() const { return static_cast<Eigen::Index>(order_.size()) - plan_.kept; }
+  Eigen::Index eliminated_count() const { return static_cast<Eigen::Index>(order_.size()) - plan_.kept; }
   std::vector<int> kept_unknowns() const { return {order_.end() - plan_.kept, order_.end()}; }
 
   void solve_unchanged(Eigen::Ref<Eigen::MatrixXd> rhs) const {
@@ -191,7 +191,7 @@ class ExternalCholesky final : public SparseCholesky {
       order_.resize(static_cast<std::size_t>(scaled.rows()));
       std::iota(order_.begin(), order_.end(), 0);
     }
-    if (others() > 0) {
+    if (eliminated_count() > 0) {
       const Phase phase("analysis of the sparse system");
       check_cancelled();
       solver_->analyse(number_, scaled, plan_);
@@ -203,7 +203,7 @@ class ExternalCholesky final : public SparseCholesky {
     const Phase phase("sparse factorization");
     check_cancelled();
     ExternalSolver::Outcome outcome;
-    if (others() > 0) {
+    if (eliminated_count() > 0) {
       if (!solver_->factorize(number_, scaled, plan_.kept, outcome)) return false;
     } else {
       outcome.schur = SparseMatrix(scaled.selfadjointView<Eigen::Lower>());
@@ -227,7 +227,7 @@ class ExternalCholesky final : public SparseCholesky {
   // Block of A^-1 if all its unknowns are kept: then it is one of the Schur complement's inverse.
   std::optional<Eigen::MatrixXd> inverse_block_of_kept(const std::vector<int>& unknowns) const {
     std::vector<int> place(order_.size(), -1), places;
-    for (int k = 0; k < plan_.kept; ++k) place[order_[static_cast<std::size_t>(others() + k)]] = k;
+    for (int k = 0; k < plan_.kept; ++k) place[order_[static_cast<std::size_t>(eliminated_count() + k)]] = k;
     for (const int unknown : unknowns) {
       if (place[unknown] < 0) return std::nullopt;
       places.push_back(place[unknown]);
@@ -241,7 +241,7 @@ class ExternalCholesky final : public SparseCholesky {
   // Columns of the kept unknowns, in the rows of the others.
   void collect_coupling(const SparseMatrix& scaled) {
     std::vector<int> column_of(order_.size(), -1);
-    for (int k = 0; k < plan_.kept; ++k) column_of[order_[static_cast<std::size_t>(others() + k)]] = k;
+    for (int k = 0; k < plan_.kept; ++k) column_of[order_[static_cast<std::size_t>(eliminated_count() + k)]] = k;
     std::vector<Eigen::Triplet<double>> entries;
     for (int j = 0; j < scaled.outerSize(); ++j)
       for (SparseMatrix::InnerIterator it(scaled, j); it; ++it) {
@@ -255,14 +255,14 @@ class ExternalCholesky final : public SparseCholesky {
 
   // Reduces scaled right-hand sides to the kept unknowns.
   Eigen::MatrixXd reduced(Eigen::MatrixXd& values) const {
-    if (others() == 0) return values(order_, Eigen::all);
+    if (eliminated_count() == 0) return values(order_, Eigen::all);
     Eigen::MatrixXd kept(plan_.kept, values.cols());
     solver_->reduce(number_, values, kept);
     return kept;
   }
 
   void expand(const Eigen::MatrixXd& kept, Eigen::MatrixXd& values) const {
-    if (others() > 0) solver_->expand(number_, kept, values);
+    if (eliminated_count() > 0) solver_->expand(number_, kept, values);
     values(kept_unknowns(), Eigen::all) = kept;
   }
 

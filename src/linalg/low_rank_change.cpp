@@ -9,7 +9,7 @@ namespace bempd::linalg {
 
 namespace {
 
-constexpr double smallest_share = 1e-9;
+constexpr double singular_resistance_ratio = 1e-9;
 
 // Room for the stored solutions A^-1 U: this number of entries, or this share of the factor's entries if that is more.
 // More than `most_columns` columns cost more than they save.
@@ -50,15 +50,15 @@ bool LowRankChange::add(const Eigen::SparseMatrix<double>& columns, Change chang
   middle = (0.5 * (middle + middle.transpose())).eval();
   for (Eigen::Index k = 0; k < next.size(); ++k)
     middle(k, k) += next.sides_[static_cast<std::size_t>(k)] == Change::add ? 1 : -1;
-  next.least_share_ = next.least_share_of(middle);
-  if (!(next.least_share_ >= smallest_share)) return false;
+  next.least_resistance_ratio_ = next.least_resistance_ratio_of(middle);
+  if (!(next.least_resistance_ratio_ >= singular_resistance_ratio)) return false;
   next.middle_.compute(middle);
   *this = std::move(next);
   return true;
 }
 
 // Removed columns R leave motions the shares that are eigenvalues of 1 - R^T B^-1 R, where B is A with the added ones.
-double LowRankChange::least_share_of(const Eigen::MatrixXd& middle) const {
+double LowRankChange::least_resistance_ratio_of(const Eigen::MatrixXd& middle) const {
   std::vector<Eigen::Index> added, removed;
   for (Eigen::Index k = 0; k < size(); ++k)
     (sides_[static_cast<std::size_t>(k)] == Change::add ? added : removed).push_back(k);

@@ -33,16 +33,16 @@ class LowRankChange {
   void correct(Eigen::Ref<Eigen::MatrixXd> solutions) const;
 
   // Smallest ratio, over all motions, of the resistance (energy) that is left to that with A and the added columns.
-  double least_share() const { return least_share_; }
+  double least_resistance_ratio() const { return least_resistance_ratio_; }
 
  private:
-  double least_share_of(const Eigen::MatrixXd& middle) const;
+  double least_resistance_ratio_of(const Eigen::MatrixXd& middle) const;
 
   Eigen::SparseMatrix<double> columns_;  // U
   Eigen::MatrixXd answers_;              // A^-1 U
   std::vector<Change> sides_;            // D
   Eigen::PartialPivLU<Eigen::MatrixXd> middle_;
-  double least_share_ = 1;
+  double least_resistance_ratio_ = 1;
 };
 
 }  // namespace bempd::linalg

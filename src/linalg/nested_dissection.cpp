@@ -86,7 +86,7 @@ class Dissection {
     for (Iterator it = begin; it != end; ++it) {
       if (side_[*it] != side) continue;
       const bool near = std::abs(graph_.positions[*it][axis] - cut) <= reach_[*it] * (1 + 1e-9);
-      if ((near && has_partner(*it, other)) || in_group_with(*it, other)) found.push_back(*it);
+      if ((near && has_partner(*it, other)) || shares_group_with_side(*it, other)) found.push_back(*it);
     }
     for (Iterator it = begin; it != end; ++it)
       for (const int g : groups_of_.of(*it)) group_state_[static_cast<std::size_t>(g)] = not_known;
@@ -99,7 +99,7 @@ class Dissection {
   }
 
   // Whether a group of the node has nodes on a side. What is found out about a group is kept until boundary() ends.
-  bool in_group_with(int node, Side side) {
+  bool shares_group_with_side(int node, Side side) {
     const std::span<const int> groups = groups_of_.of(node);
     return std::any_of(groups.begin(), groups.end(), [&](int g) {
       GroupState& state = group_state_[static_cast<std::size_t>(g)];

@@ -84,7 +84,7 @@ class Assembler {
       const CollocationPoint::Home* home = nullptr;
       for (const auto& candidate : homes)
         if (candidate.element == e) home = &candidate;
-      const PointMoments moments = home ? integrator_.containing(e, home->xi) : integrator_.apart(e, x);
+      const PointMoments moments = home ? integrator_.on_element(e, home->xi) : integrator_.off_element(e, x);
       evaluations += moments.evaluations;
       for (int b = 0; b < 3; ++b) {
         single_layer_transpose.block<2, 2>(2 * mesh_.elements[e].traction_nodes[b], 2 * point) +=

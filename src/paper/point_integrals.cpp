@@ -14,7 +14,7 @@ namespace {
 
 constexpr int max_depth = 60;
 
-void add_apart(const ElementPoints& y, const Point& x, PointMoments& moments) {
+void add_off_element(const ElementPoints& y, const Point& x, PointMoments& moments) {
   ElementPoints::Values ln, cosine, sine, along, across;
   for (int p = 0; p < y.count; ++p) {
     const double rx = y.x[p] - x.x(), ry = y.y[p] - x.y(), r2 = rx * rx + ry * ry, inverse = 1 / r2;
@@ -119,7 +119,7 @@ PointIntegrator::PointIntegrator(const std::vector<ElementGeometry>& elements, d
       fill_points(elements[e], {}, regular_point_counts[rule], whole_[e][rule]);
 }
 
-PointMoments PointIntegrator::apart(int element, const Point& x) const {
+PointMoments PointIntegrator::off_element(int element, const Point& x) const {
   PointMoments moments;
   const Singularities singularities = singularities_from(elements_[element], x);
   constexpr int largest = static_cast<int>(regular_point_counts.size()) - 1;
@@ -130,18 +130,18 @@ PointMoments PointIntegrator::apart(int element, const Point& x) const {
       self(self, {interval.from, interval.mid()}, depth + 1);
       self(self, {interval.mid(), interval.to}, depth + 1);
     } else if (depth == 0) {
-      add_apart(whole_[element][rule], x, moments);
+      add_off_element(whole_[element][rule], x, moments);
     } else {
       ElementPoints points;
       fill_points(elements_[element], interval, regular_point_counts[std::min(rule, largest)], points);
-      add_apart(points, x, moments);
+      add_off_element(points, x, moments);
     }
   };
   add(add, {}, 0);
   return moments;
 }
 
-PointMoments PointIntegrator::containing(int element, double xi0) const {
+PointMoments PointIntegrator::on_element(int element, double xi0) const {
   assert(-1 <= xi0 && xi0 <= 1);
   PointMoments moments;
   OwnElement own(elements_[element], xi0, tolerance_, moments);

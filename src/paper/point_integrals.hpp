@@ -27,9 +27,9 @@ class PointIntegrator {
  public:
   PointIntegrator(const std::vector<bem::ElementGeometry>& elements, double tolerance);
 
-  PointMoments apart(int element, const Point& x) const;
+  PointMoments off_element(int element, const Point& x) const;
   // Integrals for a point x that lies on the element itself, at the parameter xi0, -1 <= xi0 <= 1.
-  PointMoments containing(int element, double xi0) const;
+  PointMoments on_element(int element, double xi0) const;
 
  private:
   std::vector<bem::ElementGeometry> elements_;

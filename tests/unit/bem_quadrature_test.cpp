@@ -103,7 +103,8 @@ TEST(ElementGeometry, points_seen_from_another_are_those_at_their_parameter) {
     const ElementGeometry element{{0.3, 0.1}, {0.5, 0.2}, {0.05, -0.1}, ElementBasis(half_angle)};
     for (const double from : {-1.0, 0.2, 1.0})
       for (const double way : {-0.7, 1e-3, 0.6}) {
-        const auto [values, quotients] = element.seen(from, way, element.basis.half(from), element.basis.half(way));
+        const auto [values, quotients] =
+            element.values_and_quotients(from, way, element.basis.half(from), element.basis.half(way));
         const ElementGeometry::Values at = element.values(from + way);
         const ElementGeometry::Quotients between = element.quotients(from + way, from);
         EXPECT_NEAR((values.derivative - at.derivative).norm(), 0, 1e-15);

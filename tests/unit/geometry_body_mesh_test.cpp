@@ -53,7 +53,7 @@ TEST(Delaunay, circles_through_triangles_hold_no_other_point) {
   EXPECT_EQ(delaunay.insert(points[5]), 5);
   int triangles = 0;
   for (const Delaunay::Triangle& t : delaunay.triangles()) {
-    if (!t.there || t.points[0] < 0 || t.points[1] < 0 || t.points[2] < 0) continue;
+    if (!t.exists || t.points[0] < 0 || t.points[1] < 0 || t.points[2] < 0) continue;
     ++triangles;
     const Point a = points[t.points[0]], b = points[t.points[1]] - a, c = points[t.points[2]] - a;
     const Point centre = a + Point(c.y() * b.squaredNorm() - b.y() * c.squaredNorm(),

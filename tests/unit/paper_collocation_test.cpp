@@ -85,7 +85,7 @@ TEST(PointIntegrator, integrals_over_the_points_own_element_agree_with_brute_for
   for (int e = 0; e < 3; ++e)
     for (const double xi0 : {-1.0, -2.0 / 3, 0.0, 2.0 / 3, 1.0}) {
       const PointMoments reference = reference_moments(sample_elements()[e], {0, 0}, xi0, true);
-      const auto [weak, strong] = differences(integrator.containing(e, xi0), reference);
+      const auto [weak, strong] = differences(integrator.on_element(e, xi0), reference);
       std::printf("element %d, xi %5.2f: weakly singular off by %.1e, double layer by %.1e\n", e, xi0, weak, strong);
       EXPECT_LE(weak, 1e-14);
       EXPECT_LE(strong, 1e-14);
@@ -106,7 +106,7 @@ TEST(PointIntegrator, integrals_seen_from_near_and_far_agree_with_brute_force) {
             const Point x = element.at(centre) + distance * side * (beyond ? dx : scaled_normal(dx));
             if (beyond && (std::abs(centre) < 1 || side != centre)) continue;
             const auto [weak, strong] =
-                differences(integrator.apart(e, x), reference_moments(element, real(x), centre, false));
+                differences(integrator.off_element(e, x), reference_moments(element, real(x), centre, false));
             largest_weak = std::max(largest_weak, weak);
             largest_strong = std::max(largest_strong, strong);
           }
@@ -122,7 +122,7 @@ TEST(PointIntegrator, integrals_seen_from_near_and_far_agree_with_brute_force) {
 TEST(PointIntegrator, tolerance_saves_points) {
   const PointIntegrator exact(sample_elements(), 1e-14), coarse(sample_elements(), 1e-6);
   const Point x(0.2, 0.1);
-  const PointMoments fine = exact.apart(1, x), rough = coarse.apart(1, x);
+  const PointMoments fine = exact.off_element(1, x), rough = coarse.off_element(1, x);
   const auto [weak, strong] = differences(rough, fine);
   EXPECT_LT(rough.evaluations, fine.evaluations);
   EXPECT_LE(std::max(weak, strong), 1e-6);

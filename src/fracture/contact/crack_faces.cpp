@@ -232,7 +232,7 @@ void CrackFaces::restore(const FaceState& state) {
 }
 
 void CrackFaces::go_on_from(const FaceState& state) {
-  system_.contact().put(constraints_of(state));
+  system_.contact().set_without_factor(constraints_of(state));
   enter(state);
 }
 

@@ -33,9 +33,9 @@ Eigen::VectorXd ForecastBalance::internal_force_after(const std::vector<Forecast
   const auto last = std::find_if(events.rbegin(), events.rend(), [](const ForecastEvent& e) { return e.faces; });
   if (last == events.rend()) return system.response().internal_force(evaluate(whole_, load_factor));
   coupling::Constraints present = system.constraints();
-  system.contact().put(body_.faces().constraints_of(*last->faces));
+  system.contact().set_without_factor(body_.faces().constraints_of(*last->faces));
   Eigen::VectorXd force = system.response().internal_force(evaluate(whole_, load_factor));
-  system.contact().put(std::move(present));
+  system.contact().set_without_factor(std::move(present));
   return force;
 }
 
