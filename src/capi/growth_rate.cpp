@@ -32,7 +32,7 @@ constexpr bempd_growth_rate rate_defaults{.struct_size = sizeof(bempd_growth_rat
                                           .flow_stress = 0};
 
 // Function of the host, for a rate or a resistance.
-std::function<double(const crack::TipCycle&)> of_host(bempd_growth_function function, void* user) {
+std::function<double(const crack::TipCycle&)> host_growth_function(bempd_growth_function function, void* user) {
   return [=](const crack::TipCycle& c) {
     return function(c.tip.crack, c.tip.end == 0 ? BEMPD_CRACK_START : BEMPD_CRACK_END, c.highest, c.ratio(), c.high.x(),
                     c.high.y(), c.t_stress, c.length, c.place.x(), c.place.y(), user);
@@ -112,7 +112,7 @@ crack::RateParameters parameters_of(const bempd_growth_rate* given) {
   parameters.threshold = rate.threshold * rate.unit_intensity;
   parameters.critical = rate.critical_intensity * rate.unit_intensity;
   parameters.flow_stress = rate.flow_stress;
-  if (by_function) parameters.function = of_host(rate.function, rate.user);
+  if (by_function) parameters.function = host_growth_function(rate.function, rate.user);
   set_retardation(rate, parameters);
   return parameters;
 }
@@ -131,6 +131,6 @@ bempd_status bempd_set_resistance_function(bempd_model* model, int32_t material,
                                            void* user) {
   return with_model(model, __func__, [&](model::Model& m) {
     require(function != nullptr, "function is NULL; give one");
-    scene::set_resistance_function(m.editable_scene(), material, of_host(function, user));
+    scene::set_resistance_function(m.editable_scene(), material, host_growth_function(function, user));
   });
 }

@@ -8,7 +8,7 @@ using namespace bempd::capi;
 namespace {
 
 // Number of the piece if there is exactly one; 0 if there are several or none.
-std::int32_t the_one(const std::vector<int>& pieces) { return pieces.size() == 1 ? pieces.front() : 0; }
+std::int32_t only_piece(const std::vector<int>& pieces) { return pieces.size() == 1 ? pieces.front() : 0; }
 
 }  // namespace
 
@@ -30,11 +30,12 @@ bempd_status bempd_copy_node_pieces(bempd_model* model, int32_t region, int64_t 
 
 bempd_status bempd_support_piece(bempd_model* model, int32_t support, int32_t* piece) {
   return with_model(model, __func__,
-                    [&](model::Model& m) { out(piece, "piece") = the_one(m.pieces().of_support(support)); });
+                    [&](model::Model& m) { out(piece, "piece") = only_piece(m.pieces().of_support(support)); });
 }
 
 bempd_status bempd_load_piece(bempd_model* model, int32_t load, int32_t* piece) {
-  return with_model(model, __func__, [&](model::Model& m) { out(piece, "piece") = the_one(m.pieces().of_load(load)); });
+  return with_model(model, __func__,
+                    [&](model::Model& m) { out(piece, "piece") = only_piece(m.pieces().of_load(load)); });
 }
 
 bempd_status bempd_are_connected(bempd_model* model, int32_t support, int32_t other, int32_t* connected) {

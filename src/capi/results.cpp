@@ -21,7 +21,7 @@ void require_capacity(std::int64_t capacity, std::int64_t needed, const char* wh
 }
 
 // State of a run whose history has a line `index`; throws Error (argument) if it has not.
-const fracture::EvolutionState& with_line(const model::Model& m, std::int64_t index) {
+const fracture::EvolutionState& state_with_history_line(const model::Model& m, std::int64_t index) {
   const model::PreparedScene* p = m.prepared_or_null();
   const auto count = p ? static_cast<int64_t>(p->evolution->progress().history.size()) : 0;
   require(index >= 0 && index < count, "index is ", index, "; the history has ", count, " lines");
@@ -31,7 +31,7 @@ const fracture::EvolutionState& with_line(const model::Model& m, std::int64_t in
 bempd_status get_history_entry(const bempd_model* model, const char* function, std::int64_t index,
                                bempd_history_entry* entry) {
   return with_model(model, function, [&](const model::Model& m) {
-    const fracture::HistoryEntry& h = with_line(m, index).history[static_cast<std::size_t>(index)];
+    const fracture::HistoryEntry& h = state_with_history_line(m, index).history[static_cast<std::size_t>(index)];
     write_struct(entry,
                  {
                      .struct_size = sizeof(bempd_history_entry),
@@ -272,7 +272,7 @@ bempd_status bempd_get_history_support(const bempd_model* model, int64_t index, 
     require(support >= 1 && support <= static_cast<int>(supports.size()), "support ", support,
             " does not exist; there are ", supports.size());
     require(!supports[static_cast<std::size_t>(support) - 1].removed(), "support ", support, " was removed");
-    const fracture::EvolutionState& state = with_line(m, index);
+    const fracture::EvolutionState& state = state_with_history_line(m, index);
     const auto at = 2 * (static_cast<std::ptrdiff_t>(supports.size()) * index + support - 1);
     const auto give = [&](const std::vector<double>& values, double* target) {
       if (target) std::copy_n(values.begin() + at, 2, target);

@@ -146,14 +146,14 @@ std::optional<std::vector<double>> CycleIntegration::rates(const Growth& grown, 
   return rates;
 }
 
-void CycleIntegration::meet(Overloads& overloads, const Growth& grown, std::size_t block) const {
+void CycleIntegration::update_overloads(Overloads& overloads, const Growth& grown, std::size_t block) const {
   for (std::size_t t = 0; t < tips_.size(); ++t)
     if (const Retardation* retardation = tips_[t].law->retardation())
       overloads[t] =
           retardation->after(overloads[t], grown[t], tips_[t].cycle(grown[t], program_.block(block)).highest);
 }
 
-double CycleIntegration::even_growth(std::size_t tip, double grown, const Overload& overload) const {
+double CycleIntegration::growth_to_zone_end(std::size_t tip, double grown, const Overload& overload) const {
   const double left = overload.end - grown;
   return tips_[tip].law->retardation() && left > 0 ? left : std::numeric_limits<double>::infinity();
 }
@@ -162,7 +162,7 @@ std::optional<std::vector<double>> CycleIntegration::program_growth(const Growth
                                                                     const Overloads& overloads) const {
   Growth sum(tips_.size(), 0.0);
   Overloads met = overloads;
-  for (std::size_t b = 0; b < program_.size(); ++b) meet(met, grown, b);  // by the program before
+  for (std::size_t b = 0; b < program_.size(); ++b) update_overloads(met, grown, b);  // by the program before
   for (std::size_t b = 0; b < program_.size(); ++b) {
     const std::optional<Growth> of_block = rates(grown, b, met);
     if (!of_block) return std::nullopt;
@@ -197,7 +197,7 @@ bool CycleIntegration::pass_programs(CyclesOnStep& now, std::size_t goal, double
   const std::optional<Growth> by_one = program_growth(now.growth, now.overloads);
   if (!by_one || !((*by_one)[goal] > 0)) return false;
   for (std::size_t t = 0; t < tips_.size(); ++t)
-    if ((*by_one)[t] > share_of_zone_by_program * even_growth(t, now.growth[t], now.overloads[t])) return false;
+    if ((*by_one)[t] > share_of_zone_by_program * growth_to_zone_end(t, now.growth[t], now.overloads[t])) return false;
   const double part = std::min(growth / parts_of_a_step, growth - now.growth[goal]);
   const auto rates_at = [&](const Growth& grown) { return program_growth(grown, now.overloads); };
   double programs = std::min(part / (*by_one)[goal], (most_cycles - now.cycles) / program_.cycles());
@@ -206,7 +206,7 @@ bool CycleIntegration::pass_programs(CyclesOnStep& now, std::size_t goal, double
     const std::optional<Growth> there = advanced(now.growth, whole, rates_at);
     if (!there || (*there)[goal] > growth || !program_growth(*there, now.overloads)) continue;
     now.growth = *there;
-    for (std::size_t b = 0; b < program_.size(); ++b) meet(now.overloads, now.growth, b);
+    for (std::size_t b = 0; b < program_.size(); ++b) update_overloads(now.overloads, now.growth, b);
     now.cycles += whole * program_.cycles();
     return true;
   }
@@ -227,7 +227,7 @@ bool CycleIntegration::pass_block(CyclesOnStep& now, const Growth& at_start, std
     for (std::size_t t = 0; t < grown.size(); ++t) last_begins[t] += (1 - 1 / cycles) * (grown[t] - last_begins[t]);
     now.growth = std::move(grown);
     now.in_cycle = cycles < 1;
-    if (cycles >= 1) meet(now.overloads, last_begins, now.place.block);
+    if (cycles >= 1) update_overloads(now.overloads, last_begins, now.place.block);
     program_.go_on(now.place, cycles);
   };
   double cycles = std::min(program_.left(now.place), most_cycles - now.cycles);
@@ -236,7 +236,7 @@ bool CycleIntegration::pass_block(CyclesOnStep& now, const Growth& at_start, std
       cycles = std::min(cycles, (t == goal ? growth : tips_[t].growth) / parts_of_a_step / at_start[t]);
   for (std::size_t t = 0; t < tips_.size(); ++t)
     if (at_start[t] > 0)
-      cycles = std::min(cycles, share_of_zone * even_growth(t, now.growth[t], now.overloads[t]) / at_start[t]);
+      cycles = std::min(cycles, share_of_zone * growth_to_zone_end(t, now.growth[t], now.overloads[t]) / at_start[t]);
   std::optional<Growth> grown = after(cycles);
   const bool breaks = !grown || critical_tip(*grown, now.place.block) < tips_.size();
   if (!breaks && (*grown)[goal] < growth * (1 - 1e-12)) {
@@ -280,7 +280,7 @@ CyclesOnStep CycleIntegration::run(const CycleProgram::Place& from, std::vector<
     }
     if (pass_programs(now, goal, growth, most_cycles)) continue;
     const double begun = now.place.done - std::floor(now.place.done);
-    if (!now.in_cycle || begun < 1e-9 || begun > 1 - 1e-9) meet(now.overloads, now.growth, now.place.block);
+    if (!now.in_cycle || begun < 1e-9 || begun > 1 - 1e-9) update_overloads(now.overloads, now.growth, now.place.block);
     const Growth present = *rates(now.growth, now.place.block, now.overloads);
     if (std::all_of(present.begin(), present.end(), [](double rate) { return rate == 0; })) {
       if (++idle_blocks > program_.size() || program_.size() == 1) {

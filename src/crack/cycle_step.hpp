@@ -84,9 +84,9 @@ class CycleIntegration {
   // none where a tip is critical.
   std::optional<Growth> program_growth(const Growth& grown, const Overloads& overloads) const;
   // Replaces the overloads of the tips by those after a cycle of a block, at the cycle's highest load.
-  void meet(Overloads& overloads, const Growth& grown, std::size_t block) const;
+  void update_overloads(Overloads& overloads, const Growth& grown, std::size_t block) const;
   // Growth of a tip to the end of its overload's zone; infinite without retardation, or if the zone is behind it.
-  double even_growth(std::size_t tip, double grown, const Overload& overload) const;
+  double growth_to_zone_end(std::size_t tip, double grown, const Overload& overload) const;
   template <class Rates>
   std::optional<Growth> advanced(const Growth& grown, double by, const Rates& rates) const;
   std::size_t critical_tip(const Growth& grown, std::size_t block) const;

@@ -21,8 +21,8 @@ constexpr double share_of_rounding = 1e-9;
 double end_of_range(const AffineFactors& factors, const GrowthLaw& law, double inside, double direction) {
   const double slope = law.kink(direction * factors.proportional).equivalent_factor;
   if (!(slope > share_of_rounding * factors.proportional.stableNorm())) return infinity * direction;
-  const double least_share = law.directions ? law.directions->least_share() : 1;
-  const double constant = factors.constant.stableNorm() / std::sqrt(std::min(1.0, least_share));
+  const double smallest_share = law.directions ? law.directions->smallest_share() : 1;
+  const double constant = factors.constant.stableNorm() / std::sqrt(std::min(1.0, smallest_share));
   double low = inside, high = direction * 2 * (law.toughness + 2 * constant) / slope;
   if (law.asking.function) {  // no bound is known of what it gives
     constexpr int most_doublings = 60;
@@ -56,7 +56,7 @@ double least_loaded(const AffineFactors& factors, GrowthLaw law) {
 
 }  // namespace
 
-GrowthLaw GrowthLaw::met(const Point& factors, double t_stress) const {
+GrowthLaw GrowthLaw::with_host_toughness(const Point& factors, double t_stress) const {
   if (!asking.function) return *this;
   GrowthLaw law = *this;
   law.asking.function = nullptr;

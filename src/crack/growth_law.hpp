@@ -37,9 +37,10 @@ struct GrowthLaw {
   AskingTip asking{};  // with a function, the toughness is a number to begin with only
 
   // Law with the toughness that the host's function gives for these factors; the same law if there is no function.
-  GrowthLaw met(const Point& factors, double t_stress) const;
-  GrowthLaw met(const AffineFactors& factors, double load_factor) const {
-    return asking.function ? met(factors.at(load_factor), asking.t_stress.dot(Point(1, load_factor))) : *this;
+  GrowthLaw with_host_toughness(const Point& factors, double t_stress) const;
+  GrowthLaw with_host_toughness(const AffineFactors& factors, double load_factor) const {
+    return asking.function ? with_host_toughness(factors.at(load_factor), asking.t_stress.dot(Point(1, load_factor)))
+                           : *this;
   }
 
   double share_in(double angle) const { return directions ? directions->share(heading + angle) : 1; }
@@ -56,7 +57,7 @@ struct GrowthLaw {
   // Ratio of the equivalent mode I factor in the direction of growth to the toughness: the tip grows when it reaches 1.
   double ratio(const AffineFactors& factors, double load_factor) const {
     if (!(toughness > 0)) return 0;
-    return kink(factors, load_factor).equivalent_factor / met(factors, load_factor).toughness;
+    return kink(factors, load_factor).equivalent_factor / with_host_toughness(factors, load_factor).toughness;
   }
   // Range of load factors in which ratio() is below 1; unbounded if the toughness is infinite, or is not positive (no
   // fracture). By the hoop stress criterion the factor is a maximum of functions linear in the load factor, so the

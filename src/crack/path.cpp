@@ -23,7 +23,7 @@ std::vector<PathVertex> path_of(int crack, std::span<const Point> described, std
   return {path.begin(), path.end()};
 }
 
-std::vector<Point> places_of(const std::vector<PathVertex>& path) {
+std::vector<Point> points_of_path(const std::vector<PathVertex>& path) {
   std::vector<Point> places;
   places.reserve(path.size());
   for (const PathVertex& vertex : path) places.push_back(vertex.place);

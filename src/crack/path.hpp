@@ -27,7 +27,7 @@ struct PathVertex {
 // run) and the end points of its extensions.
 std::vector<PathVertex> path_of(int crack, std::span<const Point> described, std::span<const Extension> extensions);
 
-std::vector<Point> places_of(const std::vector<PathVertex>& path);
+std::vector<Point> points_of_path(const std::vector<PathVertex>& path);
 double length_of(const std::vector<PathVertex>& path);
 
 }  // namespace bempd::crack

@@ -21,7 +21,7 @@ constexpr int most_halvings = 8;
 // Scenes of which two meshes were solved are solved with elements halved once more to tell errors if they have no
 // lattice and at most so many elements: that takes two to three times as long as these two meshes took. With tips there
 // are more, since the size and the direction of their factors have errors of different orders.
-constexpr double most_certified = 125, most_certified_with_tips = 160;
+constexpr double most_elements_to_halve = 125, most_elements_to_halve_with_tips = 160;
 
 const scene::OptionGroup accuracy_group(scene::OptionPlace::general, [] {
   scene::OptionDescription budget = scene::number_option(
@@ -61,9 +61,9 @@ std::uint64_t Accuracy::mark() const {
 
 void Accuracy::forget() {
   levels_.clear();
-  certified_.reset(), seconds_certifying_ = 0;
+  errors_by_halving_.reset(), seconds_of_halving_ = 0;
   finest_.reset();
-  promised_.reset(), chosen_.reset();
+  planned_.reset(), chosen_.reset();
 }
 
 double clamped_time_ratio(double ratio) {
@@ -141,17 +141,17 @@ void Accuracy::solve_next() {
 
 // Solves a small scene that has two meshes with the elements of the last one halved. Where its errors are larger than
 // wanted, that is its third mesh; else it tells the errors and goes. Returns whether anything is new.
-bool Accuracy::certify() {
+bool Accuracy::solve_halved_once_more() {
   const Level& last = levels_.back();
-  const double most = last.answers.tips.empty() ? most_certified : most_certified_with_tips;
+  const double most = last.answers.tips.empty() ? most_elements_to_halve : most_elements_to_halve_with_tips;
   const bool is_small = last.cost.elements <= most && last.cost.material_points == 0;
-  if (certified_ || levels_.size() != 2 || !is_small || !may_refine()) return false;
+  if (errors_by_halving_ || levels_.size() != 2 || !is_small || !may_refine()) return false;
   std::unique_ptr<PreparedScene> scene;
   Level finer = solve(static_cast<int>(levels_.size()), scene);
-  certified_ = estimated_by_finer(finer.answers, last.answers, tolerance_, model_.options());
-  seconds_certifying_ = finer.cost.seconds;
+  errors_by_halving_ = estimated_by_finer(finer.answers, last.answers, tolerance_, model_.options());
+  seconds_of_halving_ = finer.cost.seconds;
   if (wants_more()) {
-    certified_.reset(), seconds_certifying_ = 0;
+    errors_by_halving_.reset(), seconds_of_halving_ = 0;
     levels_.push_back(std::move(finer));
     finest_ = std::move(scene);
   }
@@ -165,7 +165,7 @@ std::vector<const MeshAnswers*> Accuracy::meshes() const {
 }
 
 MeshErrors Accuracy::estimate() const {
-  return certified_ ? *certified_ : estimated(meshes(), tolerance_, model_.options());
+  return errors_by_halving_ ? *errors_by_halving_ : estimated(meshes(), tolerance_, model_.options());
 }
 
 double Accuracy::reduction() const { return expected_reduction(meshes(), tolerance_, model_.options()); }
@@ -211,7 +211,7 @@ bool Accuracy::may_refine() const {
 MeshPlan Accuracy::plan_of(const MeshCost& cost, bool is_solved) const {
   MeshPlan plan;
   plan.cost = cost;
-  plan.seconds_spent = seconds_certifying_;
+  plan.seconds_spent = seconds_of_halving_;
   for (const Level& level : levels_) plan.seconds_spent += level.cost.seconds;
   if (is_solved) plan.seconds_spent -= cost.seconds;
   const double more = cost.halvings - levels_.back().cost.halvings;
@@ -227,16 +227,16 @@ MeshPlan Accuracy::plan_of(const MeshCost& cost, bool is_solved) const {
 const MeshPlan& Accuracy::plan() {
   require(regions::has_bodies(model_.scene()), "the scene has no body; add one with bempd_add_body()");
   if (chosen_) return *chosen_;
-  model_.treatments().lay();
-  if (promised_ && mark_ == mark()) return *promised_;
+  model_.treatments().add_patches();
+  if (planned_ && mark_ == mark()) return *planned_;
   while (levels_.size() < 2 || mark_ != mark()) solve_next();
   for (;;) {
     const double over = estimate().largest() / wanted();
     if (over <= 1 || !may_refine()) {
-      if (certify()) continue;
-      return promised_.emplace(plan_of(levels_.back().cost, true));
+      if (solve_halved_once_more()) continue;
+      return planned_.emplace(plan_of(levels_.back().cost, true));
     }
-    if (over <= reduction()) return promised_.emplace(plan_of(predicted(1), false));
+    if (over <= reduction()) return planned_.emplace(plan_of(predicted(1), false));
     solve_next();
   }
 }
@@ -248,7 +248,7 @@ const PreparedScene& Accuracy::scene_of_plan() {
 
 // Sets the error of each tip's factors. In the chosen plan a tip has an error of its own, which holds as long as it has
 // not grown and there are no constant loads; else the plan's error relative to the largest factors of all tips holds.
-void Accuracy::tell_errors(std::vector<regions::TipValues>& tips) const {
+void Accuracy::raise_errors(std::vector<regions::TipValues>& tips) const {
   if (!chosen_) return;
   double largest = 0;
   for (const regions::TipValues& tip : tips) largest = std::max(largest, tip.factors.norm());
@@ -269,7 +269,7 @@ void Accuracy::prepare() {
   while (levels_.size() < 2 || mark_ != mark()) solve_next();
   do {
     while (wants_more() && may_refine()) solve_next();
-  } while (certify());
+  } while (solve_halved_once_more());
   chosen_ = plan_of(levels_.back().cost, true);
   regions::refine(model_.preparation().scene(), {levels_.back().cost.halvings, 0});
   model_.preparation().exchange(std::move(finest_));
@@ -278,7 +278,7 @@ void Accuracy::prepare() {
                               ? "; they hardly fall with shorter elements: does a support or a force act at a point?"
                               : "; shorter elements need more time or memory than the options allow";
   levels_.clear();
-  certified_.reset(), seconds_certifying_ = 0;
+  errors_by_halving_.reset(), seconds_of_halving_ = 0;
   const MeshErrors& errors = chosen_->errors;
   say([&] {
     model_.reports().log(chosen_->meets_wish ? 0 : 1, text("bodies have ", chosen_->cost.elements,

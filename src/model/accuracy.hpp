@@ -57,11 +57,11 @@ class Accuracy {
   // Plan of the present mesh; empty without bodies or before the model is prepared.
   const std::optional<MeshPlan>& chosen() const { return chosen_; }
   // Sets the errors of the stress intensity factors of tips to those by the chosen mesh, where these are larger.
-  void tell_errors(std::vector<regions::TipValues>& tips) const;
+  void raise_errors(std::vector<regions::TipValues>& tips) const;
 
   // Load factors of growth in the last plan; none without bodies.
   std::vector<TipLoad> loads_by_plan() const {
-    const std::optional<MeshPlan>& last = chosen_ ? chosen_ : promised_;
+    const std::optional<MeshPlan>& last = chosen_ ? chosen_ : planned_;
     return last ? last->loads : std::vector<TipLoad>();
   }
   // The prepared scene, or the finest one that was solved to plan it. A scene without bodies is prepared.
@@ -97,7 +97,7 @@ class Accuracy {
 
   Level solve(int halvings, std::unique_ptr<PreparedScene>& scene);
   void solve_next();
-  bool certify();
+  bool solve_halved_once_more();
   MeshCost predicted(int more) const;
   MeshErrors estimate() const;
   std::vector<const MeshAnswers*> meshes() const;
@@ -111,12 +111,12 @@ class Accuracy {
 
   Model& model_;
   std::vector<Level> levels_;
-  std::uint64_t mark_ = 0;                 // of the scene and options for which levels_ are
-  std::unique_ptr<PreparedScene> finest_;  // of the last level
-  std::optional<MeshErrors> certified_;    // errors of the last level by elements that are halved once more
-  double seconds_certifying_ = 0;
+  std::uint64_t mark_ = 0;                       // of the scene and options for which levels_ are
+  std::unique_ptr<PreparedScene> finest_;        // of the last level
+  std::optional<MeshErrors> errors_by_halving_;  // errors of the last level by elements that are halved once more
+  double seconds_of_halving_ = 0;
   double tolerance_ = 0;
-  std::optional<MeshPlan> promised_, chosen_;
+  std::optional<MeshPlan> planned_, chosen_;
   RunJournal journal_;
   double step_share_ = 1;
 };

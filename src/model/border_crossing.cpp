@@ -6,9 +6,9 @@
 
 #include "crack/cannot_grow.hpp"
 #include "geometry/outline.hpp"
-#include "model/crack_way.hpp"
 #include "model/driven_growth.hpp"
 #include "model/element_carrier.hpp"
+#include "model/extension_end.hpp"
 #include "model/model.hpp"
 
 // Crack lines that leave their lattice continue in the boundary elements behind it.
@@ -127,9 +127,9 @@ void add_extensions(scene::Crack& crack, const crack::TipId& tip,
     if (e.tip() == tip) extend(crack, e.end, {e.x, e.y});
 }
 
-scene::Crack& with_line(std::vector<scene::Crack>& cracks, const crack::TipId& line,
-                        std::span<const fracture::CrackExtension> extensions, const scene::Scene& scene,
-                        double tolerance) {
+scene::Crack& crack_with_line(std::vector<scene::Crack>& cracks, const crack::TipId& line,
+                              std::span<const fracture::CrackExtension> extensions, const scene::Scene& scene,
+                              double tolerance) {
   scene::Crack& crack = crack_of(line, cracks);
   if (!crack.points.empty()) {
     add_extensions(crack, line, extensions);
@@ -144,7 +144,8 @@ scene::Crack& with_line(std::vector<scene::Crack>& cracks, const crack::TipId& l
   return crack;
 }
 
-fracture::CrackExtension last_of(const crack::TipId& tip, std::span<const fracture::CrackExtension> extensions) {
+fracture::CrackExtension last_extension_of(const crack::TipId& tip,
+                                           std::span<const fracture::CrackExtension> extensions) {
   const auto found = std::find_if(extensions.rbegin(), extensions.rend(),
                                   [&](const auto& e) { return e.crack == tip.crack && e.end == tip.end; });
   return found == extensions.rend() ? fracture::CrackExtension{} : *found;
@@ -190,7 +191,7 @@ bool ElementCarrier::take_over_lines(bool run_ends) {
   if (!run_ends)
     std::erase_if(lines, [&](const crack::TipId& tip) {
       const auto is_there = [&] {
-        return is_at_border(last_of(tip, model_.cracks().extensions()), model_.scene(),
+        return is_at_border(last_extension_of(tip, model_.cracks().extensions()), model_.scene(),
                             model_.prepared().discretization);
       };
       return cross_border(tip) || !is_there();
@@ -208,7 +209,7 @@ bool ElementCarrier::take_over_lines(bool run_ends) {
 
 // Continues one line in the boundary elements behind its lattice; false if it cannot.
 bool ElementCarrier::cross_border(const crack::TipId& tip) {
-  std::optional<Grown> next = carried_on(tip, true);
+  std::optional<Grown> next = continued_in_elements(tip, true);
   if (!next) return false;
   go_on_in(std::move(next->scene), next->growth);
   extensions_seen_ = model_.cracks().extensions().size();
@@ -217,24 +218,24 @@ bool ElementCarrier::cross_border(const crack::TipId& tip) {
 
 // The scene's crack is extended by the line's path, whose bonds are broken already, and by a piece behind the
 // interface.
-std::optional<Grown> ElementCarrier::carried_on(const crack::TipId& tip, bool is_driven) {
+std::optional<Grown> ElementCarrier::continued_in_elements(const crack::TipId& tip, bool is_driven) {
   const std::vector<scene::Crack> before = model_.scene().cracks();
-  const fracture::CrackExtension last = last_of(tip, model_.cracks().extensions());
+  const fracture::CrackExtension last = last_extension_of(tip, model_.cracks().extensions());
   const regions::Discretization& d = model_.prepared().discretization;
   const std::optional<Point> place = place_behind_border(last, model_.scene(), d);
   if (!place) return std::nullopt;
   std::vector<scene::Crack> longer = before;
-  extend(with_line(longer, tip, model_.cracks().extensions(), model_.scene(), d.tolerance), tip.end, *place);
+  extend(crack_with_line(longer, tip, model_.cracks().extensions(), model_.scene(), d.tolerance), tip.end, *place);
   try {
-    return grown(before, [&] { return carried_on(last, *place, std::move(longer), is_driven); });
+    return grown(before, [&] { return continued_in_elements(last, *place, std::move(longer), is_driven); });
   } catch (const crack::CannotGrow&) {
     return std::nullopt;
   }
 }
 
 // Scene in which a line has continued to `place` in boundary elements, with its growth entered in the history.
-Grown ElementCarrier::carried_on(const crack::Extension& last, const Point& place, std::vector<scene::Crack> longer,
-                                 bool is_driven) {
+Grown ElementCarrier::continued_in_elements(const crack::Extension& last, const Point& place,
+                                            std::vector<scene::Crack> longer, bool is_driven) {
   const crack::TipId tip = last.tip();
   const auto number = static_cast<std::size_t>(tip.crack) - 1;
   const double load_factor = model_.load_factor();

@@ -8,9 +8,9 @@
 #include "elasticity/kinked_tip.hpp"
 #include "error.hpp"
 #include "model/crack_lengthening.hpp"
-#include "model/crack_way.hpp"
 #include "model/driven_growth.hpp"
 #include "model/element_growth.hpp"
+#include "model/extension_end.hpp"
 #include "model/growth_options.hpp"
 #include "model/model.hpp"
 
@@ -137,7 +137,7 @@ std::unique_ptr<PreparedScene> CrackGrowth::extended_scene(const std::vector<sce
   return with_cracks(extended(model_.scene(), before, model_.prepared().discretization.tolerance, growing), on_way);
 }
 
-Grown CrackGrowth::grown(const std::vector<scene::Crack>& before, Growing growing, Turning turning,
+Grown CrackGrowth::grown(const std::vector<scene::Crack>& before, Growing growing, ExtensionDirections directions,
                          const scene::SceneValues* on_way) {
   constexpr double turns = 0.01;                                        // [rad]
   const double turns_too_much = 0.35 * model_.accuracy().step_share();  // [rad]
@@ -147,8 +147,9 @@ Grown CrackGrowth::grown(const std::vector<scene::Crack>& before, Growing growin
     for (const fracture::CrackExtension& e : growing.extensions) all.push_back(e.angle);
     return all;
   }();
-  const bool chosen = turning == Turning::chosen;
-  const bool chords = turning != Turning::given && model_.options().text_value("crack.direction") == "chord";
+  const bool chosen = directions == ExtensionDirections::chosen;
+  const bool chords =
+      directions != ExtensionDirections::given && model_.options().text_value("crack.direction") == "chord";
   Grown result;
   for (int halvings = 0;; ++halvings) {
     result.scene = extended_scene(before, growing, on_way);
@@ -170,7 +171,7 @@ Grown CrackGrowth::grown(const std::vector<scene::Crack>& before, Growing growin
   if (growing.is_driven)
     if (const std::optional<double> end = end_of_path(growing, result.tips, model_.options()))
       beyond_path = evolution.growth().released_beyond_path(model_.prepared().evolution->growth(), *end);
-  result.growth = booked(std::move(growing), result.tips, thickness, evolution.growth().released(), beyond_path);
+  result.growth = with_energies(std::move(growing), result.tips, thickness, evolution.growth().released(), beyond_path);
   if (by_other_process) {
     result.growth.surface_energy = evolution.growth().released();
     for (crack::Extension& e : result.growth.extensions) e.surface_energy = e.released_energy;
@@ -184,7 +185,7 @@ GrowthResult CrackGrowth::grow(double length) {
   CrackLengthening call(model_);
   try {
     const GrowthResult result = call.grown_first(go_to_growth(length));
-    call.keep();
+    call.keep_result();
     say([&] {
       model_.reports().log(
           2, text("load factor ", result.load_factor, ": ", result.tips, " tips have grown by ", result.length));

@@ -20,7 +20,7 @@ class Model;
 struct Growing;
 struct Grown;
 struct PreparedScene;
-enum class Turning;
+enum class ExtensionDirections;
 
 // Growth of cracks with boundary elements: which tips may grow, and scenes with longer cracks, in which the run of the
 // scene before goes on.
@@ -58,7 +58,7 @@ class CrackGrowth {
   std::unique_ptr<PreparedScene> extended_scene(const std::vector<scene::Crack>& before, Growing& growing,
                                                 const scene::SceneValues* on_way);
   // Prepares the scene with the extended cracks and enters the growth in its history.
-  Grown grown(const std::vector<scene::Crack>& before, Growing growing, Turning turning,
+  Grown grown(const std::vector<scene::Crack>& before, Growing growing, ExtensionDirections directions,
               const scene::SceneValues* on_way);
 
  private:

@@ -47,7 +47,8 @@ LongerCracks CrackLengthening::lengthened(const std::vector<Lengthened>& tips) {
   growing.is_driven = false;
   for (const Lengthened& one : tips) {
     const regions::TipValues& tip = one.tip;
-    const crack::GrowthLaw law = law_of(tip, model_.options()).met(factors_of(tip), growing.load_factor);
+    const crack::GrowthLaw law =
+        law_of(tip, model_.options()).with_host_toughness(factors_of(tip), growing.load_factor);
     crack::Extension extension = crack::begin_extension({tip.crack, tip.end}, tip.place, one.angle, growing.load_factor,
                                                         factors_of(tip), law.resistance(one.angle));
     const Kink kink = law.kink(factors_of(tip), growing.load_factor);
@@ -59,7 +60,7 @@ LongerCracks CrackLengthening::lengthened(const std::vector<Lengthened>& tips) {
     if (law.toughness > 0) growing.ratio = std::max(growing.ratio, factor / law.toughness);
   }
   LongerCracks longer;
-  longer.grown = carrier_.longer(present_, growing, Turning::given);
+  longer.grown = carrier_.longer(present_, growing, ExtensionDirections::given);
   longer.cracks = model_.scene().cracks();
   model_.preparation().scene().set_cracks(present_);
   return longer;
@@ -67,7 +68,7 @@ LongerCracks CrackLengthening::lengthened(const std::vector<Lengthened>& tips) {
 
 GrowthResult CrackLengthening::grown_first(const Growing& growing) {
   LongerCracks longer;
-  longer.grown = carrier_.longer(present_, growing, Turning::by_option);
+  longer.grown = carrier_.longer(present_, growing, ExtensionDirections::by_option);
   longer.cracks = model_.scene().cracks();
   GrowthResult result = result_of(longer.grown.growth);
   result.released_energy =
@@ -112,7 +113,7 @@ void CrackLengthening::report_progress() {
     fail(Failure::cancelled, "cancelled on request; the model is as it was before the call");
 }
 
-void CrackLengthening::keep() noexcept {
+void CrackLengthening::keep_result() noexcept {
   model_.accuracy().journal().is_known = false;
   say([&] {
     model_.loads().present().in_force = model_.scene().values();

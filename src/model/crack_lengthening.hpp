@@ -27,7 +27,7 @@ struct LongerCracks {
 };
 
 // Call in which cracks with boundary elements are extended by given lengths, whatever their load. It can be taken back
-// until keep() is called. LineLengthening extends lines beside them.
+// until keep_result() is called. LineLengthening extends lines beside them.
 class CrackLengthening {
  public:
   // Prepares the model and finds its equilibrium under the values that the host has set. Throws Error (argument) if no
@@ -57,11 +57,11 @@ class CrackLengthening {
   virtual void in_scene_of(LongerCracks* longer, const std::function<void()>& read);
   virtual bool grows_lines(const PreparedScene&) const { return false; }
   // Least length by which a tip can grow, of which its growth is a multiple [m]; 0 for any length.
-  virtual double quantum(const regions::TipValues&) const { return 0; }
+  virtual double growth_increment(const regions::TipValues&) const { return 0; }
   // Distance from a tip over which a lattice spreads the stress of the tip's field, two horizons [m]; 0 in elements.
   virtual double spread(const regions::TipValues&, const PreparedScene&) const { return 0; }
   // Distance by which the effective tip, where the field of the tip begins, lies ahead of the tip's place [m].
-  virtual double acts_ahead(const regions::TipValues&, const PreparedScene&) const { return 0; }
+  virtual double effective_tip_ahead(const regions::TipValues&, const PreparedScene&) const { return 0; }
 
   // Moves the load factor; cracks do not grow meanwhile.
   virtual void go_to(double load_factor);
@@ -73,7 +73,7 @@ class CrackLengthening {
   // Continues in the scene with longer cracks, which becomes the model's.
   virtual void go_on_in(LongerCracks longer);
   // Leaves a trial that is not accepted: the model is again at its last accepted state.
-  virtual void stay() {}
+  virtual void leave_trial() {}
   // Calls the host's progress function; throws Error (cancelled) if that asks to stop.
   void report_progress();
   void tell(const std::string& warning) const {
@@ -81,8 +81,8 @@ class CrackLengthening {
   }
   bool stop_requested() const { return model_.host().stop_requested(); }
 
-  // Ends the call: keep() keeps its result, take_back() returns the model to the start of the call.
-  void keep() noexcept;
+  // Ends the call: keep_result() keeps its result, take_back() returns the model to the start of the call.
+  void keep_result() noexcept;
   virtual void take_back() noexcept;
 
  protected:

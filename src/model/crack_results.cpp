@@ -20,7 +20,7 @@ namespace bempd::model {
 namespace {
 
 // Copies the load factors and kink angles of growth from a carrier's tip to the results.
-void tell_growth(regions::TipValues& values, const crack::Tip& tip) {
+void copy_growth(regions::TipValues& values, const crack::Tip& tip) {
   values.kink_angle = tip.kink_angle, values.critical_kink_angle = tip.critical_kink_angle;
   values.critical_load_factor = in_range(tip.range.highest);
   values.critical_load_factor_down = in_range(tip.range.lowest);
@@ -76,8 +76,8 @@ int crack_nearest(const Point& place, const std::vector<std::vector<Point>>& pat
 
 void complete(regions::TipValues& tip, const scene::Options& options) {
   if (!tip.factors.allFinite() || !tip.constant_factors.allFinite() || !tip.proportional_factors.allFinite()) return;
-  tip.toughness = law_of(tip, options).met(tip.factors, tip.stress_along).toughness;
-  tell_growth(tip, carried(tip, options));
+  tip.toughness = law_of(tip, options).with_host_toughness(tip.factors, tip.stress_along).toughness;
+  copy_growth(tip, tip_for_carrier(tip, options));
   if (std::isfinite(tip.critical_kink_angle)) tip.load_error = tip.error / tip.factors.norm();
   const crack::GrowthLaw law = law_of(tip, options);
   tip.straight_load_factor =
@@ -92,7 +92,7 @@ std::vector<regions::TipValues> CrackResults::tips_of(const PreparedScene& prepa
     const std::vector<regions::TipValues> found = region->crack_elements()->tips(solution_of(prepared), detail);
     tips.insert(tips.end(), found.begin(), found.end());
   }
-  model_.accuracy().tell_errors(tips);
+  model_.accuracy().raise_errors(tips);
   for (regions::TipValues& tip : tips) complete(tip, model_.options());
   // Tips are sorted by crack id; the tip at the first point comes before that at the last point.
   std::stable_sort(tips.begin(), tips.end(), [](const regions::TipValues& a, const regions::TipValues& b) {
@@ -109,7 +109,7 @@ std::vector<regions::TipValues> CrackResults::present_tips() const {
       model_.prepared().evolution->lines() ? tips_of_lines() : tips_in_lattices();
   all.insert(all.end(), in_lattices.begin(), in_lattices.end());
   std::vector<std::vector<Point>> paths;
-  for (int crack = 1; crack <= count(); ++crack) paths.push_back(places_of(path(crack)));
+  for (int crack = 1; crack <= count(); ++crack) paths.push_back(points_of_path(path(crack)));
   for (regions::TipValues& tip : all)
     tip.valid_radius = clear_radius(model_.scene(), model_.prepared().discretization, paths,
                                     {{tip.crack, tip.end}, tip.place, tip.direction});
@@ -131,7 +131,7 @@ std::vector<regions::TipValues> CrackResults::tips_of_lines(bool with_loads) con
   const std::vector<crack::Tip> carried = with_loads ? lines.tips() : lines.tips_without_loads();
   std::vector<regions::KnownTip> known;
   for (const crack::Tip& tip : carried) {
-    std::vector<Point> path = places_of(this->path(tip.id.crack));
+    std::vector<Point> path = points_of_path(this->path(tip.id.crack));
     if (tip.id.end == 0) std::reverse(path.begin(), path.end());
     known.push_back({tip.id.crack, tip.id.end, tip.direction, std::move(path), has_extensions(tip.id, extensions())});
   }
@@ -145,7 +145,7 @@ std::vector<regions::TipValues> CrackResults::tips_of_lines(bool with_loads) con
     values.directions = tip.law.directions, values.asking = tip.law.asking;
     if (values.toughness > 0) values.toughness = tip.law.toughness;
     complete(values, model_.options());
-    if (with_loads) tell_growth(values, tip);
+    if (with_loads) copy_growth(values, tip);
     values.closed = values.closed || tip.closed;
   }
   return tips;
@@ -155,7 +155,7 @@ const std::vector<regions::TipValues>& CrackResults::tips() {
   model_.in_equilibrium();
   if (tips_generation_ == model_.generation()) return tips_;
   tips_ = present_tips();
-  look_past_switches(tips_);
+  take_growth_past_face_changes(tips_);
   tips_generation_ = model_.generation();
   return tips_;
 }
@@ -258,7 +258,7 @@ std::vector<std::vector<Point>> CrackResults::paths_in_lattices() const {
   std::vector<std::vector<Point>> paths(static_cast<std::size_t>(count()));
   for (std::size_t c = 0; c < paths.size(); ++c)
     if (c >= cracks.size() || cracks[c].parts.empty() || cracks[c].cuts_bonds())
-      paths[c] = places_of(path(static_cast<int>(c) + 1));
+      paths[c] = points_of_path(path(static_cast<int>(c) + 1));
   return paths;
 }
 

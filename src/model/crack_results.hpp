@@ -52,7 +52,7 @@ class CrackResults {
   std::vector<regions::CrackPicture> pictures() const;
 
  private:
-  void look_past_switches(std::vector<regions::TipValues>& tips);
+  void take_growth_past_face_changes(std::vector<regions::TipValues>& tips);
   std::vector<regions::TipValues> tips_in_lattices() const;
   std::vector<std::vector<Point>> paths_in_lattices() const;  // none of a crack with elements
 

@@ -79,9 +79,9 @@ void CrackTreatments::require_elements() const {
   }
 }
 
-void CrackTreatments::lay() {
+void CrackTreatments::add_patches() {
   const std::vector<regions::LatticeCrack> cracks = in_lattices();
-  if (cracks != laid_) take_away();
+  if (cracks != lattice_cracks_) remove_patches();
   require_elements();
   if (cracks.empty()) return;
   const scene::Options& options = model_.options();
@@ -102,24 +102,24 @@ void CrackTreatments::lay() {
     regions::remove_patches(model_.preparation().scene(), own);
     throw;
   }
-  laid_patches_ = {patches, patches};
-  laid_ = cracks;
+  patches_ = {patches, patches};
+  lattice_cracks_ = cracks;
 }
 
-void CrackTreatments::take_away() noexcept {
+void CrackTreatments::remove_patches() noexcept {
   if (patches().empty()) return;
   regions::remove_patches(model_.preparation().scene(), own_regions());
-  laid_patches_ = {}, laid_.clear();
+  patches_ = {}, lattice_cracks_.clear();
   model_.accuracy().forget();
 }
 
-std::optional<std::vector<regions::Patch>> CrackTreatments::followed(const crack::Extension& e) const {
+std::optional<std::vector<regions::Patch>> CrackTreatments::enlarged(const crack::Extension& e) const {
   if (patches().empty() || e.has_ended()) return std::nullopt;
   const Point from(e.from_x, e.from_y), to(e.x, e.y);
   return regions::followed(model_.scene(), patches(), {to, (to - from).normalized()});
 }
 
-std::optional<std::vector<regions::Patch>> CrackTreatments::followed(const regions::BreakNearBorder& broken) const {
+std::optional<std::vector<regions::Patch>> CrackTreatments::enlarged(const regions::BreakNearBorder& broken) const {
   return regions::grown_around(model_.scene(), patches(), broken);
 }
 
@@ -129,21 +129,21 @@ std::optional<ShorterPatches> CrackTreatments::shorter_patches(const std::vector
   return model::shorter_patches(model_.scene(), patches, extensions);
 }
 
-bool CrackTreatments::follow(std::span<const std::int64_t>& layouts, std::span<const crack::Extension> grown,
-                             std::vector<scene::Crack>& cracks) {
+bool CrackTreatments::repeat_layouts(std::span<const std::int64_t>& layouts, std::span<const crack::Extension> grown,
+                                     std::vector<scene::Crack>& cracks) {
   const std::size_t before = layouts.size();
   for (; !layouts.empty() && regions::extensions_before(layouts.front()) == grown.size();
        layouts = layouts.subspan(1)) {
     const std::int64_t layout = layouts.front();
     std::optional<std::vector<regions::Patch>> next =
-        layout < 0 ? followed(regions::break_of(layout)) : followed(grown.back());
+        layout < 0 ? enlarged(regions::break_of(layout)) : enlarged(grown.back());
     std::optional<ShorterPatches> back;
     if (next && regions::gives_back(layout)) {
       back = model::shorter_patches(model_.scene(), *next, grown);
       next = back ? std::optional(std::move(back->layout.patches)) : std::nullopt;
     }
     require(next.has_value(), "the state has other lattice patches; its bytes were altered");
-    move(std::move(*next));
+    replace_patches(std::move(*next));
     if (!back) continue;
     const auto number = static_cast<std::size_t>(back->crack) - 1;
     cracks[number] = back->cracks[number];
@@ -152,7 +152,7 @@ bool CrackTreatments::follow(std::span<const std::int64_t>& layouts, std::span<c
   return layouts.size() < before;
 }
 
-void CrackTreatments::move(std::vector<regions::Patch> next) {
+void CrackTreatments::replace_patches(std::vector<regions::Patch> next) {
   const int own = own_regions();
   try {
     regions::move_patches(model_.preparation().scene(), next, own);
@@ -160,22 +160,22 @@ void CrackTreatments::move(std::vector<regions::Patch> next) {
     regions::move_patches(model_.preparation().scene(), patches(), own);
     throw;
   }
-  laid_patches_.present = std::move(next);
+  patches_.present = std::move(next);
 }
 
 void CrackTreatments::go_back_to(std::vector<regions::Patch> before) noexcept {
   const auto same = [](const regions::Patch& a, const regions::Patch& b) { return a.blocks == b.blocks; };
-  if (!std::ranges::equal(before, patches(), same)) move(std::move(before));
+  if (!std::ranges::equal(before, patches(), same)) replace_patches(std::move(before));
 }
 
 CrackTreatments::Laid CrackTreatments::set_aside() {
   if (!patches().empty()) regions::remove_patches(model_.preparation().scene(), own_regions());
-  return std::exchange(laid_patches_, {});
+  return std::exchange(patches_, {});
 }
 
 void CrackTreatments::bring_back(Laid aside) {
   if (!aside.present.empty()) regions::add_patches(model_.preparation().scene(), aside.present);
-  laid_patches_ = std::move(aside);
+  patches_ = std::move(aside);
 }
 
 int CrackTreatments::own_regions() const { return model_.scene().region_count() - static_cast<int>(patches().size()); }

@@ -28,28 +28,28 @@ class CrackTreatments {
   void set_lattice(int body, double spacing, int horizon_ratio);
 
   // Adds the patches to the scene, if they are not there.
-  void lay();
+  void add_patches();
   // Takes the patches out of the scene again, so that it is the one of the host.
-  void take_away() noexcept;
+  void remove_patches() noexcept;
   // Number of the host's own regions; the patches are behind them.
   int own_regions() const;
-  const std::vector<regions::Patch>& patches() const { return laid_patches_.present; }
+  const std::vector<regions::Patch>& patches() const { return patches_.present; }
   // Patches as they were before tips have grown in them.
-  const std::vector<regions::Patch>& first_patches() const { return laid_patches_.first; }
+  const std::vector<regions::Patch>& first_patches() const { return patches_.first; }
   // Patches that have more blocks around a line after an extension; empty if none needs or can have more.
-  std::optional<std::vector<regions::Patch>> followed(const crack::Extension& extension) const;
+  std::optional<std::vector<regions::Patch>> enlarged(const crack::Extension& extension) const;
   // Patches that have more blocks around a broken bond; empty if they cannot.
-  std::optional<std::vector<regions::Patch>> followed(const regions::BreakNearBorder& broken) const;
+  std::optional<std::vector<regions::Patch>> enlarged(const regions::BreakNearBorder& broken) const;
   // What patches, which may not be in the scene yet, can give back behind the line that has grown last.
   std::optional<ShorterPatches> shorter_patches(const std::vector<regions::Patch>& patches,
                                                 std::span<const crack::Extension> extensions) const;
   // Gives patches the blocks that they got in a run when it had just the extensions `grown`, by its layouts, of which
   // those are taken from the list (fracture::EvolutionState), and the scene the cracks that elements carried from then
   // on; `cracks` get these, too. Returns whether there were any; the prepared scene stays.
-  bool follow(std::span<const std::int64_t>& layouts, std::span<const crack::Extension> grown,
-              std::vector<scene::Crack>& cracks);
+  bool repeat_layouts(std::span<const std::int64_t>& layouts, std::span<const crack::Extension> grown,
+                      std::vector<scene::Crack>& cracks);
   // Gives the patches in the scene other blocks. The prepared scene stays as it is.
-  void move(std::vector<regions::Patch> next);
+  void replace_patches(std::vector<regions::Patch> next);
   void go_back_to(std::vector<regions::Patch> before) noexcept;
 
   // Patches in the scene.
@@ -69,8 +69,8 @@ class CrackTreatments {
   Model& model_;
   std::map<int, CrackTreatment> treatments_;  // by crack; without automatic ones
   std::map<int, regions::BodyLattice> lattices_;
-  Laid laid_patches_;
-  std::vector<regions::LatticeCrack> laid_;  // for which they are
+  Laid patches_;
+  std::vector<regions::LatticeCrack> lattice_cracks_;  // for which they are
   std::vector<TipLoad> loads_of_elements_;
 };
 

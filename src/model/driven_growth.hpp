@@ -26,15 +26,15 @@ struct Grown {
 
 // Directions of extensions: as they are given; as chords of the path if the option crack.direction says so; or chosen
 // with their lengths by the library, which shortens extensions where the path turns sharply.
-enum class Turning { given, by_option, chosen };
+enum class ExtensionDirections { given, by_option, chosen };
 
 // Time that a scene has taken so far, by kinds of work [s].
-struct Seconds {
+struct TimeSpent {
   double solve = 0, update = 0, search = 0;
 
-  void add(const Seconds& other) { solve += other.solve, update += other.update, search += other.search; }
+  void add(const TimeSpent& other) { solve += other.solve, update += other.update, search += other.search; }
 };
-Seconds seconds_of(const PreparedScene& prepared);
+TimeSpent time_spent_in(const PreparedScene& prepared);
 
 // Whether a crack line has come to the border of a boundary element region, or so close that it can continue there
 // (border_crossing.cpp).
@@ -47,7 +47,8 @@ std::optional<Point> place_behind_border(const fracture::CrackExtension& extensi
 bool is_at_border(const fracture::CrackExtension& extension, const scene::Scene& scene,
                   const regions::Discretization& discretization);
 // Last extension of one end of a crack; empty (default values) if it has not grown.
-fracture::CrackExtension last_of(const crack::TipId& tip, std::span<const fracture::CrackExtension> extensions);
+fracture::CrackExtension last_extension_of(const crack::TipId& tip,
+                                           std::span<const fracture::CrackExtension> extensions);
 // Number of extensions in a list up to the last one of a tip that a crack has as a point: it has all of them. Its path
 // may have fewer points, where elements carry it.
 std::size_t known_extensions(const scene::Crack& crack, const crack::TipId& tip,
@@ -55,8 +56,8 @@ std::size_t known_extensions(const scene::Crack& crack, const crack::TipId& tip,
 // Adds the extensions of a tip to its crack that it does not have.
 void add_extensions(scene::Crack& crack, const crack::TipId& tip, std::span<const fracture::CrackExtension> extensions);
 // The crack of a line with all places that the line has reached, at both ends if it has begun in the run.
-scene::Crack& with_line(std::vector<scene::Crack>& cracks, const crack::TipId& line,
-                        std::span<const fracture::CrackExtension> extensions, const scene::Scene& scene,
-                        double tolerance);
+scene::Crack& crack_with_line(std::vector<scene::Crack>& cracks, const crack::TipId& line,
+                              std::span<const fracture::CrackExtension> extensions, const scene::Scene& scene,
+                              double tolerance);
 
 }  // namespace bempd::model

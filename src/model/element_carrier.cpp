@@ -13,7 +13,7 @@
 
 namespace bempd::model {
 
-Seconds seconds_of(const PreparedScene& prepared) {
+TimeSpent time_spent_in(const PreparedScene& prepared) {
   const coupling::SolverCounters& counters = prepared.system->counters();
   return {counters.seconds_solve, counters.seconds_update, prepared.evolution->seconds_search()};
 }
@@ -35,7 +35,7 @@ void ElementCarrier::update() {
   if (is_known_ && state.events == events_ && state.contact_switches == switches_) return;
   values_ = model_.growth().growing_tips();
   tips_.clear();
-  for (const regions::TipValues& tip : values_) tips_.push_back(carried(tip, model_.options()));
+  for (const regions::TipValues& tip : values_) tips_.push_back(tip_for_carrier(tip, model_.options()));
   events_ = state.events;
   switches_ = state.contact_switches;
   is_known_ = true;
@@ -62,7 +62,7 @@ std::vector<crack::Candidate> ElementCarrier::candidates(const crack::LoadWay& w
   return candidates;
 }
 
-std::size_t ElementCarrier::number_of(const crack::TipId& tip) const {
+std::size_t ElementCarrier::index_of(const crack::TipId& tip) const {
   const auto found = std::find_if(tips_.begin(), tips_.end(), [&](const crack::Tip& one) { return one.id == tip; });
   return static_cast<std::size_t>(found - tips_.begin());
 }
@@ -84,9 +84,10 @@ Grown ElementCarrier::grown(const std::vector<scene::Crack>& before, const std::
   }
 }
 
-Grown ElementCarrier::longer(const std::vector<scene::Crack>& before, const Growing& growing, Turning turning) {
+Grown ElementCarrier::longer(const std::vector<scene::Crack>& before, const Growing& growing,
+                             ExtensionDirections directions) {
   try {
-    return model_.growth().grown(before, growing, turning, on_way_);
+    return model_.growth().grown(before, growing, directions, on_way_);
   } catch (...) {
     model_.preparation().scene().set_cracks(before);
     throw;
@@ -98,7 +99,7 @@ Grown ElementCarrier::longer(const std::vector<scene::Crack>& before, const Grow
 crack::Advance ElementCarrier::advance(const crack::Step& step) {
   check_cancelled();
   update();
-  Growing growing = growing_with(values_, number_of(step.tip), model_.load_factor(), model_.options());
+  Growing growing = growing_with(values_, index_of(step.tip), model_.load_factor(), model_.options());
   growing.ties = step.ties;
   const bool chosen = step.length == 0;
   const double length =
@@ -106,8 +107,8 @@ crack::Advance ElementCarrier::advance(const crack::Step& step) {
   set_lengths(growing, length, model_.options());
   const std::vector<scene::Crack> before = model_.scene().cracks();
   try {
-    const Turning turning = chosen ? Turning::chosen : Turning::by_option;
-    Grown next = grown(before, [&] { return longer(before, growing, turning); });
+    const ExtensionDirections directions = chosen ? ExtensionDirections::chosen : ExtensionDirections::by_option;
+    Grown next = grown(before, [&] { return longer(before, growing, directions); });
     crack::Advance done{next.growth.extensions};
     for (const crack::Extension& e : done.extensions) done.has_stopped |= e.state == crack::TipState::at_interface;
     go_on_in(std::move(next.scene), next.growth);
@@ -147,7 +148,7 @@ void ElementCarrier::go_on_in(std::unique_ptr<PreparedScene> next, const fractur
 
 void ElementCarrier::change_scene(std::unique_ptr<PreparedScene> next,
                                   const std::function<void(const PreparedScene&)>& tell) {
-  spent_.add(seconds_of(model_.prepared()));
+  spent_.add(time_spent_in(model_.prepared()));
   next = model_.preparation().exchange(std::move(next));
   model_.preparation().has_changed();
   is_known_ = false;
@@ -164,14 +165,14 @@ void ElementCarrier::follow_lines() {
   for (std::size_t k = extensions_seen_; k < count; ++k) {
     const std::span all(body().progress().extensions);
     const auto layout = static_cast<std::int64_t>(k);
-    std::optional<std::vector<regions::Patch>> larger = treatments.followed(all[k]);
+    std::optional<std::vector<regions::Patch>> larger = treatments.enlarged(all[k]);
     if (!larger) continue;
     body().sources().bring_up_to_date();
     std::optional<ShorterPatches> back = treatments.shorter_patches(*larger, all.first(k + 1));
-    if (back && has_apart_faces(model_.prepared(), *back) &&
-        lay(std::move(back->layout.patches), std::move(back->cracks), regions::giving_back + layout))
+    if (back && has_separated_faces(model_.prepared(), *back) &&
+        change_patches(std::move(back->layout.patches), std::move(back->cracks), regions::giving_back + layout))
       continue;
-    lay(std::move(*larger), std::nullopt, layout);
+    change_patches(std::move(*larger), std::nullopt, layout);
   }
 }
 
@@ -192,9 +193,9 @@ bool ElementCarrier::follow_breaks(const std::vector<coupling::StageChange>& bro
     const std::size_t extensions = body().progress().extensions.size();
     const auto near = regions::near_border(treatments.patches(), place, extensions);
     if (!near) continue;
-    auto larger = treatments.followed(*near);
+    auto larger = treatments.enlarged(*near);
     if (larger && regions::near_border(*larger, place, extensions)) larger.reset();
-    if (larger && lay(std::move(*larger), std::nullopt, regions::number_of(*near))) continue;
+    if (larger && change_patches(std::move(*larger), std::nullopt, regions::number_of(*near))) continue;
     has_no_room = true;
     say([&] { model_.reports().warn_of_break(place); });
   }
@@ -203,8 +204,8 @@ bool ElementCarrier::follow_breaks(const std::vector<coupling::StageChange>& bro
 
 // Lets the run go on in other patches, and with other cracks in elements. If these cannot be, for lack of memory as
 // well, the patches stay, and a line goes on in elements.
-bool ElementCarrier::lay(std::vector<regions::Patch> patches, std::optional<std::vector<scene::Crack>> cracks,
-                         std::int64_t layout) {
+bool ElementCarrier::change_patches(std::vector<regions::Patch> patches,
+                                    std::optional<std::vector<scene::Crack>> cracks, std::int64_t layout) {
   body().sources().bring_up_to_date();
   std::unique_ptr<PreparedScene> next;
   try {

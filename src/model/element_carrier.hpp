@@ -36,10 +36,10 @@ class ElementCarrier final : public fracture::BodyCarrier {
 
   // Scene in which tips have grown at the present load factor; the model itself stays as it is, but for the cracks of
   // its scene, which are those `before` again after a failure. Throws crack::CannotGrow and crack::FreesLoadedPart.
-  Grown longer(const std::vector<scene::Crack>& before, const Growing& growing, Turning turning);
+  Grown longer(const std::vector<scene::Crack>& before, const Growing& growing, ExtensionDirections directions);
   // Scene in which a line has come to boundary elements behind its border, with the cracks of the model's scene; empty
   // if it cannot. If no load drives it, another process takes all energy that is released.
-  std::optional<Grown> carried_on(const crack::TipId& tip, bool is_driven);
+  std::optional<Grown> continued_in_elements(const crack::TipId& tip, bool is_driven);
   // Lets the run go on in a scene with longer cracks, in whose history the growth is entered.
   void go_on_in(std::unique_ptr<PreparedScene> next, const fracture::Growth& growth);
 
@@ -48,19 +48,21 @@ class ElementCarrier final : public fracture::BodyCarrier {
   bool take_over_lines(bool run_ends) override;
 
   // Time that the scenes before the present one have taken.
-  const Seconds& spent() const { return spent_; }
+  const TimeSpent& spent() const { return spent_; }
   // Returns the model to the scene in which it was when the carrier was made.
   void take_back() noexcept;
 
  private:
   void update();
-  std::size_t number_of(const crack::TipId& tip) const;
+  std::size_t index_of(const crack::TipId& tip) const;
   std::vector<crack::TipId> tips_that_cannot_grow(const Growing& growing, const std::vector<scene::Crack>& before);
   bool cross_border(const crack::TipId& tip);
-  Grown carried_on(const crack::Extension& last, const Point& place, std::vector<scene::Crack> longer, bool is_driven);
+  Grown continued_in_elements(const crack::Extension& last, const Point& place, std::vector<scene::Crack> longer,
+                              bool is_driven);
   std::vector<crack::TipId> lines_at_border();
   void follow_lines();
-  bool lay(std::vector<regions::Patch> patches, std::optional<std::vector<scene::Crack>> cracks, std::int64_t layout);
+  bool change_patches(std::vector<regions::Patch> patches, std::optional<std::vector<scene::Crack>> cracks,
+                      std::int64_t layout);
   void change_scene(std::unique_ptr<PreparedScene> next, const std::function<void(const PreparedScene&)>& tell);
   Grown grown(const std::vector<scene::Crack>& before, const std::function<Grown()>& grow);
 
@@ -70,7 +72,7 @@ class ElementCarrier final : public fracture::BodyCarrier {
   std::vector<scene::Crack> cracks_;      // at the start
   std::vector<regions::Patch> patches_;   // likewise
   std::unique_ptr<PreparedScene> start_;  // null: no crack has grown yet
-  Seconds spent_;
+  TimeSpent spent_;
   std::size_t extensions_seen_;
 
   // Tips are computed again only after an event or a contact change: nothing changes them in between.

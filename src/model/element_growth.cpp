@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "geometry/turning.hpp"
-#include "model/crack_way.hpp"
+#include "model/extension_end.hpp"
 #include "model/growth_options.hpp"
 
 namespace bempd::model {
@@ -45,7 +45,7 @@ crack::GrowthLaw law_of(const regions::TipValues& tip, const scene::Options& opt
           tip.directions, heading_of(tip.direction), tip.asking};
 }
 
-crack::Tip carried(const regions::TipValues& tip, const scene::Options& options) {
+crack::Tip tip_for_carrier(const regions::TipValues& tip, const scene::Options& options) {
   crack::Tip one{{tip.crack, tip.end}, tip.place, tip.direction, factors_of(tip), law_of(tip, options), {}};
   one.range = one.law.range(one.factors);
   one.kink_angle = one.law.kink(tip.factors).angle;
@@ -71,7 +71,7 @@ Growing growing_with(const std::vector<regions::TipValues>& tips, std::size_t fi
   for (std::size_t t = 0; t < tips.size(); ++t) {
     if (t != first && !(share > 0 && ratio_of(tips[t]) >= growing.ratio / (1 + share))) continue;
     const regions::TipValues& tip = tips[t];
-    const crack::GrowthLaw law = law_of(tip, options).met(factors_of(tip), load_factor);
+    const crack::GrowthLaw law = law_of(tip, options).with_host_toughness(factors_of(tip), load_factor);
     const Kink kink = law.kink(factors_of(tip), load_factor);
     crack::Extension extension = crack::begin_extension({tip.crack, tip.end}, tip.place, kink.angle, load_factor,
                                                         factors_of(tip), law.resistance(kink.angle));
@@ -109,8 +109,8 @@ std::vector<scene::Crack> extended(const scene::Scene& scene, std::vector<scene:
   for (std::size_t k = 0; k < growing.tips.size(); ++k) {
     fracture::CrackExtension& e = growing.extensions[k];
     const Point& from = growing.tips[k].place;
-    const TipWay way = way_of_tip(scene, cracks, e.crack, e.end, turned(growing.tips[k].direction, e.angle),
-                                  growing.lengths[k], tolerance);
+    const ExtensionEnd way = end_of_extension(scene, cracks, e.crack, e.end, turned(growing.tips[k].direction, e.angle),
+                                              growing.lengths[k], tolerance);
     scene::Crack& crack = cracks[static_cast<std::size_t>(e.crack) - 1];
     extend(crack, e.end, way.to);
     crack::arrive(e, way.to, (way.to - from).norm(), way.state);
@@ -169,8 +169,9 @@ double resistance_ahead_of(const regions::TipValues& tip) {
 // Energies of a growth. Each extension releases the integral of its energy release rate (trapezoidal rule). On the
 // equilibrium path the rate is the fracture energy all along. For tips that have ended, whose last rate is unknown, the
 // remainder of `released` is divided by length.
-fracture::Growth booked(Growing growing, const std::vector<regions::TipValues>& after,
-                        const std::vector<double>& thickness, double released, std::optional<double> beyond_path) {
+fracture::Growth with_energies(Growing growing, const std::vector<regions::TipValues>& after,
+                               const std::vector<double>& thickness, double released,
+                               std::optional<double> beyond_path) {
   fracture::Growth growth{growing.ratio,           growing.critical_load_factor,  0,
                           beyond_path.value_or(0), std::move(growing.extensions), growing.ties};
   double left = released, ended_length = 0;

@@ -32,7 +32,7 @@ struct Growing {
 crack::AffineFactors factors_of(const regions::TipValues& tip);
 crack::GrowthLaw law_of(const regions::TipValues& tip, const scene::Options& options);
 // Tip with known stress intensity factors as a carrier of cracks (crack::Carrier) describes it.
-crack::Tip carried(const regions::TipValues& tip, const scene::Options& options);
+crack::Tip tip_for_carrier(const regions::TipValues& tip, const scene::Options& options);
 
 // Computes the results of the growth criterion in force for a tip with known stress intensity factors.
 void complete(regions::TipValues& tip, const scene::Options& options);
@@ -70,8 +70,9 @@ std::optional<double> end_of_path(const Growing& growing, const std::vector<regi
 // Record of a growth with the energies of its extensions. `thickness` is given by extension, `released` is the energy
 // released at constant loads. `beyond_path` is the part of that which exceeds the release along the equilibrium path;
 // empty if that is not known.
-fracture::Growth booked(Growing growing, const std::vector<regions::TipValues>& after,
-                        const std::vector<double>& thickness, double released, std::optional<double> beyond_path);
+fracture::Growth with_energies(Growing growing, const std::vector<regions::TipValues>& after,
+                               const std::vector<double>& thickness, double released,
+                               std::optional<double> beyond_path);
 
 // Summary of a growth for the host, without the energy released.
 GrowthResult result_of(const fracture::Growth& growth);

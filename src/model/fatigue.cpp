@@ -26,7 +26,7 @@ FatigueReport Fatigue::grow(const FatigueOptions& options) {
   try {
     FatigueRun run(model_, lengthening, options);
     const FatigueReport report = run.run();
-    lengthening.keep();
+    lengthening.keep_result();
     records_ = run.take_records();
     overloads_ = run.remembered_overloads();
     return report;
@@ -73,7 +73,7 @@ GrowthResult Fatigue::extend(const std::vector<std::pair<crack::TipId, double>>&
                              lengthening.scene().evolution->progress().released_energy;
     lengthening.go_on_in(std::move(longer));
     lengthening.report_progress();
-    lengthening.keep();
+    lengthening.keep_result();
     return result;
   } catch (...) {
     lengthening.take_back();

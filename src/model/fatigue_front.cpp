@@ -7,7 +7,7 @@
 
 #include "elasticity/kinked_tip.hpp"
 #include "geometry/turning.hpp"
-#include "model/crack_way.hpp"
+#include "model/extension_end.hpp"
 #include "model/growth_options.hpp"
 #include "model/level_factors.hpp"
 #include "model/net_section.hpp"
@@ -76,7 +76,7 @@ void FrontReader::set_direction(FrontTip& tip) const {
     tip.low = static_cast<std::size_t>(low - tip.levels.begin());
     tip.high = static_cast<std::size_t>(high - tip.levels.begin());
   }
-  law = law.met(tip.levels[tip.high].factors, tip.levels[tip.high].t_stress);
+  law = law.with_host_toughness(tip.levels[tip.high].factors, tip.levels[tip.high].t_stress);
   double toughness = law.directions ? law.toughness * std::sqrt(law.share_in(tip.angle)) : law.toughness;
   if (!(toughness > 0)) toughness = FatigueOptions::unlimited;
   tip.critical = crack::critical_of(*parameters_of(tip.region), toughness);
@@ -104,7 +104,7 @@ Front FrontReader::front(const std::vector<regions::TipValues>& tips, LongerCrac
     set_direction(front[t]);
     // The tips were read under the present loads. Under load cases a tip acts where its highest combination says.
     if (levels_.combine_cases()) front[t].values.felt_ahead = front[t].levels[front[t].high].felt_ahead;
-    front[t].acts_ahead = lengthening_.acts_ahead(front[t].values, scene);
+    front[t].effective_tip_ahead = lengthening_.effective_tip_ahead(front[t].values, scene);
   }
   if (with_sections) add_net_sections(front, longer);
   return front;
@@ -157,7 +157,7 @@ void warn_of_short_lines(const Front& front, const std::vector<scene::Crack>& cr
   std::set<int> told;
   for (const FrontTip& tip : front) {
     const int crack = tip.values.crack;
-    const double spacing = lengthening.quantum(tip.values);
+    const double spacing = lengthening.growth_increment(tip.values);
     if (!(spacing > 0) || !told.insert(crack).second) continue;
     const double spacings = length_of(cracks[static_cast<std::size_t>(crack) - 1]) / spacing;
     if (spacings < enough)

@@ -18,8 +18,8 @@ struct FrontTip {
   std::size_t high = 0, low = 0;            // loads that its records tell of
   const crack::RateLaw* law = nullptr;      // null: it does not grow by cycles
   int region = 0;
-  double acts_ahead = 0;  // of its place [m]
-  double critical = 0;    // factor at which it breaks here; infinite: not known [Pa m^(1/2)]
+  double effective_tip_ahead = 0;  // of its place [m]
+  double critical = 0;             // factor at which it breaks here; infinite: not known [Pa m^(1/2)]
 
   crack::TipId id() const { return {values.crack, values.end}; }
 };

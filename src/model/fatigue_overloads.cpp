@@ -5,7 +5,7 @@
 #include <limits>
 
 #include "error.hpp"
-#include "model/crack_way.hpp"
+#include "model/extension_end.hpp"
 
 namespace bempd::model {
 
@@ -79,7 +79,7 @@ void MetOverloads::take_up(const std::vector<RememberedOverload>& known, const F
   }
 }
 
-void MetOverloads::keep(const crack::TipOnStep& tip, crack::Overload overload) {
+void MetOverloads::set_after_step(const crack::TipOnStep& tip, crack::Overload overload) {
   overload.end -= tip.growth;
   met_[tip.tip] = overload;
 }

@@ -38,7 +38,7 @@ class MetOverloads {
                const std::vector<scene::Crack>& cracks, double first_cycle);
   void set(const crack::TipId& tip, const crack::Overload& overload) { met_[tip] = overload; }
   // Sets the overload at the end of a step, in which the tip has grown.
-  void keep(const crack::TipOnStep& tip, crack::Overload overload);
+  void set_after_step(const crack::TipOnStep& tip, crack::Overload overload);
   crack::Overload of(const crack::TipId& tip) const;
   // What is to be remembered of the tips, with the growth of each that waits.
   std::vector<RememberedOverload> remembered(const Front& front, const std::vector<double>& waiting) const;

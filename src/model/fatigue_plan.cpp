@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "model/crack_way.hpp"
+#include "model/extension_end.hpp"
 #include "model/fatigue_run.hpp"
 
 // Plan of a step of growth by cycles: how far each tip grows.
@@ -17,11 +17,11 @@ constexpr double length_over_clearance = 0.25, least_step = 0.02;
 
 void FatigueRun::find_rates() {
   rates_.clear();
-  for (std::size_t t = 0; t < front_.size(); ++t) rates_.push_back(crack::mean_rate(standing(t), 0, program_));
+  for (std::size_t t = 0; t < front_.size(); ++t) rates_.push_back(crack::mean_rate(without_growth(t), 0, program_));
 }
 
 // Data of a tip for a step in which it does not grow.
-crack::TipOnStep FatigueRun::standing(std::size_t tip) const {
+crack::TipOnStep FatigueRun::without_growth(std::size_t tip) const {
   const FrontTip& of = front_[tip];
   crack::TipOnStep one;
   one.tip = of.id(), one.law = of.law, one.before = of.levels;
@@ -37,7 +37,7 @@ double FatigueRun::length_of_crack(std::size_t tip) const {
   const int crack = front_[tip].values.crack;
   double length = length_of(cracks_[static_cast<std::size_t>(crack) - 1]);
   for (const FrontTip& one : front_)
-    if (one.values.crack == crack) length += one.acts_ahead;
+    if (one.values.crack == crack) length += one.effective_tip_ahead;
   return length;
 }
 
@@ -45,7 +45,7 @@ double FatigueRun::length_of_crack(std::size_t tip) const {
 double FatigueRun::length_by_cycles(std::size_t tip) const {
   double length = length_of_crack(tip);
   for (std::size_t t = 0; t < front_.size(); ++t)
-    if (is_line(t) && front_[t].values.crack == front_[tip].values.crack) length += ahead_.of(front_[t].id());
+    if (is_line(t) && front_[t].values.crack == front_[tip].values.crack) length += waiting_.of(front_[t].id());
   return length;
 }
 
@@ -63,7 +63,7 @@ double FatigueRun::longest(std::size_t tip) const {
   const double size = size_of(tip);
   const double clearance = clearance_of_tip(model_.scene(), cracks_, at.crack, at.end);
   const double length = std::min(step_.share() * size, std::max(length_over_clearance * clearance, least_step * size));
-  return std::max(length, lengthening_.quantum(at));
+  return std::max(length, lengthening_.growth_increment(at));
 }
 
 // Plans a step; empty if no tip grows by more than rounding. If few cycles are left, the present rates limit the
@@ -79,9 +79,9 @@ std::optional<FatigueRun::Plan> FatigueRun::plan() const {
   }
   if (std::isinf(cycles)) return std::nullopt;
   cycles = std::min(cycles, room * cycles_left());
-  const std::vector<double> ahead = ahead_.of(front_);
+  const std::vector<double> ahead = waiting_.of(front_);
   for (std::size_t t = 0; t < front_.size(); ++t) plan.lengths.push_back(std::max(0.0, cycles * rates_[t] + ahead[t]));
-  if (plan.lengths[plan.leader] < hardly_grows * size_of(plan.leader)) return std::nullopt;
+  if (plan.lengths[plan.leader] < tiny_growth * size_of(plan.leader)) return std::nullopt;
   keep_within_length(plan);
   return plan;
 }
@@ -89,13 +89,13 @@ std::optional<FatigueRun::Plan> FatigueRun::plan() const {
 // Whether the cycles of a trial end before a line has grown by half a step: then it is not extended yet.
 bool FatigueRun::waits(const Trial& trial, std::size_t tip) const {
   return trial.cycles.end != crack::CyclesEnd::growth &&
-         trial.cycles.growth[tip] < 0.5 * lengthening_.quantum(front_[tip].values);
+         trial.cycles.growth[tip] < 0.5 * lengthening_.growth_increment(front_[tip].values);
 }
 
 // Tip with elements that leads instead of a line that waits; empty if none grows by more than rounding.
 std::optional<std::size_t> FatigueRun::leader_instead(const Trial& trial) const {
   for (std::size_t t = 0; t < front_.size(); ++t)
-    if (!is_line(t) && trial.cycles.growth[t] > hardly_grows * size_of(t)) return t;
+    if (!is_line(t) && trial.cycles.growth[t] > tiny_growth * size_of(t)) return t;
   return std::nullopt;
 }
 

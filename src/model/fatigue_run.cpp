@@ -5,7 +5,7 @@
 #include <limits>
 
 #include "crack/cannot_grow.hpp"
-#include "model/crack_way.hpp"
+#include "model/extension_end.hpp"
 
 namespace bempd::model {
 
@@ -48,10 +48,10 @@ FatigueReport FatigueRun::run() {
     overloads_.take_up(model_.fatigue().overloads(), front_, cracks_, options_.first_cycle);
     find_rates();
   }
-  ahead_.take_up(model_.fatigue().overloads(), front_, cracks_);
+  waiting_.take_up(model_.fatigue().overloads(), front_, cracks_);
   record();
   while (step()) lengthening_.report_progress();
-  lengthening_.stay();
+  lengthening_.leave_trial();
   report_.error = step_.error(report_.cycles - options_.first_cycle, report_.steps > 0);
   return report_;
 }
@@ -79,11 +79,11 @@ bool FatigueRun::step() {
     if (!plan) return pass_without_growth();
     try {
       std::size_t leader = plan->leader;
-      Trial trial = made(*plan);
+      Trial trial = compute_step(*plan);
       if (is_line(leader) && waits(trial, leader)) {
         const std::optional<std::size_t> other = leader_instead(trial);
         if (!other) return pass(trial.cycles);
-        leader = *other, trial = made({trial.cycles.growth, leader});
+        leader = *other, trial = compute_step({trial.cycles.growth, leader});
       }
       if (is_too_short(trial, leader)) return pass(trial.cycles);
       const bool is_last = halvings == most_halvings;
@@ -105,14 +105,14 @@ bool FatigueRun::step() {
 
 // Computes a step by repeated trials, until its lengths belong to one number of cycles. If tips turn much in the first
 // trial, the second one begins with directions turned by half of that.
-FatigueRun::Trial FatigueRun::made(const Plan& plan) {
+FatigueRun::Trial FatigueRun::compute_step(const Plan& plan) {
   std::vector<double> angles;
   for (const FrontTip& tip : front_) angles.push_back(tip.angle);
   Trial now = trial(plan.lengths, std::move(angles), plan.leader);
   for (int trials = 1; trials < most_trials && !is_too_short(now, plan.leader); ++trials) {
     const bool turns_on = trials == 1 && largest_turn(now) > turns;
     if (is_line(plan.leader) && waits(now, plan.leader)) break;
-    if (!turns_on && !is_off(now, plan.leader, trials == 1 ? off_at_first : off_later)) break;
+    if (!turns_on && !differs_from_cycles(now, plan.leader, trials == 1 ? off_at_first : off_later)) break;
     std::vector<double> turned = now.angles;
     for (std::size_t t = 0; turns_on && t < turned.size(); ++t) turned[t] += 0.5 * turn(now, t);
     now = trial(now.cycles.growth, std::move(turned), plan.leader);
@@ -122,7 +122,7 @@ FatigueRun::Trial FatigueRun::made(const Plan& plan) {
 
 // Whether the cycles of a step end before the crack is longer by more than rounding.
 bool FatigueRun::is_too_short(const Trial& trial, std::size_t leader) const {
-  return trial.cycles.end != crack::CyclesEnd::growth && trial.cycles.growth[leader] < hardly_grows * size_of(leader);
+  return trial.cycles.end != crack::CyclesEnd::growth && trial.cycles.growth[leader] < tiny_growth * size_of(leader);
 }
 
 FatigueRun::Trial FatigueRun::trial(std::vector<double> lengths, std::vector<double> angles, std::size_t leader) {
@@ -131,7 +131,7 @@ FatigueRun::Trial FatigueRun::trial(std::vector<double> lengths, std::vector<dou
   std::vector<Lengthened> grow;
   for (std::size_t t = 0; t < front_.size(); ++t)
     if (t == leader || trial.lengths[t] > std::max(std::min(least_growth * size_of(t), slow * trial.lengths[leader]),
-                                                   0.5 * lengthening_.quantum(front_[t].values)))
+                                                   0.5 * lengthening_.growth_increment(front_[t].values)))
       grow.push_back({front_[t].values, trial.lengths[t], trial.angles[t], reader_.turns_by_itself(front_[t])});
   trial.longer = lengthening_.lengthened(grow);
   std::vector<regions::TipValues> tips = trial.longer.grown.tips;
@@ -139,7 +139,7 @@ FatigueRun::Trial FatigueRun::trial(std::vector<double> lengths, std::vector<dou
   trial.after = reader_.front(tips, &trial.longer);
   trial.on_step = on_step(trial);
   const crack::CycleIntegration integration(program_, trial.on_step);
-  trial.cycles = integration.run(place_, ahead_.of(front_), leader, trial.on_step[leader].growth, cycles_left());
+  trial.cycles = integration.run(place_, waiting_.of(front_), leader, trial.on_step[leader].growth, cycles_left());
   return trial;
 }
 
@@ -147,10 +147,10 @@ std::vector<crack::TipOnStep> FatigueRun::on_step(const Trial& trial) const {
   const std::vector<crack::Extension>& extensions = trial.longer.grown.growth.extensions;
   std::vector<crack::TipOnStep> all;
   for (std::size_t t = 0; t < front_.size(); ++t) {
-    crack::TipOnStep one = standing(t);
+    crack::TipOnStep one = without_growth(t);
     for (const crack::Extension& e : extensions) {
       const FrontTip *from = tip_in(front_, e.tip()), *to = tip_in(trial.after, e.tip());
-      const double length = e.length + (from && to ? to->acts_ahead - from->acts_ahead : 0);
+      const double length = e.length + (from && to ? to->effective_tip_ahead - from->effective_tip_ahead : 0);
       if (e.crack == one.tip.crack) one.crack_growth += length;
       if (e.tip() == one.tip) one.growth = length, one.to = Point(e.x, e.y);
     }
@@ -178,20 +178,21 @@ double FatigueRun::largest_turn(const Trial& trial) const {
 
 // Whether the growth of any tip in the cycles of a trial differs by more than a share from the growth for which the
 // trial was made. A tip that has ended cannot grow further.
-bool FatigueRun::is_off(const Trial& trial, std::size_t leader, double share) const {
+bool FatigueRun::differs_from_cycles(const Trial& trial, std::size_t leader, double share) const {
   for (std::size_t t = 0; t < front_.size(); ++t) {
     const crack::TipOnStep& tip = trial.on_step[t];
     const double difference = trial.cycles.growth[t] - tip.growth;
     if (!(tip.growth > 0) || (tip.after.empty() && difference > 0)) continue;
-    const double allowed = t == leader ? off_at_first : share, quantum = lengthening_.quantum(front_[t].values);
-    if (std::abs(difference) > std::max(allowed * tip.growth, 0.51 * quantum)) return true;
+    const double allowed = t == leader ? off_at_first : share,
+                 increment = lengthening_.growth_increment(front_[t].values);
+    if (std::abs(difference) > std::max(allowed * tip.growth, 0.51 * increment)) return true;
   }
   return false;
 }
 
 bool FatigueRun::choose_step(const Trial& trial, std::size_t leader, bool must_stand) {
   // Factors in lattices are rough from step to step: their changes do not tell the error of the cycles.
-  if (lengthening_.quantum(front_[leader].values) > 0) return true;
+  if (lengthening_.growth_increment(front_[leader].values) > 0) return true;
   const crack::TipOnStep& tip = trial.on_step[leader];
   const double so_far = report_.cycles - options_.first_cycle + trial.cycles.cycles;
   return step_.choose(tip, rates_[leader], crack::mean_rate(tip, tip.growth, program_), trial.cycles.cycles, so_far,
@@ -204,11 +205,11 @@ bool FatigueRun::accept(Trial trial, std::size_t leader) {
   ++report_.steps;
   for (std::size_t t = 0; t < front_.size(); ++t) {
     const crack::TipOnStep& tip = trial.on_step[t];
-    ahead_[tip.tip] = t == leader && !is_line(t) ? 0 : trial.cycles.growth[t] - tip.growth;
+    waiting_[tip.tip] = t == leader && !is_line(t) ? 0 : trial.cycles.growth[t] - tip.growth;
     grown_[tip.tip] += tip.growth;
     last_growth_[tip.tip] = tip.growth, last_levels_[tip.tip] = tip.before;
     report_.growth += tip.growth;
-    overloads_.keep(tip, trial.cycles.overloads[t]);
+    overloads_.set_after_step(tip, trial.cycles.overloads[t]);
   }
   report_.cycles += trial.cycles.cycles;
   place_ = trial.cycles.place;
@@ -224,10 +225,10 @@ bool FatigueRun::accept(Trial trial, std::size_t leader) {
 }
 
 bool FatigueRun::pass(const crack::CyclesOnStep& cycles) {
-  lengthening_.stay();
+  lengthening_.leave_trial();
   report_.cycles += cycles.cycles;
   for (std::size_t t = 0; t < front_.size(); ++t)
-    overloads_.set(front_[t].id(), cycles.overloads[t]), ahead_[front_[t].id()] = cycles.growth[t];
+    overloads_.set(front_[t].id(), cycles.overloads[t]), waiting_[front_[t].id()] = cycles.growth[t];
   place_ = cycles.place;
   return !is_over(cycles);
 }
@@ -235,9 +236,9 @@ bool FatigueRun::pass(const crack::CyclesOnStep& cycles) {
 // Counts the cycles while no crack is extended.
 bool FatigueRun::pass_without_growth() {
   std::vector<crack::TipOnStep> here;
-  for (std::size_t t = 0; t < front_.size(); ++t) here.push_back(standing(t));
+  for (std::size_t t = 0; t < front_.size(); ++t) here.push_back(without_growth(t));
   const crack::CycleIntegration integration(program_, here);
-  return pass(integration.run(place_, ahead_.of(front_), 0, FatigueOptions::unlimited, cycles_left()));
+  return pass(integration.run(place_, waiting_.of(front_), 0, FatigueOptions::unlimited, cycles_left()));
 }
 
 bool FatigueRun::is_over(const crack::CyclesOnStep& cycles) {

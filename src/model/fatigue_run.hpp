@@ -12,7 +12,7 @@
 namespace bempd::model {
 
 // Growth of a tip below which its crack is not extended, as a share of the tip's size: it waits for more.
-inline constexpr double hardly_grows = 1e-6;
+inline constexpr double tiny_growth = 1e-6;
 
 // Run of a call in which cracks grow by cycles.
 //
@@ -27,7 +27,7 @@ class FatigueRun {
   FatigueReport run();
   std::vector<FatigueRecord> take_records() { return std::move(records_); }
   std::vector<RememberedOverload> remembered_overloads() const {
-    return overloads_.remembered(front_, ahead_.of(front_));
+    return overloads_.remembered(front_, waiting_.of(front_));
   }
 
  private:
@@ -47,7 +47,7 @@ class FatigueRun {
   };
   void find_front();
   void find_rates();
-  crack::TipOnStep standing(std::size_t tip) const;
+  crack::TipOnStep without_growth(std::size_t tip) const;
   std::optional<Plan> plan() const;
   void keep_within_length(Plan& plan) const;
   double length_of_crack(std::size_t tip) const;
@@ -56,7 +56,7 @@ class FatigueRun {
   double longest(std::size_t tip) const;
   double cycles_left() const { return options_.most_cycles - report_.cycles; }
   bool step();  // false where the run is over
-  Trial made(const Plan& plan);
+  Trial compute_step(const Plan& plan);
   Trial trial(std::vector<double> lengths, std::vector<double> angles, std::size_t leader);
   std::vector<crack::TipOnStep> on_step(const Trial& trial) const;
   double turn(const Trial& trial, std::size_t tip) const;
@@ -64,8 +64,8 @@ class FatigueRun {
   bool is_too_short(const Trial& trial, std::size_t leader) const;
   bool waits(const Trial& trial, std::size_t tip) const;
   std::optional<std::size_t> leader_instead(const Trial& trial) const;
-  bool is_line(std::size_t tip) const { return lengthening_.quantum(front_[tip].values) > 0; }
-  bool is_off(const Trial& trial, std::size_t leader, double share) const;
+  bool is_line(std::size_t tip) const { return lengthening_.growth_increment(front_[tip].values) > 0; }
+  bool differs_from_cycles(const Trial& trial, std::size_t leader, double share) const;
   bool choose_step(const Trial& trial, std::size_t leader, bool must_stand);
   bool accept(Trial trial, std::size_t leader);
   bool pass(const crack::CyclesOnStep& cycles);
@@ -82,7 +82,7 @@ class FatigueRun {
   Front front_;
   std::vector<scene::Crack> cracks_;  // as they are now
   std::vector<double> rates_;         // of the front, mean over the program
-  WaitingGrowth ahead_;
+  WaitingGrowth waiting_;
   std::map<crack::TipId, double> grown_;
   std::map<crack::TipId, double> last_growth_;                            // in the step before [m]
   std::map<crack::TipId, std::vector<crack::LevelFactors>> last_levels_;  // before that

@@ -79,7 +79,7 @@ std::optional<ShorterPatches> shorter_patches(const scene::Scene& scene, const s
   for (int id = 1; id <= count; ++id) {
     const auto place = static_cast<std::size_t>(id) - 1;
     if (place >= cracks.size() || cracks[place].has_begun) {
-      paths.push_back(places_of(crack::path_of(id, {}, extensions)));
+      paths.push_back(points_of_path(crack::path_of(id, {}, extensions)));
       continue;
     }
     scene::Crack& crack = cracks[place];
@@ -95,7 +95,7 @@ std::optional<ShorterPatches> shorter_patches(const scene::Scene& scene, const s
   return back;
 }
 
-bool has_apart_faces(const PreparedScene& prepared, const ShorterPatches& back) {
+bool has_separated_faces(const PreparedScene& prepared, const ShorterPatches& back) {
   const std::vector<Point>& positions = prepared.discretization.positions;
   const regions::Patch& patch = back.layout.patches[back.layout.number];
   const fracture::EvolutionState& state = prepared.evolution->progress();

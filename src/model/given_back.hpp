@@ -28,6 +28,6 @@ std::optional<ShorterPatches> shorter_patches(const scene::Scene& scene, const s
 
 // Whether no intact bond joins the two faces of the crack in the blocks that are to be given back, and nothing else is
 // broken, held or without its loads there.
-bool has_apart_faces(const PreparedScene& prepared, const ShorterPatches& back);
+bool has_separated_faces(const PreparedScene& prepared, const ShorterPatches& back);
 
 }  // namespace bempd::model

@@ -5,7 +5,7 @@ namespace bempd::model {
 
 // Takes the growth of tips from a state a little ahead if faces open or close as soon as the load factor moves, as in a
 // body at rest. If there is no such equilibrium, nothing is known of the growth.
-void CrackResults::look_past_switches(std::vector<regions::TipValues>& tips) {
+void CrackResults::take_growth_past_face_changes(std::vector<regions::TipValues>& tips) {
   for (const bool upwards : {true, false}) {
     std::vector<regions::TipValues> ahead(tips.size());
     try {

@@ -177,7 +177,7 @@ std::unique_ptr<PreparedScene> CrackGrowth::with_patches(std::vector<regions::Pa
   };
   try {
     if (cracks) preparation.scene().set_cracks(std::move(*cracks));
-    model_.treatments().move(std::move(patches));
+    model_.treatments().replace_patches(std::move(patches));
     std::unique_ptr<PreparedScene> next;
     if (on_way) {
       scene::SceneValues values = *on_way;

@@ -107,9 +107,9 @@ void LevelSolver::under_each(const std::function<void(std::size_t level)>& read,
       if (!chosen.empty() && !chosen[level]) continue;
       const auto there = [&](PreparedScene&) { read(level); };
       if (levels_.combine_cases()) {
-        model_.load_cases().with(levels_[level].cases, there);
+        model_.load_cases().solve_under(levels_[level].cases, there);
       } else {
-        model_.load_cases().at(levels_.factor(level), there);
+        model_.load_cases().solve_at(levels_.factor(level), there);
       }
     }
   });

@@ -47,7 +47,7 @@ std::vector<crack::PathVertex> path_in(const scene::Scene& scene, const Prepared
 std::optional<fracture::TipFactors> factors_around(const scene::Scene& scene, const scene::Options& options,
                                                    const PreparedScene& prepared, const fracture::GrowingTip& tip,
                                                    const coupling::Affine& displacement) {
-  std::vector<Point> path = places_of(path_in(scene, prepared, tip.id.crack));
+  std::vector<Point> path = points_of_path(path_in(scene, prepared, tip.id.crack));
   if (tip.id.end == 0) std::reverse(path.begin(), path.end());
   if (path.size() < 2) return std::nullopt;
   // If nothing loads the body now, the field of the load factor 1 tells the relative error of the factors and where the

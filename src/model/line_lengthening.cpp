@@ -11,18 +11,18 @@ namespace bempd::model {
 LineLengthening::LineLengthening(Model& model) : CrackLengthening(model, false) {
   require(scene().evolution->lines(),
           "cracks in peridynamic regions do not grow as lines, as cycles let them; set crack.rule to line or tips");
-  remember();
+  save_accepted_state();
 }
 
-void LineLengthening::remember() {
+void LineLengthening::save_accepted_state() {
   accepted_ = scene().evolution->state();
-  way_on_ = scene().evolution->continuation();
+  accepted_continuation_ = scene().evolution->continuation();
   in_trial_ = false;
 }
 
 void LineLengthening::return_to_accepted() {
   if (!in_trial_) return;
-  scene().evolution->restore(accepted_, way_on_);
+  scene().evolution->restore(accepted_, accepted_continuation_);
   in_trial_ = false;
   model_.preparation().has_changed();
 }
@@ -31,7 +31,7 @@ namespace {
 
 // Scales the stress intensity factors of a grown tip without room for a contour to the geometric mean of those by the
 // stress ahead and those by the energy of its next step, if this energy gives its load.
-void take_energy(regions::TipValues& tip, const scene::Options& options, double load_factor) {
+void scale_to_step_energy(regions::TipValues& tip, const scene::Options& options, double load_factor) {
   const bool is_told = tip.grown && tip.load_rule == crack::LoadRule::energy && tip.constant_factors.isZero(0) &&
                        load_factor > 0 && tip.critical_load_factor > 0;
   if (!is_told) return;
@@ -50,7 +50,7 @@ std::vector<regions::TipValues> LineLengthening::tips_of_lines() {
   };
   if (std::ranges::any_of(found, needs_energy)) found = model_.cracks().tips_of_lines();
   for (regions::TipValues& tip : found)
-    if (needs_energy(tip)) take_energy(tip, model_.options(), model_.load_factor());
+    if (needs_energy(tip)) scale_to_step_energy(tip, model_.options(), model_.load_factor());
   std::erase_if(found, [&](const regions::TipValues& tip) {
     return model_.growth().is_frozen({tip.crack, tip.end}) || !tip.factors.allFinite();
   });
@@ -82,7 +82,7 @@ bool LineLengthening::grows_lines(const PreparedScene& scene) const {
 
 std::vector<scene::Crack> LineLengthening::cracks() const {
   std::vector<scene::Crack> all;
-  for (int id = 1; id <= model_.cracks().count(); ++id) all.push_back({places_of(model_.cracks().path(id)), 0, 0});
+  for (int id = 1; id <= model_.cracks().count(); ++id) all.push_back({points_of_path(model_.cracks().path(id)), 0, 0});
   return all;
 }
 
@@ -98,14 +98,14 @@ int LineLengthening::region_of(const regions::TipValues& tip, const PreparedScen
 
 // Place in boundary elements at which the next step of a line ends; empty if it goes on in its lattice.
 std::optional<Point> LineLengthening::behind_border(const regions::TipValues& tip) const {
-  const crack::Extension last = last_of({tip.crack, tip.end}, model_.cracks().extensions());
+  const crack::Extension last = last_extension_of({tip.crack, tip.end}, model_.cracks().extensions());
   const regions::Discretization& discretization = model_.prepared().discretization;
   const bool is_here = last.crack > 0 && (Point(last.x, last.y) - tip.place).norm() <= discretization.tolerance;
   if (!is_here || !leaves_lattice(last, model_.scene(), discretization)) return std::nullopt;
   return place_behind_border(last, model_.scene(), discretization);
 }
 
-double LineLengthening::quantum(const regions::TipValues& tip) const {
+double LineLengthening::growth_increment(const regions::TipValues& tip) const {
   if (tip.method == regions::TipMethod::elements) return 0;
   if (const std::optional<Point> behind = behind_border(tip)) return (*behind - tip.place).norm();
   return spacing_at(tip, model_.prepared());
@@ -131,7 +131,7 @@ double LineLengthening::spread(const regions::TipValues& tip, const PreparedScen
 
 // Distance ahead of its place at which a tip acts: 0 for an initial crack, whose cut ends so that it acts where it was
 // described. For a line that has grown the field tells it, or if it does not, the mean of straight lines counts.
-double LineLengthening::acts_ahead(const regions::TipValues& tip, const PreparedScene& scene) const {
+double LineLengthening::effective_tip_ahead(const regions::TipValues& tip, const PreparedScene& scene) const {
   constexpr double in_the_mean = 0.1, farthest = 1;  // in spacings
   if (tip.method == regions::TipMethod::elements || !tip.grown) return 0;
   const double spacing = spacing_at(tip, scene);
@@ -149,13 +149,13 @@ void LineLengthening::go_to(double load_factor) {
   if (scene().evolution->progress().events != events || scene().evolution->progress().load_factor != load_factor)
     fail(Failure::unsolvable, "bonds break away from the tips on the way to the load factor ", load_factor,
          ", the highest of the blocks: the body does not bear it; choose lower blocks, or crack.rule = tips");
-  remember();
+  save_accepted_state();
 }
 
 crack::Extension LineLengthening::extend(const Lengthened& one) {
   fracture::CrackEvolution& evolution = *scene().evolution;
   const crack::TipId id{one.tip.crack, one.tip.end};
-  const double spacing = quantum(one.tip);
+  const double spacing = growth_increment(one.tip);
   const auto steps = std::max<std::int64_t>(1, std::llround(one.length / spacing));
   const double before = model_.cracks().length(id.crack);
   std::optional<Point> direction;
@@ -189,14 +189,14 @@ crack::Extension LineLengthening::extend(const Lengthened& one) {
 }
 
 // Lets a line go on in the boundary elements that it has come to; false if it goes on in its lattice.
-bool LineLengthening::carry_on(const Lengthened& one, LongerCracks& longer) {
+bool LineLengthening::continue_in_elements(const Lengthened& one, LongerCracks& longer) {
   std::optional<Grown> next;
   std::vector<scene::Crack> cracks;
   in_scene_of(&longer, [&] {
     if (one.tip.method == regions::TipMethod::elements || !behind_border(one.tip)) return;
     const std::vector<scene::Crack> present = model_.scene().cracks();
     scene().evolution->sources().bring_up_to_date();
-    next = carrier_.carried_on({one.tip.crack, one.tip.end}, false);
+    next = carrier_.continued_in_elements({one.tip.crack, one.tip.end}, false);
     cracks = model_.scene().cracks();
     model_.preparation().scene().set_cracks(present);
     if (!next)
@@ -218,7 +218,8 @@ LongerCracks LineLengthening::lengthened(const std::vector<Lengthened>& tips) {
   try {
     if (!in_elements.empty()) longer = CrackLengthening::lengthened(in_elements);
     for (const Lengthened& one : lines)
-      if (!carry_on(one, longer)) in_scene_of(&longer, [&] { longer.grown.growth.extensions.push_back(extend(one)); });
+      if (!continue_in_elements(one, longer))
+        in_scene_of(&longer, [&] { longer.grown.growth.extensions.push_back(extend(one)); });
     model_.preparation().has_changed();
     in_scene_of(&longer, [&] { longer.grown.tips = this->tips(); });
   } catch (...) {
@@ -235,7 +236,7 @@ void LineLengthening::go_on_in(LongerCracks longer) {
     model_.preparation().has_changed();
     if (model_.cracks().are_recorded()) model_.cracks().record();
   }
-  remember();
+  save_accepted_state();
 }
 
 std::unique_ptr<CrackLengthening> lengthening_for(Model& model) {

@@ -25,26 +25,26 @@ class LineLengthening final : public CrackLengthening {
   PreparedScene& scene_of(LongerCracks& longer) override { return longer.grown.scene ? *longer.grown.scene : scene(); }
   void in_scene_of(LongerCracks* longer, const std::function<void()>& read) override;
   bool grows_lines(const PreparedScene& scene) const override;
-  double quantum(const regions::TipValues& tip) const override;
+  double growth_increment(const regions::TipValues& tip) const override;
   double spread(const regions::TipValues& tip, const PreparedScene& scene) const override;
-  double acts_ahead(const regions::TipValues& tip, const PreparedScene& scene) const override;
+  double effective_tip_ahead(const regions::TipValues& tip, const PreparedScene& scene) const override;
   void go_to(double load_factor) override;
   LongerCracks lengthened(const std::vector<Lengthened>& tips) override;
   void go_on_in(LongerCracks longer) override;
-  void stay() override { return_to_accepted(); }
+  void leave_trial() override { return_to_accepted(); }
 
  private:
   std::optional<pd::TipLaw> law_at(const regions::TipValues& tip, const PreparedScene& scene) const;
   double spacing_at(const regions::TipValues& tip, const PreparedScene& scene) const;
-  void remember();
+  void save_accepted_state();
   void return_to_accepted();
   crack::Extension extend(const Lengthened& one);
-  bool carry_on(const Lengthened& one, LongerCracks& longer);
+  bool continue_in_elements(const Lengthened& one, LongerCracks& longer);
   std::vector<regions::TipValues> tips_of_lines();
   std::optional<Point> behind_border(const regions::TipValues& tip) const;
 
   fracture::EvolutionState accepted_;
-  fracture::Continuation way_on_;
+  fracture::Continuation accepted_continuation_;
   bool in_trial_ = false;
 };
 

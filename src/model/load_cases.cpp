@@ -136,23 +136,23 @@ scene::SceneValues LoadCases::combined(const std::vector<double>& factors) const
   return sum;
 }
 
-void LoadCases::with(const std::vector<double>& factors, const std::function<void(PreparedScene&)>& read) {
+void LoadCases::solve_under(const std::vector<double>& factors, const std::function<void(PreparedScene&)>& read) {
   require(!factors.empty() && factors.size() <= cases_.size(), "there are ", factors.size(), " factors and ",
           cases_.size(), " load cases; give a factor for each case, in the order of their ids");
   for (std::size_t c = 0; c < factors.size(); ++c)
     require(std::isfinite(factors[c]), "the factor of load case ", c + 1, " is ", factors[c],
             "; it must be a finite number");
-  with(combined(factors), read);
+  solve_under(combined(factors), read);
 }
 
-void LoadCases::at(double load_factor, const std::function<void(PreparedScene&)>& read) {
+void LoadCases::solve_at(double load_factor, const std::function<void(PreparedScene&)>& read) {
   const scene::SceneValues own = model_.scene().values(), zeros = scene::at_rest(own);
-  with(scene::SceneValues{at_load_factor(zeros.supports, own.supports, load_factor),
-                          at_load_factor(zeros.loads, own.loads, load_factor)},
-       read);
+  solve_under(scene::SceneValues{at_load_factor(zeros.supports, own.supports, load_factor),
+                                 at_load_factor(zeros.loads, own.loads, load_factor)},
+              read);
 }
 
-void LoadCases::with(const scene::SceneValues& values, const std::function<void(PreparedScene&)>& read) {
+void LoadCases::solve_under(const scene::SceneValues& values, const std::function<void(PreparedScene&)>& read) {
   model_.prepare();
   model_.loads().under(values, read);
 }
@@ -160,7 +160,7 @@ void LoadCases::with(const scene::SceneValues& values, const std::function<void(
 const LoadCases::Solved& LoadCases::under(const std::vector<double>& factors) {
   if (known_generation_ == model_.generation() && known_factors_ == factors) return known_;
   Solved solved;
-  with(factors, [&](PreparedScene& scene) {
+  solve_under(factors, [&](PreparedScene& scene) {
     for (const regions::TipValues& tip : model_.cracks().present_tips())
       solved.tips.push_back(in_proportion(tip, model_.options()));
     for (std::size_t s = 0; s < model_.scene().supports().size(); ++s)
@@ -177,7 +177,7 @@ const LoadCases::Solved& LoadCases::under(const std::vector<double>& factors) {
 std::vector<regions::PointValue> LoadCases::evaluate(const std::vector<double>& factors,
                                                      const std::vector<Point>& places, bool with_stress) {
   std::vector<regions::PointValue> found;
-  with(factors, [&](PreparedScene&) { found = model_.results().evaluate(places, with_stress); });
+  solve_under(factors, [&](PreparedScene&) { found = model_.results().evaluate(places, with_stress); });
   return found;
 }
 

@@ -35,8 +35,8 @@ class LoadCases {
   // `factors`: of the first cases, in the order of their ids; the others do not act.
   const Solved& under(const std::vector<double>& factors);
   // Calls `read` while the body is in equilibrium under a combination, or under its own loads at a load factor.
-  void with(const std::vector<double>& factors, const std::function<void(PreparedScene&)>& read);
-  void at(double load_factor, const std::function<void(PreparedScene&)>& read);
+  void solve_under(const std::vector<double>& factors, const std::function<void(PreparedScene&)>& read);
+  void solve_at(double load_factor, const std::function<void(PreparedScene&)>& read);
   std::vector<regions::PointValue> evaluate(const std::vector<double>& factors, const std::vector<Point>& places,
                                             bool with_stress);
 
@@ -47,7 +47,7 @@ class LoadCases {
   };
 
   scene::SceneValues combined(const std::vector<double>& factors) const;
-  void with(const scene::SceneValues& values, const std::function<void(PreparedScene&)>& read);
+  void solve_under(const scene::SceneValues& values, const std::function<void(PreparedScene&)>& read);
 
   Model& model_;
   std::vector<Case> cases_;

@@ -26,17 +26,17 @@ std::int64_t first_unstable(std::span<const fracture::HistoryEntry> lines) {
 StepResult LoadDriver::advance(double target, fracture::Goal goal) {
   prepare_for_step(model_);
   LoadValues& loads = model_.loads();
-  std::optional<scene::SceneValues> said = model_.scene().values();
+  std::optional<scene::SceneValues> host_values = model_.scene().values();
   std::optional<LoadValues::Before> before;
   const double from = model_.load_factor();
   if (loads.present().acting != Acting::values) before = loads.apply_pending();
   try {
     const StepResult result = run(target, goal);
     say([&] {
-      model_.accuracy().journal().enter(from, target, model_.load_factor(), *said, model_.growth().frozen(),
+      model_.accuracy().journal().enter(from, target, model_.load_factor(), *host_values, model_.growth().frozen(),
                                         model_.cracks().extensions(), result.seconds_total);
     });
-    loads.present().in_force.swap(said);
+    loads.present().in_force.swap(host_values);
     return result;
   } catch (...) {
     if (before) loads.go_back_to(std::move(*before));
@@ -48,11 +48,11 @@ StepResult LoadDriver::advance_to_values(double target, fracture::Goal goal) {
   prepare_for_step(model_);
   LoadValues& loads = model_.loads();
   const double present = model_.load_factor();
-  std::optional<scene::SceneValues> said = model_.scene().values();
+  std::optional<scene::SceneValues> host_values = model_.scene().values();
   regions::DofConditions at_end = regions::apply_conditions(model_.scene(), model_.prepared().discretization);
   std::optional<LoadValues::Before> before;
   std::optional<scene::SceneValues> way;
-  if (loads.present().acting == Acting::on_a_way && target == loads.present().end_of_way) {
+  if (loads.present().acting == Acting::on_path && target == loads.present().path_end) {
     way = loads.present().in_force;
   } else {
     require(target != present, "load_factor is ", target,
@@ -62,22 +62,22 @@ StepResult LoadDriver::advance_to_values(double target, fracture::Goal goal) {
             ", nearer than 1e-8 of it to ", present,
             ", where the model is: values on so short a way lose that many digits; let the load factor count "
             "from a later beginning, or in larger steps");
-    way = scene::line_between(loads.present().in_force ? *loads.present().in_force : scene::at_rest(*said), present,
-                              *said, target);
-    before = loads.replace(loads.conditions_under(*way), Acting::on_a_way);
+    way = scene::line_between(loads.present().in_force ? *loads.present().in_force : scene::at_rest(*host_values),
+                              present, *host_values, target);
+    before = loads.replace(loads.conditions_under(*way), Acting::on_path);
   }
   try {
     const PreparedScene* const before_run = model_.prepared_or_null();
     const StepResult result = run(target, goal, &*way);
     model_.accuracy().journal().is_known = false;
     loads.present().in_force.swap(way);
-    loads.present().end_of_way = target;
+    loads.present().path_end = target;
     using fracture::StopReason;
     const bool arrived = result.reason == StopReason::load_factor ||
                          (result.reason == StopReason::separated && goal == fracture::Goal::load_factor);
     if (arrived)
       loads.arrive(model_.prepared_or_null() == before_run ? std::optional(std::move(at_end)) : std::nullopt,
-                   std::move(said));
+                   std::move(host_values));
     return result;
   } catch (...) {
     if (before) loads.go_back_to(std::move(*before));
@@ -101,7 +101,7 @@ StepResult LoadDriver::run(double target, fracture::Goal goal, const scene::Scen
   const std::int64_t events = begin.events, broken = begin.broken_bonds;
   const std::int64_t fragments = begin.fragments, switches = begin.contact_switches, ties = begin.ties;
   const auto lines = static_cast<std::ptrdiff_t>(begin.history.size());
-  const Seconds before = seconds_of(model_.prepared());
+  const TimeSpent before = time_spent_in(model_.prepared());
   StepResult result;
   {
     const Stopwatch watch(result.seconds_total);
@@ -114,7 +114,7 @@ StepResult LoadDriver::run(double target, fracture::Goal goal, const scene::Scen
   result.face_switches = end.contact_switches - switches;
   result.ties = end.ties - ties;
   result.unstable_event = first_unstable(std::span(end.history).subspan(lines));
-  Seconds seconds = seconds_of(model_.prepared());
+  TimeSpent seconds = time_spent_in(model_.prepared());
   seconds.add(elements.spent());
   result.seconds_solve = seconds.solve - before.solve;
   result.seconds_update = seconds.update - before.update;

@@ -76,14 +76,14 @@ void LoadValues::set_nodal_values(bool of_support, int id, std::vector<double> c
 // Keeps the values that act now, because a state may be saved before the new values take effect.
 void LoadValues::values_will_be_set() {
   if (!model_.prepared_or_null()) model_.accuracy().forget();
-  if (!model_.prepared_or_null() || present_.acting == Acting::others) return;
-  present_.others = acting_values();
+  if (!model_.prepared_or_null() || present_.acting == Acting::earlier) return;
+  present_.earlier = acting_values();
 }
 
 void LoadValues::values_were_set() {
   if (!model_.prepared_or_null()) return;
   model_.accuracy().journal().has_new_values = true;
-  present_.acting = Acting::others;
+  present_.acting = Acting::earlier;
   model_.preparation().has_changed();
 }
 
@@ -93,7 +93,7 @@ regions::DofConditions LoadValues::conditions_under(scene::SceneValues values) c
 }
 
 coupling::Affine LoadValues::loads_in_force_on(const std::vector<int>& regions_of_body) const {
-  scene::SceneValues acting = present_.acting == Acting::on_a_way ? *present_.in_force : model_.scene().values();
+  scene::SceneValues acting = present_.acting == Acting::on_path ? *present_.in_force : model_.scene().values();
   const regions::Discretization& d = model_.prepared().discretization;
   return model_.preparation().scene().under(acting,
                                             [&] { return regions::loads_on(model_.scene(), d, regions_of_body); });
@@ -101,9 +101,9 @@ coupling::Affine LoadValues::loads_in_force_on(const std::vector<int>& regions_o
 
 scene::SceneValues LoadValues::acting_values() const {
   switch (present_.acting) {
-    case Acting::others:
-      return *present_.others;
-    case Acting::on_a_way:
+    case Acting::earlier:
+      return *present_.earlier;
+    case Acting::on_path:
       return *present_.in_force;
     case Acting::values:
       break;
@@ -169,7 +169,8 @@ LoadValues::Before LoadValues::apply_pending() {
   return replace(regions::apply_conditions(model_.scene(), model_.prepared().discretization), Acting::values);
 }
 
-void LoadValues::arrive(std::optional<regions::DofConditions> known, std::optional<scene::SceneValues> said) noexcept {
+void LoadValues::arrive(std::optional<regions::DofConditions> known,
+                        std::optional<scene::SceneValues> host_values) noexcept {
   say([&] {
     regions::DofConditions conditions =
         known ? std::move(*known) : regions::apply_conditions(model_.scene(), model_.prepared().discretization);
@@ -179,7 +180,7 @@ void LoadValues::arrive(std::optional<regions::DofConditions> known, std::option
                                                    pressures_of(conditions));
     model_.prepared().conditions = std::move(conditions);
     model_.growth().forget_factors();
-    present_.in_force.swap(said);
+    present_.in_force.swap(host_values);
     present_.acting = Acting::values;
   });
 }

@@ -43,16 +43,16 @@ class LoadValues {
   coupling::Affine loads_in_force_on(const std::vector<int>& regions_of_body) const;
   scene::SceneValues acting_values() const;
 
-  struct Present {
+  struct ActingValues {
     Acting acting = Acting::values;
     // Values at the end of the last step, at the present load factor. Empty before the first step, when the body is at
     // rest.
     std::optional<scene::SceneValues> in_force;
-    double end_of_way = 0;                     // load factor
-    std::optional<scene::SceneValues> others;  // that act, while others do
+    double path_end = 0;                        // load factor
+    std::optional<scene::SceneValues> earlier;  // that act, while others do
   };
-  Present& present() { return present_; }
-  const Present& present() const { return present_; }
+  ActingValues& present() { return present_; }
+  const ActingValues& present() const { return present_; }
 
   struct Before {  // to come back to
     regions::DofConditions conditions;
@@ -70,7 +70,7 @@ class LoadValues {
   // Ends a path of values at its end values, which act already: enters them as the values in force, with the conditions
   // `known` that they cause. The conditions are computed here if empty (cracks have grown since). A failure leaves the
   // model at that point of the path.
-  void arrive(std::optional<regions::DofConditions> known, std::optional<scene::SceneValues> said) noexcept;
+  void arrive(std::optional<regions::DofConditions> known, std::optional<scene::SceneValues> host_values) noexcept;
 
  private:
   std::optional<fracture::RunLoads::Heat> heat(const regions::DofConditions& conditions);
@@ -79,7 +79,7 @@ class LoadValues {
   void values_were_set();
 
   Model& model_;
-  Present present_;
+  ActingValues present_;
 };
 
 }  // namespace bempd::model

@@ -11,14 +11,14 @@ scene::Scene& Model::editable_scene() {
     fail(Failure::order,
          "the model is prepared and its scene can no longer change; add everything before the first step or result, or "
          "create a new model");
-  treatments_.take_away();
+  treatments_.remove_patches();
   return preparation_.scene();
 }
 
 void Model::prepare() {
   if (preparation_.prepared()) return;
   if (scene().region_ids().empty()) fail(Failure::order, "the scene has no region; add one first");
-  treatments_.lay();
+  treatments_.add_patches();
   regions::require_memory(scene(), options_);
   linalg::require_blas_buffer();
   accuracy_.prepare();
@@ -34,7 +34,7 @@ PreparedScene& Model::prepared() {
 
 PreparedScene& Model::in_equilibrium() {
   prepare();
-  if (loads_.present().acting == Acting::others) loads_.apply_pending();
+  if (loads_.present().acting == Acting::earlier) loads_.apply_pending();
   PreparedScene& prepared = *preparation_.prepared();
   fracture::CrackEvolution& evolution = *prepared.evolution;
   if (evolution.progress().in_equilibrium) return prepared;
@@ -55,12 +55,12 @@ double Model::load_factor() const {
 
 void Model::call_failed(bool was_prepared, bool unsolvable) noexcept {
   const PreparedScene* const prepared = preparation_.prepared();
-  if (!prepared) return treatments_.take_away();
+  if (!prepared) return treatments_.remove_patches();
   const fracture::EvolutionState& state = prepared->evolution->progress();
   const bool has_begun = state.in_equilibrium || !state.history.empty() || state.load_factor != 0;
   if (was_prepared && (has_begun || !unsolvable)) return;
   preparation_.exchange(nullptr);
-  treatments_.take_away(), accuracy_.forget();
+  treatments_.remove_patches(), accuracy_.forget();
   loads_.present() = {};
   results_.forget();
   preparation_.has_changed();

@@ -40,7 +40,7 @@ StepResult LoadDriver::run_to_row(const scene::LoadTable& table, std::size_t row
   } else {
     way = scene::line_between(table.at(row - 1, given), table.times[row - 1], at_end, end);
   }
-  LoadValues::Before before = loads.replace(loads.conditions_under(*way), Acting::on_a_way);
+  LoadValues::Before before = loads.replace(loads.conditions_under(*way), Acting::on_path);
   StepResult result;
   try {
     result = run(end, goal, &*way);
@@ -55,7 +55,7 @@ StepResult LoadDriver::run_to_row(const scene::LoadTable& table, std::size_t row
   }
   if (result.reason == fracture::StopReason::no_further_event) result.reason = fracture::StopReason::load_factor;
   loads.present().in_force.swap(way);
-  loads.present().end_of_way = end;
+  loads.present().path_end = end;
   return result;
 }
 

@@ -133,7 +133,7 @@ class TwinRun {
 
   Model& model_;
   std::unique_ptr<PreparedScene> prepared_;
-  LoadValues::Present loads_;
+  LoadValues::ActingValues loads_;
   HostRequests::Listeners listeners_;
   std::set<crack::TipId> frozen_;
   std::vector<scene::Crack> cracks_;

@@ -17,8 +17,8 @@ namespace bempd::model {
 // Origin of the values of loads and supports that act on the body.
 enum class Acting : std::uint8_t {
   values,   // the values that the host has set
-  others,   // earlier values: they have to be replaced before anything else is done
-  on_a_way  // values between, where a step on a straight line was left: results show them, steps replace them
+  earlier,  // earlier values: they have to be replaced before anything else is done
+  on_path   // values between, where a step on a straight line was left: results show them, steps replace them
 };
 
 // Version of the bytes of states, raised when their content changes, and the oldest version that is still read, so that
@@ -37,11 +37,11 @@ struct SavedState {
   // Values at the end of the last step; empty before the first one. Functions are not written to bytes.
   std::optional<scene::SceneValues> in_force;
   Acting acting = Acting::values;
-  double end_of_way = 0;
-  scene::SceneValues acting_values;        // values that act on the body; functions are not written to bytes
-  std::optional<scene::SceneValues> said;  // by the host, if the state is to bring them back
-  std::vector<int> frozen;                 // crack and end of each tip that the host keeps, together with `said`
-  std::vector<double> overloads;           // that tips have met by the end of the last growth by cycles, as numbers
+  double path_end = 0;
+  scene::SceneValues acting_values;               // values that act on the body; functions are not written to bytes
+  std::optional<scene::SceneValues> host_values;  // by the host, if the state is to bring them back
+  std::vector<int> frozen;        // crack and end of each tip that the host keeps, together with `host_values`
+  std::vector<double> overloads;  // that tips have met by the end of the last growth by cycles, as numbers
 };
 
 // Conversion of a saved state to bytes and back (state_bytes.cpp); from_bytes() throws Error (argument) for damaged

@@ -104,7 +104,7 @@ bool are_known(const scene::SceneValues& values, const scene::SceneValues& prese
 
 // Whether an extension is the step of a line in a lattice. Lines may begin or end slightly outside their lattice's
 // outline, so both ends of an extension are tested.
-bool is_among_bonds(const Model& model, const crack::Extension& e) {
+bool grew_in_lattice(const Model& model, const crack::Extension& e) {
   const scene::Scene& scene = model.scene();
   const double tolerance = model.prepared_or_null()->discretization.tolerance;
   const std::vector<int> ids = scene.region_ids();
@@ -129,7 +129,7 @@ bool are_same(const crack::Extension& a, const crack::Extension& b) {
 SavedState States::save(bool with_values) const {
   if (!model_.prepared_or_null()) fail(Failure::order, "there is no state yet; call bempd_prepare() or step first");
   const PreparedScene& prepared = model_.prepared();
-  const LoadValues::Present& loads = model_.loads().present();
+  const LoadValues::ActingValues& loads = model_.loads().present();
   const std::uint64_t said =
       loads.acting == Acting::values
           ? load_fingerprint(model_.scene(), prepared.conditions)
@@ -146,9 +146,9 @@ SavedState States::save(bool with_values) const {
       .journal = model_.accuracy().journal(),
       .in_force = loads.in_force,
       .acting = loads.acting,
-      .end_of_way = loads.acting == Acting::on_a_way ? loads.end_of_way : 0,
+      .path_end = loads.acting == Acting::on_path ? loads.path_end : 0,
       .acting_values = model_.loads().acting_values(),
-      .said = with_values ? std::optional(model_.scene().values()) : std::nullopt,
+      .host_values = with_values ? std::optional(model_.scene().values()) : std::nullopt,
       .frozen = std::move(frozen),
       .overloads = numbers_of(model_.fatigue().overloads()),
   };
@@ -156,10 +156,11 @@ SavedState States::save(bool with_values) const {
 
 void States::restore(const SavedState& state) {
   model_.prepare();
-  require(!state.said || state.scene.loads == model_.prepared().fingerprint.loads,
+  require(!state.host_values || state.scene.loads == model_.prepared().fingerprint.loads,
           "the state has the values of other loads, or of the same ones in another order; add those of the model that "
           "was saved, in its order");
-  scene::SceneValues said = state.said ? fitted(*state.said, model_.scene().values()) : model_.scene().values();
+  scene::SceneValues said =
+      state.host_values ? fitted(*state.host_values, model_.scene().values()) : model_.scene().values();
   model_.preparation().scene().exchange_values(said);
   try {
     restore_body(state);
@@ -167,7 +168,7 @@ void States::restore(const SavedState& state) {
     model_.preparation().scene().exchange_values(said);
     throw;
   }
-  if (!state.said) return;
+  if (!state.host_values) return;
   std::set<crack::TipId> frozen;
   for (std::size_t k = 1; k < state.frozen.size(); k += 2) frozen.insert({state.frozen[k - 1], state.frozen[k]});
   model_.growth().set_all_frozen(std::move(frozen));
@@ -183,7 +184,7 @@ bool States::has_grown_as(const fracture::EvolutionState& state) const {
   };
   if (state.layouts != present.layouts || !std::ranges::all_of(state.layouts, has_same)) return false;
   const auto in_elements = [&](std::vector<crack::Extension> extensions) {
-    std::erase_if(extensions, [&](const crack::Extension& e) { return is_among_bonds(model_, e); });
+    std::erase_if(extensions, [&](const crack::Extension& e) { return grew_in_lattice(model_, e); });
     return extensions;
   };
   return std::ranges::equal(in_elements(state.extensions), in_elements(present.extensions), are_same);
@@ -208,26 +209,26 @@ std::unique_ptr<PreparedScene> States::as_grown(const fracture::EvolutionState& 
     if (!is_built) grown = preparation.build(grown.get(), Preparation::Operators::anew);
     is_built = true;
   };
-  const auto among_bonds = [&](const crack::Extension& e) { return is_among_bonds(model_, e); };
+  const auto in_lattice = [&](const crack::Extension& e) { return grew_in_lattice(model_, e); };
   std::span<const std::int64_t> layouts = state.layouts;
-  model_.treatments().follow(layouts, {}, cracks);
+  model_.treatments().repeat_layouts(layouts, {}, cracks);
   for (std::size_t k = 0; k < extensions.size(); ++k) {
     const crack::Extension& e = extensions[k];
-    if (!among_bonds(e)) {
+    if (!in_lattice(e)) {
       const auto number = static_cast<std::size_t>(e.crack) - 1;
       require(number < described ? !cracks[number].points.empty() : number < described + extensions.size(),
               "the state's extensions are of crack ", e.crack,
               ", which the scene does not have; its bytes were altered");
-      with_line(cracks, e.tip(), std::span(extensions).first(k + 1), model_.scene(), tolerance);
+      crack_with_line(cracks, e.tip(), std::span(extensions).first(k + 1), model_.scene(), tolerance);
       const auto next =
-          std::find_if_not(extensions.begin() + static_cast<std::ptrdiff_t>(k) + 1, extensions.end(), among_bonds);
+          std::find_if_not(extensions.begin() + static_cast<std::ptrdiff_t>(k) + 1, extensions.end(), in_lattice);
       if (next == extensions.end() || next->event != e.event) {
         build_anew();
         preparation.scene().set_cracks(cracks);
         grown = preparation.build(grown.get());
       }
     }
-    if (model_.treatments().follow(layouts, std::span(extensions).first(k + 1), cracks)) is_built = false;
+    if (model_.treatments().repeat_layouts(layouts, std::span(extensions).first(k + 1), cracks)) is_built = false;
   }
   require(layouts.empty(), "the state has more lattice patches than growth; its bytes were altered");
   build_anew();
@@ -263,25 +264,25 @@ void States::restore_body(const SavedState& state) {
   fracture::Continuation continuation = state.continuation;
   std::vector<results::TipRecord> tips = state.tips;
   RunJournal journal = RunJournal::continued(state.journal);
-  LoadValues::Present loads;
+  LoadValues::ActingValues loads;
   if (state.in_force) loads.in_force = fitted(*state.in_force, model_.scene().values());
   regions::DofConditions conditions = model_.loads().conditions_under(model_.scene().values());
   const bool same_loads = state.load_fingerprint == load_fingerprint(model_.scene(), conditions);
   // If the saved loads differ from the present ones, they act until the next step, so that the change does work.
-  loads.acting = same_loads ? state.acting : Acting::others;
+  loads.acting = same_loads ? state.acting : Acting::earlier;
   const bool known = loads.acting == Acting::values || are_known(state.acting_values, model_.scene().values());
   if (!known) {  // functions that its bytes do not have, or other loads: the present ones act at once
-    if (loads.acting == Acting::others) loads.acting = Acting::values;
+    if (loads.acting == Acting::earlier) loads.acting = Acting::values;
     copy.in_equilibrium = false;
     copy.first_unit_energy = -1;
   }
   if (loads.acting != Acting::values) {
     scene::SceneValues acting = fitted(state.acting_values, model_.scene().values());
     conditions = model_.loads().conditions_under(acting);
-    if (loads.acting == Acting::on_a_way) {
-      loads.end_of_way = state.end_of_way;
+    if (loads.acting == Acting::on_path) {
+      loads.path_end = state.path_end;
     } else {
-      loads.others = std::move(acting);
+      loads.earlier = std::move(acting);
     }
   }
   model_.loads().replace(std::move(conditions), loads.acting);

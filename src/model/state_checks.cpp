@@ -111,14 +111,15 @@ void require_consistent(const SavedState& state) {
   NumberCheck numbers;
   numbers(state);
   sound(numbers.passed(), "a number is not finite, or a flag is neither 0 nor 1");
-  sound(state.acting <= Acting::on_a_way && (state.acting != Acting::on_a_way || state.in_force),
+  sound(state.acting <= Acting::on_path && (state.acting != Acting::on_path || state.in_force),
         "it has no values between which it is");
-  sound(state.frozen.empty() || (state.said && state.frozen.size() % 2 == 0), "it keeps tips without saying which");
+  sound(state.frozen.empty() || (state.host_values && state.frozen.size() % 2 == 0),
+        "it keeps tips without saying which");
   for (std::size_t k = 1; k < state.frozen.size(); k += 2)
     sound(state.frozen[k - 1] > 0 && (state.frozen[k] == 0 || state.frozen[k] == 1), "a tip that it keeps is none");
   require_consistent(state.evolution);
   for (const std::optional<scene::SceneValues>& both :
-       {state.in_force, std::optional(state.acting_values), state.said}) {
+       {state.in_force, std::optional(state.acting_values), state.host_values}) {
     if (!both) continue;
     for (const std::vector<scene::Values>& all : {both->supports, both->loads})
       for (const scene::Values& values : all) sound(is_sound(values), "the values of a load or a support are none");

@@ -124,8 +124,8 @@ template <class State, class Visit>
 requires std::is_same_v<std::remove_const_t<State>, SavedState>
 void visit_members(State& state, Visit& visit) {
   visit(state.scene.body), visit(state.scene.supports), visit(state.load_fingerprint), visit(state.evolution);
-  visit(state.in_force), visit(state.acting), visit(state.end_of_way), visit(state.acting_values);
-  visit(state.scene.loads), visit(state.said), visit(state.continuation);
+  visit(state.in_force), visit(state.acting), visit(state.path_end), visit(state.acting_values);
+  visit(state.scene.loads), visit(state.host_values), visit(state.continuation);
 }
 
 }  // namespace bempd::model

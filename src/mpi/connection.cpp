@@ -82,7 +82,7 @@ bool Connection::exists_for(MPI_Comm of_host) {
   return std::find(used().comms.begin(), used().comms.end(), of_host) != used().comms.end();
 }
 
-void Connection::tell(const Order& order) const {
+void Connection::send_order(const Order& order) const {
   int ranks = 1;
   MPI_Comm_size(comm_, &ranks);
   for (int rank = 1; rank < ranks; ++rank)
@@ -96,7 +96,7 @@ std::int32_t Connection::answer(bempd_sparse_task& task) {
     return BEMPD_ERROR_ORDER;
   }
   const Order order = order_for(task);
-  tell(order);
+  send_order(order);
   Verdict verdict = factors_.perform(order, &task);
   sentence_ = std::move(verdict.sentence);
   task.message = sentence_.c_str();
@@ -116,7 +116,7 @@ Connection::~Connection() {
   }
   Order end;
   end.request = BEMPD_SPARSE_DETACH;
-  tell(end);
+  send_order(end);
   factors_.clear();
   MPI_Comm_free(&comm_);
 }

@@ -22,10 +22,10 @@ class Connection {
   static bool exists_for(MPI_Comm of_host);
 
   std::int32_t answer(bempd_sparse_task& task);
-  void tell_end(bool* flag) { ended_ = flag; }  // set when the connection ends; null: none
+  void set_end_flag(bool* flag) { ended_ = flag; }  // set when the connection ends; null: none
 
  private:
-  void tell(const Order& order) const;
+  void send_order(const Order& order) const;
 
   MPI_Comm of_host_, comm_ = MPI_COMM_NULL;
   Factors factors_;

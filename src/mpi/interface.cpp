@@ -73,10 +73,10 @@ bempd_status bempd_mpi_attach(bempd_model* model, MPI_Comm comm) {
                     "the communicator serves another model; detach that one, or give a communicator of its own");
     bool has_ended = false;
     auto* const connection = new Connection(comm);
-    connection->tell_end(&has_ended);
+    connection->set_end_flag(&has_ended);
     const bempd_status status = bempd_set_sparse_solver(model, answer, connection);
     if (status == BEMPD_OK) {
-      connection->tell_end(nullptr);
+      connection->set_end_flag(nullptr);
       return status;
     }
     if (!has_ended) delete connection;  // the core has not even taken it

@@ -22,7 +22,7 @@ class EdgePart {
  public:
   EdgePart(const scene::Scene& scene, const Names& names) : scene_(scene), names_(names) {}
 
-  PicturePart made() {
+  PicturePart picture_part() {
     for (const int id : scene_.region_ids())
       for (int edge = 1; edge <= scene_.region(id).edge_count(); ++edge) add_edge(id, edge);
     for (std::size_t c = 0; c < scene_.cracks().size(); ++c) add_crack(static_cast<int>(c) + 1, scene_.cracks()[c]);
@@ -111,7 +111,7 @@ std::vector<output::VtuArray> numbers(const scene::Scene& scene, const Names& na
 
 void add_names(std::vector<PicturePart>& parts, const scene::Scene& scene, const Names& names) {
   if (names.empty()) return;
-  parts.push_back(EdgePart(scene, names).made());
+  parts.push_back(EdgePart(scene, names).picture_part());
   const std::vector<output::VtuArray> all = numbers(scene, names);
   for (PicturePart& part : parts) part.grid.field_data = all;
 }

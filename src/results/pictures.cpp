@@ -103,10 +103,10 @@ VtuGrid grid_of(const std::vector<regions::TipValues>& tips) {
     directions.insert(directions.end(), {tip.direction.x(), tip.direction.y()});
     cracks.push_back(tip.crack), ends.push_back(tip.end + 1), methods.push_back(static_cast<std::int32_t>(tip.method));
   }
-  const auto add = [&](const char* name, const auto& number_of) {
+  const auto add = [&](const char* name, const auto& value_of) {
     std::vector<double> values;
     values.reserve(tips.size());
-    for (const regions::TipValues& tip : tips) values.push_back(number_of(tip));
+    for (const regions::TipValues& tip : tips) values.push_back(value_of(tip));
     grid.point_data.push_back({name, 1, std::move(values)});
   };
   using Tip = regions::TipValues;

@@ -80,7 +80,7 @@ double ResistanceDirections::share(double angle) const {
   return (1 - way) * shares_[k - 1] + way * shares_[wraps ? 0 : k];
 }
 
-double ResistanceDirections::least_share() const { return *std::min_element(shares_.begin(), shares_.end()); }
+double ResistanceDirections::smallest_share() const { return *std::min_element(shares_.begin(), shares_.end()); }
 
 // Kink angles to try: even steps, and the directions of the table, where the ratio may have a cusp.
 std::vector<double> ResistanceDirections::trial_angles(double heading) const {

@@ -15,7 +15,7 @@ class ResistanceDirections {
   ResistanceDirections(std::vector<double> angles, std::vector<double> shares);
 
   double share(double angle) const;
-  double least_share() const;
+  double smallest_share() const;
 
   // Kink of a tip with the factors (K_I, K_II), whose crack runs in the direction `heading` [rad]: the largest ratio of
   // the energy release rate to the fracture energy, where the criterion says what that rate is. The equivalent factor

@@ -151,7 +151,7 @@ std::optional<LineLoad> load_of_growth(const AffineIntensity& intensity, const A
   std::optional<LineLoad> load = load_by_numbers(intensity, turning, criterion);
   for (int round = 0; load && round < most_rounds; ++round) {
     const double before = load->load_factor;
-    criterion.law = asking.met(factors, before);
+    criterion.law = asking.with_host_toughness(factors, before);
     load = load_by_numbers(intensity, turning, criterion);
     if (!load || std::abs(load->load_factor - before) <= same * std::abs(before)) return load;
   }

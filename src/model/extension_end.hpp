@@ -8,7 +8,7 @@
 namespace bempd::model {
 
 // End of a tip's path, and the tip's state there.
-struct TipWay {
+struct ExtensionEnd {
   Point to;
   crack::TipState state;  // there
 };
@@ -18,8 +18,8 @@ struct TipWay {
 // closely.
 // It stops before an interface, except with a region of the same material: it crosses an interface with boundary
 // elements as if there were none, and continues in a lattice to a place between material points.
-TipWay way_of_tip(const scene::Scene& scene, const std::vector<scene::Crack>& cracks, int crack, int end,
-                  const Point& direction, double length, double tolerance);
+ExtensionEnd end_of_extension(const scene::Scene& scene, const std::vector<scene::Crack>& cracks, int crack, int end,
+                              const Point& direction, double length, double tolerance);
 
 // Appends a point at an end of a crack: 1 is the last point, 0 the first.
 void extend(scene::Crack& crack, int end, const Point& to);

@@ -1,4 +1,4 @@
-#include "model/crack_way.hpp"
+#include "model/extension_end.hpp"
 
 #include <algorithm>
 #include <limits>
@@ -30,7 +30,7 @@ constexpr double near_a_corner = 1e-3;
 constexpr double before_an_interface = 0.25;
 
 // Smallest distance of a tip before or behind an interface that its crack crosses, over the extension's length.
-constexpr double beside_a_crossing = 0.25;
+constexpr double least_distance_from_crossing = 0.25;
 
 // Whether a place lies on an interface of boundary element regions of one material, which cracks can cross.
 bool is_among_elements(const scene::Scene& scene, const Point& place, double tolerance) {
@@ -50,8 +50,8 @@ bool is_inside(const scene::Scene& scene, const Point& place, double tolerance) 
 
 // Length of an extension that crosses interfaces at the distances `crossings`: as given, or a little shorter or longer
 // if its tip would lie too close to one of them.
-double length_beside_crossings(double length, const std::vector<double>& crossings) {
-  const double clear = beside_a_crossing * length;
+double length_clear_of_crossings(double length, const std::vector<double>& crossings) {
+  const double clear = least_distance_from_crossing * length;
   const auto gap = [&](double way) {
     double least = clear;
     for (const double at : crossings) least = std::min(least, std::abs(at - way));
@@ -69,7 +69,7 @@ class Meetings {
   Meetings(const scene::Scene& scene, const Segment& way, double length, double tolerance)
       : scene_(scene), way_(way), length_(length), tolerance_(tolerance), behind_tip_(10 * tolerance / way.length()) {}
 
-  void with(const Edge& edge, TipState state) {
+  void add_obstacle(const Edge& edge, TipState state) {
     for (const Crossing& meeting : meeting_points(Edge(way_.start, way_.end), edge)) {
       if (goes_on_behind(meeting.fraction_a)) {
         crossings_.push_back(meeting.fraction_a * way_.length());
@@ -84,7 +84,7 @@ class Meetings {
 
   // Adds a crack as an obstacle. Of the growing crack itself (`own`) the segment that ends at its tip `own_end` is left
   // out.
-  void with(const scene::Crack& crack, bool own, int own_end) {
+  void add_obstacle(const scene::Crack& crack, bool own, int own_end) {
     const std::size_t last = crack.points.size() - 1;
     for (std::size_t i = 0; i < last; ++i) {
       if (own && i == (own_end == 0 ? 0 : last - 1)) continue;
@@ -104,7 +104,7 @@ class Meetings {
   const std::vector<double>& crossings() const { return crossings_; }
 
   // First obstacle on the path. Ends of cracks are tested last and replace an obstacle next to them.
-  std::optional<TipWay> first() {
+  std::optional<ExtensionEnd> first() {
     for (const Point& end : ends_) {
       const double fraction = closest_fraction(way_, end), close = near_an_end * length_;
       const bool passed = distance(way_, end) <= close && fraction <= first_;
@@ -130,7 +130,7 @@ class Meetings {
   Segment way_;
   double length_, tolerance_, behind_tip_, first_ = 1;
   std::vector<double> crossings_;
-  std::optional<TipWay> met_;
+  std::optional<ExtensionEnd> met_;
   std::vector<Point> ends_;
 };
 
@@ -225,8 +225,8 @@ const Point& tip_of(const scene::Crack& crack, int end) {
 
 }  // namespace
 
-TipWay way_of_tip(const scene::Scene& scene, const std::vector<scene::Crack>& cracks, int crack, int end,
-                  const Point& direction, double length, double tolerance) {
+ExtensionEnd end_of_extension(const scene::Scene& scene, const std::vector<scene::Crack>& cracks, int crack, int end,
+                              const Point& direction, double length, double tolerance) {
   const Point& from = tip_of(cracks[static_cast<std::size_t>(crack) - 1], end);
   Meetings meetings(scene, {from, from + reach * length * direction}, length, tolerance);
   for (const int region : scene.region_ids()) {
@@ -234,16 +234,16 @@ TipWay way_of_tip(const scene::Scene& scene, const std::vector<scene::Crack>& cr
     const std::size_t outer = outline.loops.front().size();
     const std::vector<Edge> edges = edges_of(outline);
     for (std::size_t k = 0; k < edges.size(); ++k)
-      meetings.with(edges[k], k < outer ? TipState::at_edge : TipState::at_hole);
+      meetings.add_obstacle(edges[k], k < outer ? TipState::at_edge : TipState::at_hole);
   }
   for (std::size_t c = 0; c < cracks.size(); ++c)
-    if (!cracks[c].points.empty()) meetings.with(cracks[c], static_cast<int>(c) + 1 == crack, end);
-  std::optional<TipWay> met = meetings.first();
+    if (!cracks[c].points.empty()) meetings.add_obstacle(cracks[c], static_cast<int>(c) + 1 == crack, end);
+  std::optional<ExtensionEnd> met = meetings.first();
   const auto lattice = lattice_ahead(scene, from, direction, reach * length, tolerance);
   if (lattice && lattice->width >= 2 * least_into_a_lattice * lattice->spacing &&
       (!met || lattice->way <= (met->to - from).norm() + tolerance))
     return {from + (lattice->way + lattice->into()) * direction, TipState::grows};
-  if (!met) return {from + length_beside_crossings(length, meetings.crossings()) * direction, TipState::grows};
+  if (!met) return {from + length_clear_of_crossings(length, meetings.crossings()) * direction, TipState::grows};
   if (met->state == TipState::at_crack || !is_on_interface(scene, met->to, tolerance)) return *met;
   const double way = (met->to - from).norm(), left = std::min(before_an_interface * length, 0.5 * way);
   return {from + (1 - left / way) * (met->to - from), TipState::at_interface};
