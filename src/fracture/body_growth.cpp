@@ -34,7 +34,7 @@ void BodyGrowth::take_over_lattices(const BodyState& old, const FormerBody& form
                                     const std::vector<crack::TipId>& entering) {
   for (std::size_t t = 0; t < old.stages.size(); ++t) {
     if (old.stages[t] == 0) continue;
-    const int term = former.now(static_cast<int>(t));
+    const int term = former.new_number(static_cast<int>(t));
     if (term < 0) continue;
     std::uint8_t& now = state_.stages[static_cast<std::size_t>(term)];
     now = std::max(now, old.stages[t]);
@@ -68,7 +68,7 @@ void BodyGrowth::take_over_faces(LoadedBody& then, const FaceState& old, const F
   if (same_places) std::copy(initial, grown, faces.closed.begin() + static_cast<std::ptrdiff_t>(exact));
   for (std::size_t k = 0; k < old.grown.size(); ++k) {
     GrownFace face = old.grown[k];
-    face.term = former.now(face.term);
+    face.term = former.new_number(face.term);
     if (face.term < 0) continue;
     if (!same_places && state_.stages[static_cast<std::size_t>(face.term)] != 0) continue;
     faces.grown.push_back(face);
@@ -76,7 +76,7 @@ void BodyGrowth::take_over_faces(LoadedBody& then, const FaceState& old, const F
   }
   faces.pending = old.pending;
   for (std::vector<int>& terms : faces.pending) {
-    for (int& term : terms) term = former.now(term);
+    for (int& term : terms) term = former.new_number(term);
     std::erase(terms, -1);
   }
 }
@@ -139,7 +139,7 @@ LoadedBody::FirstEquilibrium BodyGrowth::find_equilibrium_of_pieces() {
 // Continues the run of the body `before`. At constant loads the potential energy falls by what the crack growth
 // releases; the work of the loads follows from that and the stored energy.
 void BodyGrowth::go_on_from(BodyGrowth& before, const FormerBody& former, const std::vector<crack::TipId>& entering) {
-  before.sources_.look();
+  before.sources_.update_for_reader();
   const EvolutionState& old = before.state_;
   static_cast<Sums&>(state_) = old;
   state_.history = old.history;

@@ -30,7 +30,7 @@ struct FormerBody {
   bool has_fewer_terms = false;  // elements have replaced a part of a lattice, and carry a crack there
 
   // New number of a term; -1 if it is gone.
-  int now(int term) const {
+  int new_number(int term) const {
     if (!terms) return term;
     if (!has_fewer_terms) return terms->at(term);
     const auto found = terms->find(term);

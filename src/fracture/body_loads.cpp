@@ -78,7 +78,7 @@ Eigen::RowVector2d BodyLoads::pressure_in(int crack) const {
   return found == pressures_.end() ? Eigen::RowVector2d::Zero() : found->second;
 }
 
-Eigen::VectorXd BodyLoads::let_flow() {
+Eigen::VectorXd BodyLoads::spread_fluid() {
   const Eigen::VectorXd before = evaluate(system_.load().force(), state_.load_factor);
   apply();
   return evaluate(system_.load().force(), state_.load_factor) - before;

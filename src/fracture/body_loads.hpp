@@ -31,7 +31,7 @@ class BodyLoads {
   Eigen::RowVector2d pressure_in(int crack) const;
   // Lets the fluid enter the terms that have broken; returns the nodal forces [N] that this adds at the present load
   // factor.
-  Eigen::VectorXd let_flow();
+  Eigen::VectorXd spread_fluid();
 
   void set(const coupling::Affine& force, const coupling::Affine& prescribed, const CrackPressures& pressures);
   ActingLoads acting() const;

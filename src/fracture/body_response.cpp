@@ -73,7 +73,7 @@ double BodyResponse::absorb(double load_factor) {
 
 double BodyResponse::move_to(double load_factor) { return load_factor != state_.load_factor ? absorb(load_factor) : 0; }
 
-void BodyResponse::show(Affine displacement) {
+void BodyResponse::set_solution(Affine displacement) {
   state_.displacement = std::move(displacement);
   update_ratios();
   state_.total_displacement = evaluate(state_.displacement, state_.load_factor);

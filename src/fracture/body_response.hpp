@@ -29,10 +29,10 @@ class BodyResponse {
   double absorb(double load_factor);   // the same, also where only the displacements have changed
   // Sets displacements and forces to those of a solution at the present load factor whose energies are already
   // recorded.
-  void show(coupling::Affine displacement);
+  void set_solution(coupling::Affine displacement);
 
   // Load path from the present load factor to a target.
-  LoadWay way_to(double target, Control control) const {
+  LoadWay load_path_to(double target, Control control) const {
     return {state_.load_factor, target >= state_.load_factor, control};
   }
   BondList bonds() const { return {ratios_, system_.stages().intact()}; }

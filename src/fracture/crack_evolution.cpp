@@ -44,11 +44,11 @@ StopReason CrackEvolution::advance(double target, Goal goal, const SteppingOptio
 
 // Next bond that breaks by itself; bonds around the tips of crack lines are left out.
 std::optional<NextBond> CrackEvolution::next_bond(bool upwards, Control control) {
-  sources_.look();
+  sources_.update_for_reader();
   std::vector<char> intact = system_.stages().intact();
   if (const LineSteps* lines = sources_.line_steps()) {
     if (!lines->fields().laws().more_begin) return std::nullopt;
-    for (const GrowingTip& tip : state_.tips) lines->guard().spare(tip, intact);
+    for (const GrowingTip& tip : state_.tips) lines->guard().exempt(tip, intact);
   }
   const BondList bonds{body_.response().ratios(), intact};
   const std::optional<double> at = next_critical(bonds, {state_.load_factor, upwards, control});
@@ -60,15 +60,15 @@ std::optional<NextBond> CrackEvolution::next_bond(bool upwards, Control control)
 }
 
 bool CrackEvolution::look_past_switch(bool upwards, const std::function<void()>& visit) {
-  sources_.look();
+  sources_.update_for_reader();
   const double direction = upwards ? 1 : -1;
   if (!body_.contact().switches_at_once(direction)) return false;
   BodyState before = state_;
-  Continuation way_on = sources_.resumption().present();
+  Continuation continuation = sources_.resumption().present();
   const auto return_to_present = [&]() noexcept {
     static_cast<BodyState&>(state_) = std::move(before);
     sources_.abandon();
-    sources_.resumption().await(std::move(way_on));
+    sources_.resumption().await(std::move(continuation));
   };
   try {
     sources_.settle();

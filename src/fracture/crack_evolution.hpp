@@ -76,7 +76,7 @@ class CrackEvolution {
 
   // State with its displacements and forces brought up to date. Reading it does not affect the run.
   const EvolutionState& state() {
-    sources_.look();
+    sources_.update_for_reader();
     return state_;
   }
   // State without an up-to-date solution: numbers, bonds and history are right, displacements and forces may be those
@@ -84,7 +84,7 @@ class CrackEvolution {
   const EvolutionState& progress() const { return state_; }
   // What a restored run needs beside the state to continue with the same digits.
   Continuation continuation() {
-    sources_.look();
+    sources_.update_for_reader();
     return sources_.resumption().present();
   }
   void restore(EvolutionState state, std::optional<Continuation> continuation = std::nullopt) noexcept;
@@ -93,7 +93,7 @@ class CrackEvolution {
 
   // Body with its displacements and forces brought up to date. Reading it does not affect the run.
   const LoadedBody& body() {
-    sources_.look();
+    sources_.update_for_reader();
     return body_;
   }
   // Places where faces of cracks can close. They do not depend on displacements.

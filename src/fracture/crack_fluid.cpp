@@ -27,26 +27,26 @@ bool meet(const Point& a, const Point& b, const Point& c, const Point& d, double
 
 }  // namespace
 
-CrackFluid::CrackFluid(pd::FluidPaths ways, std::map<int, std::vector<int>> cut, const coupling::Terms& terms,
+CrackFluid::CrackFluid(pd::FluidPaths paths, std::map<int, std::vector<int>> cut, const coupling::Terms& terms,
                        const std::vector<Point>& positions)
-    : ways_(std::move(ways)),
+    : paths_(std::move(paths)),
       cut_(std::move(cut)),
       positions_(positions),
       facet_of_(terms.size(), -1),
       spacing_(std::numeric_limits<double>::infinity()) {
   int places = 0;
-  for (std::size_t f = 0; f < ways_.facets.size(); ++f) {
-    const pd::CrackFacet& facet = ways_.facets[f];
+  for (std::size_t f = 0; f < paths_.facets.size(); ++f) {
+    const pd::CrackFacet& facet = paths_.facets[f];
     facet_of_[static_cast<std::size_t>(facet.term)] = static_cast<int>(f);
     for (const int place : facet.places) places = std::max(places, place + 1);
     spacing_ = std::min(spacing_, (facet.to - facet.from).norm());
   }
   facets_at_ = linalg::make_adjacency(static_cast<std::size_t>(places), [&](const auto& add) {
-    for (std::size_t f = 0; f < ways_.facets.size(); ++f)
-      for (const int place : ways_.facets[f].places) add(place, static_cast<int>(f));
+    for (std::size_t f = 0; f < paths_.facets.size(); ++f)
+      for (const int place : paths_.facets[f].places) add(place, static_cast<int>(f));
   });
-  for (std::size_t f = 0; f < ways_.facets.size(); ++f)
-    facets_in_[cell_of(0.5 * (ways_.facets[f].from + ways_.facets[f].to))].push_back(static_cast<int>(f));
+  for (std::size_t f = 0; f < paths_.facets.size(); ++f)
+    facets_in_[cell_of(0.5 * (paths_.facets[f].from + paths_.facets[f].to))].push_back(static_cast<int>(f));
 }
 
 CrackFluid::Cell CrackFluid::cell_of(const Point& place) const {
@@ -68,7 +68,7 @@ const std::vector<int>& CrackFluid::crossed_by(int bond, const coupling::Terms& 
         const auto near = facets_in_.find(cell_of(place + spacing_ * Point(dx, dy)));
         if (near == facets_in_.end()) continue;
         for (const int f : near->second) {
-          const pd::CrackFacet& facet = ways_.facets[static_cast<std::size_t>(f)];
+          const pd::CrackFacet& facet = paths_.facets[static_cast<std::size_t>(f)];
           if (meet(a, b, facet.from, facet.to, rounding * spacing_)) found.push_back(f);
         }
       }
@@ -83,20 +83,20 @@ void CrackFluid::reach_facets(int crack, const std::vector<char>& intact, std::v
   std::vector<int> open;
   const auto reach = [&](int facet) {
     if (facet < 0 || owner[static_cast<std::size_t>(facet)] != 0) return;
-    if (intact[static_cast<std::size_t>(ways_.facets[static_cast<std::size_t>(facet)].term)]) return;
+    if (intact[static_cast<std::size_t>(paths_.facets[static_cast<std::size_t>(facet)].term)]) return;
     owner[static_cast<std::size_t>(facet)] = crack;
     open.push_back(facet);
   };
   for (const int term : cut_.at(crack)) reach(facet_of_[static_cast<std::size_t>(term)]);
   for (std::size_t k = 0; k < open.size(); ++k)
-    for (const int place : ways_.facets[static_cast<std::size_t>(open[k])].places)
+    for (const int place : paths_.facets[static_cast<std::size_t>(open[k])].places)
       for (const int next : facets_at_.of(place)) reach(next);
 }
 
 void CrackFluid::add_forces(const CrackPressures& pressures, const coupling::Terms& terms,
                             const std::vector<char>& intact, const std::vector<char>& unloaded,
                             coupling::Affine& force) const {
-  std::vector<int> of_facet(ways_.facets.size(), 0), of_term(terms.size(), 0);
+  std::vector<int> of_facet(paths_.facets.size(), 0), of_term(terms.size(), 0);
   for (const auto& [crack, pressure] : pressures) {
     for (const int bond : cut_.at(crack)) of_term[static_cast<std::size_t>(bond)] = crack;
     reach_facets(crack, intact, of_facet);
@@ -112,13 +112,13 @@ void CrackFluid::add_forces(const CrackPressures& pressures, const coupling::Ter
     bool loaded = true;
     terms.for_each_node(t, [&](int node) { loaded = loaded && !unloaded[static_cast<std::size_t>(node)]; });
     if (!loaded) return;
-    const Eigen::RowVector2d size = share * ways_.push[t] * pressures.at(crack);
+    const Eigen::RowVector2d size = share * paths_.push[t] * pressures.at(crack);
     terms.for_each_entry(
         t, [&](int node, double x, double y) { force.middleRows<2>(2 * node) += Eigen::Vector2d(x, y) * size; });
   };
   for (std::size_t t = 0; t < terms.size(); ++t)
     if (of_term[t] != 0) push(t, of_term[t], 1);
-  for (const auto& [term, share, crack] : ways_.weakened)
+  for (const auto& [term, share, crack] : paths_.weakened)
     if (const auto t = static_cast<std::size_t>(term); of_term[t] == 0 && pressures.contains(crack))
       push(t, crack, 1 - share);
 }

@@ -24,7 +24,7 @@ class CrackFluid {
  public:
   CrackFluid() = default;
   // `cut` gives the bonds that each crack (id) cuts at first.
-  CrackFluid(pd::FluidPaths ways, std::map<int, std::vector<int>> cut, const coupling::Terms& terms,
+  CrackFluid(pd::FluidPaths paths, std::map<int, std::vector<int>> cut, const coupling::Terms& terms,
              const std::vector<Point>& positions);
 
   bool empty() const { return cut_.empty(); }
@@ -40,7 +40,7 @@ class CrackFluid {
   void reach_facets(int crack, const std::vector<char>& intact, std::vector<int>& owner) const;
   const std::vector<int>& crossed_by(int bond, const coupling::Terms& terms) const;
 
-  pd::FluidPaths ways_;
+  pd::FluidPaths paths_;
   std::map<int, std::vector<int>> cut_;
   std::vector<Point> positions_;
   std::vector<int> facet_of_;    // term

@@ -24,11 +24,11 @@ std::vector<ChangingTerm> changing_terms(const Event& event, const coupling::Equ
 // term loses the stiffness k while its elastic elongation grows from e to e', the energy falls by k e e' / 2.
 double released_energy(const std::vector<ChangingTerm>& terms, const BodyChange& change, const EventBody& body,
                        double load_factor) {
-  double sum = change.released_first;
+  double sum = change.released_before_terms;
   for (const ChangingTerm& term : terms) {
     sum += 0.5 * term.stiffness_lost * term.before.elastic * body.elongation(term.term, load_factor).elastic;
   }
-  for (const double energy : change.released_then) sum += energy;
+  for (const double energy : change.released_after_terms) sum += energy;
   return sum;
 }
 

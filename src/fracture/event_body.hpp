@@ -26,8 +26,8 @@ struct ChangingTerm {
 struct BodyChange {
   double work = 0;
   // Energies that faces and a fluid release, in the order of summation: before and after those of the terms.
-  double released_first = 0;
-  std::vector<double> released_then;
+  double released_before_terms = 0;
+  std::vector<double> released_after_terms;
   bool takes_loads_along = false;  // a part that comes free takes its loads along
 };
 

@@ -27,13 +27,13 @@ void require_fewer_events(std::int64_t events, std::int64_t most) {
 
 }  // namespace
 
-bool Turns::pass(const Event& event) {
+bool PathReversals::pass(const Event& event) {
   const bool here = event.load_factor == load_factor_;
   events_ = here ? events_ + 1 : 1;
   if (events_ > most_events) fail(Failure::convergence, "faces of cracks open and close without an end");
-  turns_ = here ? turns_ + (event.goes_down != down_ ? 1 : 0) : 0;
+  reversals_ = here ? reversals_ + (event.goes_down != down_ ? 1 : 0) : 0;
   load_factor_ = event.load_factor, down_ = event.goes_down;
-  return turns_ < 2;
+  return reversals_ < 2;
 }
 
 StopReason EventLoop::run() {
@@ -72,7 +72,7 @@ StopReason EventLoop::go_on() {
     if (!done_unless_stopped([&] { next = body_->events().next(target_, options_); }))
       return end_with(StopReason::requested);
     if (has_come_apart(next) && goal_ != Goal::load_factor) return StopReason::separated;
-    if (const std::optional<StopReason> reason = next ? std::nullopt : why_there_is_none()) return end_with(*reason);
+    if (const std::optional<StopReason> reason = next ? std::nullopt : reason_without_event()) return end_with(*reason);
     const bool upwards = target_ >= state.load_factor;
     if (!next || (upwards ? next->load_factor > target_ : next->load_factor < target_)) break;
     require_fewer_events(state.events - events_before_, options_.max_events);
@@ -115,11 +115,11 @@ bool EventLoop::done_unless_stopped(const Work& work) {
 // Performs the next event; returns why the run ends with it, if it does.
 std::optional<StopReason> EventLoop::perform(const Event& event) {
   if (event.is_contact) {
-    if (!turns_.pass(event)) return end_with(StopReason::no_admissible_load);
+    if (!reversals_.pass(event)) return end_with(StopReason::no_admissible_load);
     if (!done_unless_stopped([&] { body_->events().perform_contact(); })) return end_with(StopReason::requested);
     return std::nullopt;
   }
-  turns_ = {};
+  reversals_ = {};
   const bool increments = options_.mode == SteppingMode::increments;
   if (event.is_growth) return advance(*options_.elements, event);
   if (event.tip.crack > 0 && !increments) return advance(*body_->lines(), event);
@@ -182,7 +182,7 @@ StopReason EventLoop::separated_before_growth() {
 }
 
 // Reason for the end of a step when no event is left; empty if the step goes on to a load factor.
-std::optional<StopReason> EventLoop::why_there_is_none() {
+std::optional<StopReason> EventLoop::reason_without_event() {
   if (options_.control == Control::path) {
     body_->sources().bring_up_to_date();
     const bool elements_rest = !options_.elements || !crack::common_range(options_.elements->tips()).is_empty();
@@ -228,7 +228,7 @@ void EventLoop::follow_body() {
   if (!options_.elements || &options_.elements->body() == body_) return;
   body_ = &options_.elements->body();
   has_begun_ = false;
-  turns_ = {};
+  reversals_ = {};
 }
 
 }  // namespace bempd::fracture

@@ -13,7 +13,7 @@ namespace bempd::fracture {
 // Detects the end of an equilibrium path at contact events, where the path may reverse its direction in the load
 // factor. If it reverses twice at one load factor it cannot continue: it would lead down with the contact state that
 // holds above, and up with the one that holds below.
-class Turns {
+class PathReversals {
  public:
   // Records a contact event; returns false if the path ends there.
   bool pass(const Event& event);
@@ -21,7 +21,7 @@ class Turns {
  private:
   double load_factor_ = std::numeric_limits<double>::quiet_NaN();
   bool down_ = false;
-  int turns_ = 0, events_ = 0;
+  int reversals_ = 0, events_ = 0;
 };
 
 // Loop of one run over its events: the first one on the way to the target is performed, then the next one is sought. An
@@ -47,7 +47,7 @@ class EventLoop {
   std::optional<StopReason> advance(crack::Carrier& carrier, const Event& event);
   std::optional<StopReason> after_event(bool crack_has_stopped, const std::vector<coupling::StageChange>& broken);
   StopReason separated_before_growth();
-  std::optional<StopReason> why_there_is_none();
+  std::optional<StopReason> reason_without_event();
   bool has_come_apart(const Event* next);
   StopReason end_with(StopReason reason);
   void follow_body();
@@ -68,7 +68,7 @@ class EventLoop {
   std::optional<RunEvents::Before> before_event_;
   std::chrono::steady_clock::time_point last_event_;
   bool events_are_long_ = true;
-  Turns turns_;
+  PathReversals reversals_;
 };
 
 }  // namespace bempd::fracture

@@ -25,7 +25,7 @@ bool EventSources::may_use_window(double target, const SteppingOptions& options)
 void EventSources::grow_lines(pd::TipLaws laws, FactorsAround factors) {
   settle();
   lines_.emplace(body_, whole_body_, std::move(laws), std::move(factors));
-  window_.follow(lines_->steps());
+  window_.grow_lines(lines_->steps());
 }
 
 void EventSources::freeze(const std::set<crack::TipId>& tips) {
@@ -46,7 +46,7 @@ const Event* EventSources::next(double target, const SteppingOptions& options) {
   while (possible) {
     if (!window_.is_open()) open_window(target, options);
     if (!window_.is_open()) break;
-    told_ = &window_;
+    source_of_next_ = &window_;
     const Event* breaks = window_.next(target, options);
     const bool element_comes_first = comes_first(breaks);
     if (breaks && !element_comes_first) return breaks;
@@ -60,7 +60,7 @@ const Event* EventSources::next(double target, const SteppingOptions& options) {
     settle();
     if (element_comes_first) break;
   }
-  EventSource& source = everywhere();
+  EventSource& source = source_without_window();
   const Event* event = source.next(target, options);
   if (options.elements) {
     const double present = body_.state().load_factor;
@@ -85,7 +85,7 @@ const Event* EventSources::first_with(crack::Carrier& elements, const Event* eve
   return &growth_;
 }
 
-EventSource& EventSources::everywhere() {
+EventSource& EventSources::source_without_window() {
   if (lines_) return *lines_;
   return whole_body_;
 }
@@ -93,7 +93,7 @@ EventSource& EventSources::everywhere() {
 // First event on the way to the target: `event` of the given source, or faces that close or open before it.
 const Event* EventSources::first_of(EventSource& source, const Event* event, double target) {
   const Event* contact = contact_.before(event, target);
-  told_ = contact ? static_cast<EventSource*>(&contact_) : &source;
+  source_of_next_ = contact ? static_cast<EventSource*>(&contact_) : &source;
   return contact ? contact : event;
 }
 
@@ -110,14 +110,14 @@ void EventSources::open_window(double target, const SteppingOptions& options) {
 
 // Load factor of the next event if a window could perform it; empty otherwise.
 std::optional<double> EventSources::next_in_window(double target, const SteppingOptions& options) {
-  if (!lines_) return body_.response().next_critical(body_.response().way_to(target, options.control));
+  if (!lines_) return body_.response().next_critical(body_.response().load_path_to(target, options.control));
   const Event* event = lines_->next(target, options);
-  return event && lines_->tells_step() ? std::optional(event->load_factor) : std::nullopt;
+  return event && lines_->is_step_of_tip() ? std::optional(event->load_factor) : std::nullopt;
 }
 
 Outcome EventSources::perform() {
-  if (told_ == &everywhere()) patience_.note_event();
-  return told_->perform();
+  if (source_of_next_ == &source_without_window()) patience_.note_event();
+  return source_of_next_->perform();
 }
 
 void EventSources::settle() {
@@ -167,7 +167,7 @@ void EventSources::return_to_mark() noexcept {
   ReturnPoint::Back back = return_point_.go_back();
   if (back.is_in_window) return;
   abandon();
-  if (back.way_on) resumption_.await(std::move(*back.way_on));
+  if (back.continuation) resumption_.await(std::move(*back.continuation));
 }
 
 }  // namespace bempd::fracture

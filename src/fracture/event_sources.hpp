@@ -33,15 +33,15 @@ class EventSources {
   // Event at which the tip of a crack line takes a step, as LineEvents::step_of() has it.
   const Event* line_step(const crack::TipId& tip, const std::optional<Point>& direction) {
     if (!lines_) return nullptr;
-    told_ = &*lines_;
+    source_of_next_ = &*lines_;
     return lines_->step_of(tip, direction);
   }
 
-  // Source of the steps of crack lines, for a state that look() has brought up to date; null if cracks grow bond by
-  // bond.
+  // Source of the steps of crack lines, for a state that update_for_reader() has brought up to date; null if cracks
+  // grow bond by bond.
   LineEvents* lines() {
     if (!lines_) return nullptr;
-    lines_->look(window_.is_open());
+    lines_->prepare_trials(window_.is_open());
     return &*lines_;
   }
 
@@ -50,9 +50,9 @@ class EventSources {
   // Brings displacements and forces in the body's state up to date; they are not while events come from a window.
   void bring_up_to_date() { window_.bring_up_to_date(); }
   // Brings displacements and forces up to date for a reader only: what is computed later does not depend on it.
-  void look() {
+  void update_for_reader() {
     refresh();
-    window_.show();
+    window_.update_for_reader();
   }
   void settle();  // brings up to date and leaves the window: loads may change
   void forget();  // what comes next is what it would be in a fresh run from the present state
@@ -81,7 +81,7 @@ class EventSources {
   bool may_use_window(double target, const SteppingOptions& options) const;
   void open_window(double target, const SteppingOptions& options);
   std::optional<double> next_in_window(double target, const SteppingOptions& options);
-  EventSource& everywhere();  // where no window is open
+  EventSource& source_without_window();  // where no window is open
   const Event* first_with(crack::Carrier& elements, const Event* event, const crack::LoadWay& way);
   const Event* first_of(EventSource& source, const Event* event, double target);
 
@@ -90,8 +90,8 @@ class EventSources {
   ContactEvents contact_;
   WindowEvents window_;
   std::optional<LineEvents> lines_;
-  EventSource* told_ = nullptr;  // the next event
-  Event growth_;                 // of a tip with boundary elements, that was told
+  EventSource* source_of_next_ = nullptr;  // the next event
+  Event growth_;                           // of a tip with boundary elements, that was told
   bool is_stale_ = false;
   WindowPatience patience_;
   Resumption resumption_;

@@ -164,8 +164,8 @@ void FreedPartFinder::hold_piece(const std::vector<int>& nodes, const Eigen::Vec
   if (!missing.empty() && (!supported || pushed)) ++found.fragments;  // free, or it swings on a support
 }
 
-FreedPartFinder::Held FreedPartFinder::held_parts() const {
-  Held held{std::vector<char>(system_.node_count(), 0), {}};
+FreedPartFinder::PartsOnSprings FreedPartFinder::held_parts() const {
+  PartsOnSprings held{std::vector<char>(system_.node_count(), 0), {}};
   std::vector<char> has_spring(system_.node_count(), 0);
   for (const HoldingSpring& s : system_.springs()) has_spring[s.node] = 1;
   for (const std::vector<int>& nodes : connectivity_.pieces()) {
@@ -185,14 +185,15 @@ FreedPartFinder::Held FreedPartFinder::held_parts() const {
     if (!system_.dense_bodies().contain(s.node) && resistance <= collinearity_tolerance * modes.values[1]) {
       loose.push_back(s.node);
     } else {
-      held.others.push_back(s);
+      held.springs_in_supported_pieces.push_back(s);
     }
   }
   for (const int node : loose) held.nodes[node] = 1;
   return held;
 }
 
-HoldingSpring FreedPartFinder::against(const Eigen::VectorXd& motion, const Eigen::VectorXd& displacement) const {
+HoldingSpring FreedPartFinder::spring_against(const Eigen::VectorXd& motion,
+                                              const Eigen::VectorXd& displacement) const {
   int largest = -1;
   for (int dof = 0; dof < motion.size(); ++dof) {
     if (!system_.unknowns().is_unknown(dof)) continue;

@@ -40,15 +40,15 @@ class FreedPartFinder {
   bool frees_nothing(const std::vector<int>& removed, const Eigen::VectorXd& displacement) const;
 
   // Parts held by springs: nodes of pieces that springs but no support hold, and of held points whose terms act along
-  // one line. `others` are springs that hold only part of a piece.
-  struct Held {
+  // one line. `springs_in_supported_pieces` are springs that hold only part of a piece.
+  struct PartsOnSprings {
     std::vector<char> nodes;
-    std::vector<coupling::HoldingSpring> others;
+    std::vector<coupling::HoldingSpring> springs_in_supported_pieces;
   };
-  Held held_parts() const;
+  PartsOnSprings held_parts() const;
 
   // Spring that holds the largest component of a motion that met no resistance, where it is in `displacement`.
-  coupling::HoldingSpring against(const Eigen::VectorXd& motion, const Eigen::VectorXd& displacement) const;
+  coupling::HoldingSpring spring_against(const Eigen::VectorXd& motion, const Eigen::VectorXd& displacement) const;
 
  private:
   // Resistance of a point by its terms and supports; in a loose point the weakest direction has almost none.

@@ -7,7 +7,7 @@
 namespace bempd::fracture {
 
 LineEvents& LineCarrier::source() {
-  body_.sources().look();
+  body_.sources().update_for_reader();
   return *body_.sources().lines();
 }
 
@@ -20,7 +20,7 @@ std::vector<crack::Candidate> LineCarrier::candidates(const crack::LoadWay& way)
 crack::Advance LineCarrier::advance(const crack::Step& step) {
   const auto known = static_cast<std::ptrdiff_t>(body_.progress().extensions.size());
   if (step.is_driven) {
-    const Event* next = body_.events().told();
+    const Event* next = body_.events().last_found();
     if (!next || next->tip != step.tip) throw std::logic_error("the step of a crack line is not the next event");
     body_.events().perform(*next);
   } else {

@@ -78,7 +78,7 @@ LoadedBody::FirstEquilibrium LoadedBody::find_equilibrium(bool tells_work) {
   result.held.insert(result.held.end(), settled.held.begin(), settled.held.end());
   if (result.fragments > 0) result.lost_balance = {unbalanced_before, loads_.unbalanced_share()};
   state_.springs = system_.springs();
-  holder_.keep_dry();
+  holder_.exclude_from_fluid();
   response_.update_ratios();
   result.work = response_.absorb(state_.load_factor);
   // The trapezoidal rule for the work is invalid if faces close or open on the way from the previous loads; the work is

@@ -88,7 +88,7 @@ HeldMotions PartHolder::solve(std::span<const int> broken, const Eigen::VectorXd
     const coupling::SoftMotion soft = system_.motions().softest();
     if (!free_motion && !is_free(system_, positions_, soft)) return held;
     if (hold == most_holds) fail(Failure::unsolvable, "cracks leave parts that move freely, and holding them fails");
-    const coupling::HoldingSpring spring = freed_parts_.against(soft.motion, before);
+    const coupling::HoldingSpring spring = freed_parts_.spring_against(soft.motion, before);
     held.nodes.push_back(spring.node);
     system_.commit({}, {&spring, 1});
     system_.factor().forget();
@@ -101,14 +101,15 @@ HeldMotions PartHolder::solve(std::span<const int> broken, const Eigen::VectorXd
 }
 
 HeldParts PartHolder::held_parts() const {
-  FreedPartFinder::Held held = freed_parts_.held_parts();
+  FreedPartFinder::PartsOnSprings held = freed_parts_.held_parts();
   HeldParts parts{std::move(held.nodes), {}};
   // Closed faces do not count as connections here, so that the set of barred constraints does not depend on them.
-  if (!held.others.empty()) parts.motions = system_.motions().motions_held_by(held.others);
+  if (!held.springs_in_supported_pieces.empty())
+    parts.motions = system_.motions().motions_held_by(held.springs_in_supported_pieces);
   return parts;
 }
 
-void PartHolder::keep_dry() {
+void PartHolder::exclude_from_fluid() {
   if (!loads_.has_fluid() || system_.springs().empty()) return;
   const std::vector<char> held = held_parts().all_nodes();
   for (int node = 0; node < system_.node_count(); ++node)

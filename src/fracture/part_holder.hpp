@@ -42,7 +42,7 @@ class PartHolder {
 
   HeldParts held_parts() const;
   // Keeps parts held by springs out of the fluid: they would be pushed away if it reached them later.
-  void keep_dry();
+  void exclude_from_fluid();
   // Removes the loads of parts that the fluid pushes although only springs hold them, and solves again. Returns whether
   // there were any.
   bool unload_pushed();

@@ -26,6 +26,6 @@ bool is_lost(const Resistance& r, double share) {
   return r.peak > 0 && r.present <= share * r.peak && r.stiffness <= share;
 }
 
-bool hangs(const Resistance& r) { return r.present > rounding_of_forces * r.peak; }
+bool still_bears_force(const Resistance& r) { return r.present > rounding_of_forces * r.peak; }
 
 }  // namespace bempd::fracture

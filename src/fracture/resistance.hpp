@@ -17,6 +17,6 @@ void add(Resistance& resistance, const Event& event, const Outcome& outcome, boo
 bool is_lost(const Resistance& resistance, double share);
 
 // Whether a connection that counts as lost is still held by some bonds.
-bool hangs(const Resistance& resistance);
+bool still_bears_force(const Resistance& resistance);
 
 }  // namespace bempd::fracture

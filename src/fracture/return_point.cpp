@@ -6,16 +6,16 @@ namespace bempd::fracture {
 
 void ReturnPoint::begin_call() {
   call_.emplace();
-  if (!window_.is_open()) keep_way_on();
+  if (!window_.is_open()) keep_continuation();
 }
 
-void ReturnPoint::keep_way_on() {
-  if (call_ && !call_->way_on) call_->way_on = resumption_.present();
+void ReturnPoint::keep_continuation() {
+  if (call_ && !call_->continuation) call_->continuation = resumption_.present();
 }
 
 void ReturnPoint::mark() {
   if (mark_) return;
-  keep_way_on();
+  keep_continuation();
   mark_ = window_.is_open() ? Mark{{}, window_.place()} : Mark{body_.state(), {}};
 }
 
@@ -34,7 +34,7 @@ ReturnPoint::Back ReturnPoint::go_back() noexcept {
   if (has_state) body_.state() = std::move(mark_->state);
   if (mark_ && mark_->place) window_.return_to(*mark_->place);
   Back back{!has_state && window_.is_open(), {}};
-  if (!back.is_in_window && call_ && call_->way_on) back.way_on = std::move(*call_->way_on);
+  if (!back.is_in_window && call_ && call_->continuation) back.continuation = std::move(*call_->continuation);
   drop();
   return back;
 }

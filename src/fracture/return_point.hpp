@@ -23,7 +23,7 @@ class ReturnPoint {
   void drop() noexcept { mark_.reset(), call_.reset(); }
   // Makes the return point independent of the window, which is about to be left: keeps what the run knows beside the
   // state (its Continuation), and turns a mark that is a position in the window into a state.
-  void keep() { keep_way_on(), complete(); }
+  void keep() { keep_continuation(), complete(); }
   // Replaces the mark, if it is a position in a window, by the state at this position. Displacements that were computed
   // again only on return would have other rounding errors.
   void complete();
@@ -31,11 +31,11 @@ class ReturnPoint {
   void replace_place(const BodyState& state);
 
   // Returns to the mark, which is dropped. If `is_in_window`, the open window stays valid. If not, only the body's
-  // state is restored: all else may be half changed, and `way_on` is what was known beside the state when the call
-  // began.
+  // state is restored: all else may be half changed, and `continuation` is what was known beside the state when the
+  // call began.
   struct Back {
     bool is_in_window;
-    std::optional<Continuation> way_on;
+    std::optional<Continuation> continuation;
   };
   Back go_back() noexcept;
 
@@ -48,9 +48,9 @@ class ReturnPoint {
   // Data of the run beside the body's state (Continuation) at the start of the call, copied when they are about to
   // change.
   struct Call {
-    std::optional<Continuation> way_on;
+    std::optional<Continuation> continuation;
   };
-  void keep_way_on();
+  void keep_continuation();
 
   LoadedBody& body_;
   WindowEvents& window_;

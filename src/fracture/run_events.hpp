@@ -19,10 +19,10 @@ class RunEvents {
   // Begins a part of a run in this body.
   void begin(const SteppingOptions& options);
 
-  // Next event on the way to a target; null if there is none. told() is the event that next() returned last since
+  // Next event on the way to a target; null if there is none. last_found() is the event that next() returned last since
   // begin().
   const Event* next(double target, const SteppingOptions& options);
-  const Event* told() const { return next_; }
+  const Event* last_found() const { return next_; }
 
   void move_to(double load_factor);
   void perform(const Event& event);

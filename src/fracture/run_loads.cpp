@@ -26,16 +26,16 @@ void RunLoads::take_over(const Affine& force, const Affine& prescribed, const Ei
   inner_work_.set_form(work_within);
 }
 
-RunLoads::Present RunLoads::present() {
+RunLoads::SavedLoads RunLoads::present() {
   sources_.refresh();
   return {body_.loads().acting(), inner_work_.form(), sources_.resumption().present()};
 }
 
-void RunLoads::restore(Present loads) noexcept {
+void RunLoads::restore(SavedLoads loads) noexcept {
   body_.loads().restore(std::move(loads.acting));
   inner_work_.set_form(loads.work_within);
   sources_.abandon();
-  sources_.resumption().await(std::move(loads.way_on));
+  sources_.resumption().await(std::move(loads.continuation));
 }
 
 RunLoads::Heat RunLoads::heat(coupling::Rests rests) {

@@ -27,13 +27,13 @@ class RunLoads {
                  const CrackPressures& pressures = {});
 
   // Loads that set() replaces, for restore().
-  struct Present {
+  struct SavedLoads {
     ActingLoads acting;
     Eigen::Matrix2d work_within;
-    Continuation way_on;
+    Continuation continuation;
   };
-  Present present();
-  void restore(Present loads) noexcept;
+  SavedLoads present();
+  void restore(SavedLoads loads) noexcept;
 
   // Changes the rest lengths of terms and operators by heating. The change of stored energy at unchanged displacements
   // is work; the body then has to find equilibrium. Returns what restore_rest_lengths() needs to undo it.

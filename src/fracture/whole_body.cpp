@@ -30,7 +30,7 @@ Elongation WholeBody::elongation(int term, double load_factor) const {
   return {terms.elongation(t, u), terms.elastic_elongation(t, u, load_factor)};
 }
 
-bool WholeBody::runs_away(std::span<const ChangingTerm> terms) const {
+bool WholeBody::loses_resistance(std::span<const ChangingTerm> terms) const {
   const double f = body_.state().load_factor;
   const Eigen::VectorXd after = evaluate(body_.state().displacement, f);
   // The scale is the largest elongation of all changing terms, because a follower, or a term that a line's step also
@@ -86,7 +86,7 @@ std::optional<BodyChange> WholeBody::change(const Event& event, std::span<const 
   {
     const Stopwatch watch(body_.response().seconds_search());
     system_.stages().mark(changes);
-    if (body_.loads().has_fluid()) flow = body_.loads().let_flow();
+    if (body_.loads().has_fluid()) flow = body_.loads().spread_fluid();
     freed = body_.freed_parts().after_break(broken, before);
   }
   system_.commit(changes, freed.springs);
@@ -94,13 +94,13 @@ std::optional<BodyChange> WholeBody::change(const Event& event, std::span<const 
   body_.contact().update_faces();
   outcome.fragments = freed.fragments;
   if (!freed.nodes_with_lost_loads.empty()) body_.loads().drop(freed.nodes_with_lost_loads);
-  const HeldMotions held = body_.holder().solve(broken, before, [&] { return runs_away(terms); });
+  const HeldMotions held = body_.holder().solve(broken, before, [&] { return loses_resistance(terms); });
   outcome.fragments += held.fragments;
   const bool pushed = body_.holder().unload_pushed();
   const BodyContact::Settled settled = body_.contact().settle(0);
   outcome.switches = settled.switched;
   outcome.fragments += settled.fragments;
-  body_.holder().keep_dry();
+  body_.holder().exclude_from_fluid();
   BodyChange change;
   change.takes_loads_along = held.loads_lost || pushed || settled.fragments > 0 || !freed.nodes_with_lost_loads.empty();
   if (change.takes_loads_along) outcome.lost_balance = {unbalanced_before, body_.loads().unbalanced_share()};
@@ -110,8 +110,8 @@ std::optional<BodyChange> WholeBody::change(const Event& event, std::span<const 
   // fluid also fills the opening that the bonds had before they broke.
   const double by_fluid = 0.5 * flow.dot(state.total_displacement + before);
   change.work += by_fluid;
-  change.released_then = released_by_constraints(before);
-  change.released_then.push_back(by_fluid);
+  change.released_after_terms = released_by_constraints(before);
+  change.released_after_terms.push_back(by_fluid);
   state.stages = system_.stages().numbers();
   state.springs = system_.springs();
   return change;

@@ -20,7 +20,7 @@ class WholeBody final : public EventBody {
 
  private:
   void remember_constraints();
-  bool runs_away(std::span<const ChangingTerm> terms) const;
+  bool loses_resistance(std::span<const ChangingTerm> terms) const;
   std::vector<double> released_by_constraints(const Eigen::VectorXd& before) const;
 
   LoadedBody& body_;

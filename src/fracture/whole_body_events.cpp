@@ -26,7 +26,7 @@ const Event* WholeBodyEvents::next(double target, const SteppingOptions& options
 }
 
 std::optional<double> WholeBodyEvents::next_load_factor(double target, const SteppingOptions& options) {
-  const LoadWay way = body_.response().way_to(target, options.control);
+  const LoadWay way = body_.response().load_path_to(target, options.control);
   const std::optional<double> next = body_.response().next_critical(way);
   if (!next || way.control == Control::path || options.mode == SteppingMode::events) return next;
   const Stopwatch watch(body_.response().seconds_search());

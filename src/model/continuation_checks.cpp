@@ -86,11 +86,11 @@ bool is_sound(const WindowOrigin& window, const fracture::EvolutionState& state,
   if (!(window.options.tie_band >= 0 && window.options.tie_band < 1)) return false;
   if (window.options.max_breaks_per_solve < 0 || window.options.control > fracture::Control::path) return false;
   std::int64_t after = 0;
-  for (const WindowOrigin::Look& look : window.looks) {
-    if (look.after < after || !(look.largest_force >= 0)) return false;
-    after = look.after;
+  for (const WindowOrigin::Computation& computation : window.computations) {
+    if (computation.after < after || !(computation.largest_force >= 0)) return false;
+    after = computation.after;
   }
-  return after <= window.events_performed && (window.events_performed == 0 || !window.looks.empty());
+  return after <= window.events_performed && (window.events_performed == 0 || !window.computations.empty());
 }
 
 }  // namespace

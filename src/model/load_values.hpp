@@ -56,7 +56,7 @@ class LoadValues {
 
   struct Before {  // to come back to
     regions::DofConditions conditions;
-    fracture::RunLoads::Present run;
+    fracture::RunLoads::SavedLoads run;
     Acting acting;
     std::optional<fracture::RunLoads::Heat> heat;
     std::optional<fracture::RunLoads::FaceLoads> faces;

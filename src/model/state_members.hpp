@@ -83,17 +83,17 @@ void visit_members(Place& zone, Visit& visit) {
   for (auto* point : {&zone.centre, &zone.axis, &zone.low, &zone.high, &zone.inner_low, &zone.inner_high})
     visit(point->x()), visit(point->y());
 }
-template <class Look, class Visit>
-requires std::is_same_v<std::remove_const_t<Look>, fracture::WindowOrigin::Look>
-void visit_members(Look& l, Visit& visit) {
+template <class Computation, class Visit>
+requires std::is_same_v<std::remove_const_t<Computation>, fracture::WindowOrigin::Computation>
+void visit_members(Computation& l, Visit& visit) {
   visit(l.after), visit(l.load_factor), visit(l.largest_force, Allowed::infinite);
 }
 template <class Window, class Visit>
 requires std::is_same_v<std::remove_const_t<Window>, fracture::WindowOrigin>
 void visit_members(Window& w, Visit& visit) {
   visit(w.options.tie_band), visit(w.options.max_breaks_per_solve), visit(w.options.ahead), visit(w.options.control);
-  visit(w.load_factor), visit(w.displacement), visit(w.faces), visit(w.looks), visit(w.events_performed);
-  visit(w.is_behind), visit(w.has_changed_terms), visit(w.needs_whole_body), visit(w.tips);
+  visit(w.load_factor), visit(w.displacement), visit(w.faces), visit(w.computations), visit(w.events_performed);
+  visit(w.is_out_of_date), visit(w.has_changed_terms), visit(w.needs_whole_body), visit(w.tips);
 }
 template <class State, class Visit>
 requires std::is_same_v<std::remove_const_t<State>, fracture::Continuation>

@@ -205,7 +205,8 @@ void RunReports::tell_of_step(const StepResult& result, std::int64_t new_fragmen
   const fracture::EvolutionState& state = evolution.progress();
   // A body of boundary elements alone has no bonds that could form a hinge.
   const bool has_bonds = model_.prepared().system->terms().size() > 0;
-  if (is_heard() && has_bonds && !warned_of_hinge_ && state.separated && fracture::hangs(state.resistance)) {
+  if (is_heard() && has_bonds && !warned_of_hinge_ && state.separated &&
+      fracture::still_bears_force(state.resistance)) {
     warned_of_hinge_ = true;
     tell_of_hinge();
   }

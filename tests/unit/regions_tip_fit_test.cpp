@@ -51,7 +51,7 @@ struct Lattice {
     for (std::size_t k = 0; k < shares.size(); ++k)
       laws.share_of_node[static_cast<std::size_t>(d.regions.front()->nodes()[k])] = shares[k];
     stress = std::make_unique<fracture::TipStress>(*system, d.positions, laws);
-    way = std::make_unique<fracture::LineWay>(*system, d.positions, *stress);
+    way = std::make_unique<fracture::LinePath>(*system, d.positions, *stress);
   }
 
   // What is fitted in the field of z^power with the complex factor of its potential.
@@ -76,7 +76,7 @@ struct Lattice {
   regions::Discretization d;
   std::unique_ptr<coupling::EquilibriumSystem> system;
   std::unique_ptr<fracture::TipStress> stress;
-  std::unique_ptr<fracture::LineWay> way;
+  std::unique_ptr<fracture::LinePath> way;
   fracture::GrowingTip tip;
   pd::TipLaw law;
   pd::TipLaws laws;
@@ -207,7 +207,7 @@ TEST(DeepPoints, lie_away_from_outlines_of_turned_lattices) {
   }
 }
 
-TEST(LineWay, goes_on_by_a_spacing_and_arrives_at_faces_and_edges) {
+TEST(LinePath, goes_on_by_a_spacing_and_arrives_at_faces_and_edges) {
   constexpr int m = 3;
   const double far = 14;
   const auto next = [&](double edge, double face) {
@@ -217,7 +217,7 @@ TEST(LineWay, goes_on_by_a_spacing_and_arrives_at_faces_and_edges) {
     const Lattice lattice(outline, cracks, m);
     return lattice.way->next(lattice.tip.place, lattice.tip.direction, lattice.law);
   };
-  const fracture::LineWay::Step inside = next(far, 0);
+  const fracture::LinePath::Step inside = next(far, 0);
   EXPECT_EQ(inside.length, 1);
   EXPECT_FALSE(inside.arrives());
   // Number of cut bonds: for each step (i, j) shorter than the horizon, j bonds cross one spacing of the path.
@@ -226,13 +226,13 @@ TEST(LineWay, goes_on_by_a_spacing_and_arrives_at_faces_and_edges) {
     for (int j = 1; j <= m; ++j) crossing += i * i + j * j < m * m ? j : 0;
   EXPECT_EQ(static_cast<int>(inside.bonds.size()), crossing);
   // A ligament of a horizon and a spacing before a free edge is torn at one step; a longer one is not.
-  const fracture::LineWay::Step last = next(m + 1, 0), before = next(m + 3, 0);
+  const fracture::LinePath::Step last = next(m + 1, 0), before = next(m + 3, 0);
   EXPECT_TRUE(last.arrives());
   EXPECT_NEAR(last.length, m + 0.5, 1);
   EXPECT_FALSE(before.arrives());
   EXPECT_EQ(before.length, 1);
   // The step arrives at the face of a crack a spacing ahead.
-  const fracture::LineWay::Step at_face = next(far, 1.5);
+  const fracture::LinePath::Step at_face = next(far, 1.5);
   EXPECT_TRUE(at_face.arrives());
   EXPECT_LE(at_face.length, 1.5);
 }

@@ -55,7 +55,7 @@ void BodyContact::bar_held_parts() {
     const auto is_held = [&](const coupling::TermEntry& e) { return held[e.node] != 0; };
     barred.push_back(std::any_of(pull.begin(), pull.end(), is_held) ? 1 : 0);
   }
-  system_.contact().bar(std::move(barred), exact_ones_that_push(system_, positions_, parts));
+  system_.contact().bar(std::move(barred), exact_constraints_that_push(system_, positions_, parts));
 }
 
 void BodyContact::bar(std::vector<char> barred, std::size_t changes) {

@@ -67,12 +67,12 @@ Point CrackFaces::middle(int term) const {
 
 double CrackFaces::spacing(int term) const { return system_.terms().length[term]; }
 
-void CrackFaces::enter(int term) {
-  if (entered_.insert(term).second) parted_[cell_of(middle(term), reach_, 0, 0)].push_back(term);
+void CrackFaces::count_for_normals(int term) {
+  if (counted_.insert(term).second) broken_near_[cell_of(middle(term), reach_, 0, 0)].push_back(term);
 }
 
-void CrackFaces::leave(int term) {
-  if (entered_.erase(term) > 0) std::erase(parted_[cell_of(middle(term), reach_, 0, 0)], term);
+void CrackFaces::stop_counting(int term) {
+  if (counted_.erase(term) > 0) std::erase(broken_near_[cell_of(middle(term), reach_, 0, 0)], term);
 }
 
 std::vector<int> CrackFaces::near(int term) const {
@@ -80,8 +80,8 @@ std::vector<int> CrackFaces::near(int term) const {
   std::vector<int> found;
   for (int right = -1; right <= 1; ++right) {
     for (int up = -1; up <= 1; ++up) {
-      const auto cell = parted_.find(cell_of(place, reach_, right, up));
-      if (cell == parted_.end()) continue;
+      const auto cell = broken_near_.find(cell_of(place, reach_, right, up));
+      if (cell == broken_near_.end()) continue;
       for (const int other : cell->second)
         if ((middle(other) - place).norm() < normal_reach * spacing(term)) found.push_back(other);
     }
@@ -126,10 +126,10 @@ void CrackFaces::note_broken(std::span<const int> terms, FaceState& state) {
   state.pending.push_back(pending_.back());
 }
 
-std::vector<int> CrackFaces::fresh(std::span<const int> terms) const {
+std::vector<int> CrackFaces::newly_broken(std::span<const int> terms) const {
   std::vector<int> found;
   for (const int term : terms) {
-    if (!system_.stages().intact()[term] && !entered_.contains(term) && can_be_a_place(term)) found.push_back(term);
+    if (!system_.stages().intact()[term] && !counted_.contains(term) && can_be_a_place(term)) found.push_back(term);
   }
   std::sort(found.begin(), found.end());
   found.erase(std::unique(found.begin(), found.end()), found.end());
@@ -171,7 +171,7 @@ class CrackFaces::PresentPlaces final : public FacePlaces {
 };
 
 // Broken terms and those near them: all that have a contact place or may have one now.
-std::vector<int> CrackFaces::around(std::span<const int> terms) const {
+std::vector<int> CrackFaces::places_affected(std::span<const int> terms) const {
   std::vector<int> found;
   for (const int term : terms) {
     const std::vector<int> some = near(term);
@@ -192,9 +192,9 @@ void CrackFaces::update(const Eigen::VectorXd& displacement, FaceState& state) {
 
 std::vector<int> CrackFaces::follow(std::span<const int> broken, FacePlaces& places) {
   if (are_none()) return {};
-  std::vector<int> terms = fresh(broken);
-  for (const int term : terms) enter(term);
-  for (const int term : around(terms)) {
+  std::vector<int> terms = newly_broken(broken);
+  for (const int term : terms) count_for_normals(term);
+  for (const int term : places_affected(terms)) {
     const std::optional<std::size_t> place = places.place_of(term);
     if (place && places.is_closed(*place)) continue;
     const Point normal = normal_at(term, near(term));
@@ -211,7 +211,7 @@ std::vector<int> CrackFaces::follow(std::span<const int> broken, FacePlaces& pla
 }
 
 void CrackFaces::forget_terms(std::span<const int> terms) {
-  for (const int term : terms) leave(term);
+  for (const int term : terms) stop_counting(term);
 }
 
 Constraints CrackFaces::constraints_of(const FaceState& state) const {
@@ -228,28 +228,28 @@ Constraints CrackFaces::constraints_of(const FaceState& state) const {
 
 void CrackFaces::restore(const FaceState& state) {
   system_.contact().set(constraints_of(state));
-  enter(state);
+  take_over(state);
 }
 
 void CrackFaces::go_on_from(const FaceState& state) {
   system_.contact().set_without_factor(constraints_of(state));
-  enter(state);
+  take_over(state);
 }
 
-void CrackFaces::enter(const FaceState& state) {
+void CrackFaces::take_over(const FaceState& state) {
   if (are_none()) return;
-  parted_.clear(), entered_.clear(), grown_.clear();
-  for (const int term : cut_) enter(term);
+  broken_near_.clear(), counted_.clear(), grown_.clear();
+  for (const int term : cut_) count_for_normals(term);
   for (std::size_t i = 0; i < state.grown.size(); ++i) {
     grown_[state.grown[i].term] = i;
-    enter(state.grown[i].term);
+    count_for_normals(state.grown[i].term);
   }
   pending_ = state.pending;
   std::unordered_set<int> pending;
   for (const std::vector<int>& terms : pending_) pending.insert(terms.begin(), terms.end());
   for (std::size_t t = 0; t < system_.terms().size(); ++t) {
     const int term = static_cast<int>(t);
-    if (!system_.stages().intact()[t] && !pending.contains(term) && can_be_a_place(term)) enter(term);
+    if (!system_.stages().intact()[t] && !pending.contains(term) && can_be_a_place(term)) count_for_normals(term);
   }
 }
 

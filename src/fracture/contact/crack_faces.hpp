@@ -67,12 +67,12 @@ class CrackFaces {
 
  private:
   class PresentPlaces;
-  void enter(const FaceState& state);
+  void take_over(const FaceState& state);
   bool can_be_a_place(int term) const;
-  std::vector<int> fresh(std::span<const int> terms) const;
-  void enter(int term);
-  void leave(int term);
-  std::vector<int> around(std::span<const int> terms) const;
+  std::vector<int> newly_broken(std::span<const int> terms) const;
+  void count_for_normals(int term);
+  void stop_counting(int term);
+  std::vector<int> places_affected(std::span<const int> terms) const;
   Point middle(int term) const;
   double spacing(int term) const;
   // Broken bonds between neighbours around the middle of a term.
@@ -83,11 +83,11 @@ class CrackFaces {
   coupling::EquilibriumSystem& system_;
   const std::vector<Point>& positions_;
   ContactPlan plan_;
-  std::vector<int> cut_;                                        // ascending
-  double reach_ = 1;                                            // of what tells a normal [m]
-  std::unordered_map<std::uint64_t, std::vector<int>> parted_;  // neighbours, by where their middles are
-  std::unordered_set<int> entered_;                             // the same as a set
-  std::unordered_map<int, std::size_t> grown_;                  // term -> its place among the grown ones
+  std::vector<int> cut_;                                             // ascending
+  double reach_ = 1;                                                 // of what tells a normal [m]
+  std::unordered_map<std::uint64_t, std::vector<int>> broken_near_;  // neighbours, by where their middles are
+  std::unordered_set<int> counted_;                                  // the same as a set
+  std::unordered_map<int, std::size_t> grown_;                       // term -> its place among the grown ones
   std::vector<std::vector<int>> pending_;
 };
 

@@ -23,12 +23,12 @@ FaceForecast::FaceForecast(CrackFaces& faces, const FaceState& state) : faces_(f
   for (const std::vector<int>& terms : faces.pending()) follow(terms, 0);
 }
 
-FaceForecast::~FaceForecast() { faces_.forget_terms(entered_); }
+FaceForecast::~FaceForecast() { faces_.forget_terms(counted_); }
 
 void FaceForecast::follow(std::span<const int> broken, int state) {
   state_ = state;
   const std::vector<int> terms = faces_.follow(broken, *this);
-  entered_.insert(entered_.end(), terms.begin(), terms.end());
+  counted_.insert(counted_.end(), terms.begin(), terms.end());
 }
 
 std::optional<std::size_t> FaceForecast::place_of(int term) const {

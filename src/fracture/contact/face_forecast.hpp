@@ -50,7 +50,7 @@ class FaceForecast final : public FacePlaces {
   std::vector<std::size_t> latest_;  // by numbers in the system: which of them in the last state
   std::vector<GrownFace> grown_;
   std::unordered_map<int, std::size_t> number_of_;  // of terms that have a place
-  std::vector<int> entered_;
+  std::vector<int> counted_;
   int state_ = 0;  // that is being followed
 };
 

@@ -38,10 +38,10 @@ struct GapLine {
   double rounding;
 
   // Rate of the gap in a direction of the load factor: negative while it closes, zero within rounding.
-  double way(double direction) const { return std::abs(rate) <= rounding * largest_rate ? 0 : direction * rate; }
+  double rate_in(double direction) const { return std::abs(rate) <= rounding * largest_rate ? 0 : direction * rate; }
   double faster() const { return std::max(1.0, std::abs(rate) / largest_rate); }
   bool is_wrong(bool closed, double direction) const {
-    const double passed = passed_zero(closed, gap), passes = passed_zero(closed, way(direction));
+    const double passed = passed_zero(closed, gap), passes = passed_zero(closed, rate_in(direction));
     if (std::abs(gap) <= rounding * largest_displacement) return passes > 0;
     return passed > (passes < 0 ? rounding_of_passed_gaps * largest_displacement * faster() : 0);
   }
@@ -50,9 +50,9 @@ struct GapLine {
 // Change of the load factor in a direction at which the constraint opens or closes; empty if it does neither.
 std::optional<double> distance_to_switch(const GapLine& line, bool closed, double direction) {
   if (line.is_wrong(closed, direction)) return 0;
-  const double way = line.way(direction);
-  if (closed ? way <= 0 : way >= 0) return std::nullopt;
-  return std::max(0.0, -line.gap / way);
+  const double rate = line.rate_in(direction);
+  if (closed ? rate <= 0 : rate >= 0) return std::nullopt;
+  return std::max(0.0, -line.gap / rate);
 }
 
 // Calls visit(number, line) for every constraint with its gap as a function of the load factor.

@@ -11,10 +11,10 @@ namespace bempd::fracture {
 namespace {
 
 // Smallest change of a gap that is not rounding, over the largest change that its weights allow for a motion.
-constexpr double change_of_gap = 1e-6;
+constexpr double least_gap_change = 1e-6;
 
 // Displacement over the largest one of a held motion below which a node counts as not moving.
-constexpr double taken_along = 1e-6;
+constexpr double least_share_moved = 1e-6;
 
 using Motions = std::vector<Eigen::VectorXd>;
 
@@ -39,7 +39,7 @@ void complete(const coupling::EquilibriumSystem& system, const std::vector<int>&
 }
 
 bool changes_gap(const Eigen::VectorXd& motion, const Eigen::VectorXd& weights) {
-  return std::abs(weights.dot(motion)) > change_of_gap * weights.lpNorm<1>() * motion.lpNorm<Eigen::Infinity>();
+  return std::abs(weights.dot(motion)) > least_gap_change * weights.lpNorm<1>() * motion.lpNorm<Eigen::Infinity>();
 }
 
 }  // namespace
@@ -47,15 +47,15 @@ bool changes_gap(const Eigen::VectorXd& motion, const Eigen::VectorXd& weights) 
 std::vector<char> HeldParts::all_nodes() const {
   std::vector<char> all = nodes;
   for (const Eigen::VectorXd& motion : motions) {
-    const double limit = taken_along * motion.lpNorm<Eigen::Infinity>();
+    const double limit = least_share_moved * motion.lpNorm<Eigen::Infinity>();
     for (std::size_t node = 0; node < all.size(); ++node)
       if (motion.segment<2>(2 * static_cast<Eigen::Index>(node)).norm() > limit) all[node] = 1;
   }
   return all;
 }
 
-std::vector<char> exact_ones_that_push(const coupling::EquilibriumSystem& system, const std::vector<Point>& positions,
-                                       const HeldParts& parts) {
+std::vector<char> exact_constraints_that_push(const coupling::EquilibriumSystem& system,
+                                              const std::vector<Point>& positions, const HeldParts& parts) {
   const std::size_t count = system.constraints().exact_count();
   std::vector<char> pushes(count, 0);
   if (count == 0) return pushes;

@@ -16,7 +16,7 @@ struct HeldParts {
 };
 
 // Flags of the exact constraints that would push a held part: their gap changes in a motion that only springs resist.
-std::vector<char> exact_ones_that_push(const coupling::EquilibriumSystem& system, const std::vector<Point>& positions,
-                                       const HeldParts& parts);
+std::vector<char> exact_constraints_that_push(const coupling::EquilibriumSystem& system,
+                                              const std::vector<Point>& positions, const HeldParts& parts);
 
 }  // namespace bempd::fracture

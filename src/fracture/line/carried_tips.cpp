@@ -37,8 +37,9 @@ std::vector<crack::Tip> LineEvents::tips(bool with_loads) {
       (upwards ? found[step.tip].range.highest : found[step.tip].range.lowest) = step.load_factor;
       if (!upwards) continue;
       found[step.tip].critical_kink_angle = step.angle, found[step.tip].load_error = step.error;
-      if (step.by_factors) found[step.tip].load_rule = crack::LoadRule::factors, found[step.tip].factors = step.factors;
-      if (step.by_energy) found[step.tip].load_rule = crack::LoadRule::energy;
+      if (step.load_by_sums)
+        found[step.tip].load_rule = crack::LoadRule::factors, found[step.tip].factors = step.factors;
+      if (step.load_by_trial) found[step.tip].load_rule = crack::LoadRule::energy;
     }
   }
   std::size_t left = 0;

@@ -18,12 +18,12 @@ constexpr double shear_for_load = 1.03, shear_for_load_beside = 0.94;
 
 }  // namespace
 
-AffineIntensity TipStress::as_read(AffineIntensity fitted) const {
+AffineIntensity TipStress::corrected_factors(AffineIntensity fitted) const {
   if (laws_.loads_by_energy) fitted.two /= shear_as_fitted;
   return fitted;
 }
 
-AffineIntensity TipStress::for_load(const WilliamsFit& fit, double horizon) const {
+AffineIntensity TipStress::factors_for_load(const WilliamsFit& fit, double horizon) const {
   AffineIntensity found = fit.factors(horizon);
   const double away = (fit.reach() - outer_reach_beside) / (outer_reach - outer_reach_beside);
   if (laws_.loads_by_energy) found.two /= std::lerp(shear_for_load_beside, shear_for_load, std::clamp(away, 0.0, 1.0));

@@ -19,12 +19,12 @@ std::optional<LineStep> step_towards(const Point& direction, const crack::TipId&
   step.tip = static_cast<std::size_t>(found - tips.begin()), step.id = tip, step.law = found->law;
   step.angle = std::atan2(cross(found->direction, direction), found->direction.dot(direction));
   step.direction = direction;
-  step.by_energy = true, step.after_step = 1, step.taken_energy = 0;
+  step.load_by_trial = true, step.after_step = 1, step.taken_energy = 0;
   step.is_loaded = by_load && step.ratio_at(present) > 0;
   if (!step.is_loaded) step.load_factor = present, step.constant = 1, step.growing = 0;
-  step.way =
-      steps.way().next(found->place, direction, steps.fields().law_of(*found).at(found->acts_at(), found->grown));
-  return step.way.bonds.empty() ? std::nullopt : std::optional(step);
+  step.path =
+      steps.path().next(found->place, direction, steps.fields().law_of(*found).at(found->acts_at(), found->grown));
+  return step.path.bonds.empty() ? std::nullopt : std::optional(step);
 }
 
 }  // namespace bempd::fracture

@@ -68,10 +68,10 @@ std::optional<LineEvents::Birth> LineEvents::birth_at(int bond, double load_fact
 std::vector<int> LineEvents::cut_by(const Birth& birth, double load_factor, bool& is_tie) const {
   const pd::TipLaw& law = laws().laws[static_cast<std::size_t>(birth.law)];
   const Point half = law.spacing / 2 * birth.direction;
-  const auto across = [&](LineWay::PointsOnPath side) {
-    return steps_.way().across(birth.middle - half, birth.middle + half, law.horizon, side);
+  const auto across = [&](LinePath::PointsOnPath side) {
+    return steps_.path().across(birth.middle - half, birth.middle + half, law.horizon, side);
   };
-  std::vector<int> right = across(LineWay::PointsOnPath::right), left = across(LineWay::PointsOnPath::left);
+  std::vector<int> right = across(LinePath::PointsOnPath::right), left = across(LinePath::PointsOnPath::left);
   is_tie = false;
   if (right == left) return right;
   const auto energy = [&](const std::vector<int>& bonds) {
@@ -89,7 +89,7 @@ bool LineEvents::is_elsewhere(int bond, const Birth& birth) const {
 }
 
 // Prepares the event at which a crack begins at one of the most stretched bonds. Null if it would not cut that bond.
-const Event* LineEvents::tell_birth(int bond, const std::vector<int>& most, const Birth& birth, double load_factor) {
+const Event* LineEvents::prepare_birth(int bond, const std::vector<int>& most, const Birth& birth, double load_factor) {
   bool sides_tie = false;
   const std::vector<int> bonds = cut_by(birth, load_factor, sides_tie);
   const auto is_cut = [&](int b) { return std::binary_search(bonds.begin(), bonds.end(), b); };
@@ -105,8 +105,8 @@ const Event* LineEvents::tell_birth(int bond, const std::vector<int>& most, cons
   return &event_;
 }
 
-const Event* LineEvents::tell_bonds(const std::vector<char>& intact, double load_factor,
-                                    const SteppingOptions& options) {
+const Event* LineEvents::prepare_breaks(const std::vector<char>& intact, double load_factor,
+                                        const SteppingOptions& options) {
   const BondList bonds{body_.response().ratios(), intact};
   const std::vector<int> most = most_critical(bonds, load_factor, options.tie_band, options.max_breaks_per_solve);
   event_ = break_of(bonds, most, load_factor, body_.system());
@@ -116,18 +116,18 @@ const Event* LineEvents::tell_bonds(const std::vector<char>& intact, double load
 
 // Prepares the event at which a crack begins. If several places are equal up to rounding, it is that of the bond with
 // the smallest number of those that a crack across the tension cuts. Null where no crack begins.
-const Event* LineEvents::tell_birth(const std::vector<int>& most, double load_factor) {
+const Event* LineEvents::prepare_birth(const std::vector<int>& most, double load_factor) {
   for (const int bond : most) {
     const std::optional<Birth> birth = birth_at(bond, load_factor);
     if (!birth) return nullptr;
-    if (const Event* born = tell_birth(bond, most, *birth, load_factor)) return born;
+    if (const Event* born = prepare_birth(bond, most, *birth, load_factor)) return born;
   }
   return nullptr;
 }
 
 // Flags of the terms that can break by themselves: all intact ones, except those near tips that are driven or do not
 // grow.
-std::vector<char> LineEvents::left_to_themselves(const LineSteps::Choice& choice, const LoadWay& way) const {
+std::vector<char> LineEvents::free_to_break(const LineSteps::Choice& choice, const LoadWay& way) const {
   const BodyState& state = body_.state();
   std::vector<char> intact = body_.system().stages().intact();
   double first = std::abs(state.load_factor), at = choice.load_factor;
@@ -137,17 +137,17 @@ std::vector<char> LineEvents::left_to_themselves(const LineSteps::Choice& choice
     if (bonds && way.ahead(*bonds) < way.ahead(at)) at = *bonds;
     if (std::isfinite(at)) first = std::max(first, std::abs(at));
   }
-  for (const GrowingTip& tip : steps_.guarded(choice.steps, state.tips, way, first)) steps_.guard().spare(tip, intact);
-  if (way.control == Control::load) spare_relaxing(way, intact);
+  for (const GrowingTip& tip : steps_.guarded(choice.steps, state.tips, way, first)) steps_.guard().exempt(tip, intact);
+  if (way.control == Control::load) exempt_unloading(way, intact);
   return intact;
 }
 
 // Exempts overloaded bonds close to a tip that unloads. They exceeded their critical stretch long before without
 // breaking, because the tip did not grow, so they do not break while the load decreases either.
-void LineEvents::spare_relaxing(const LoadWay& way, std::vector<char>& intact) const {
+void LineEvents::exempt_unloading(const LoadWay& way, std::vector<char>& intact) const {
   const BodyState& state = body_.state();
   for (const LineStep& step : steps_.all(state.tips, state.displacement, way.back()))
-    if (step.ratio_at(way.present) > 0) steps_.guard().spare(state.tips[step.tip], intact, way.present);
+    if (step.ratio_at(way.present) > 0) steps_.guard().exempt(state.tips[step.tip], intact, way.present);
 }
 
 std::vector<crack::Candidate> LineEvents::candidates(const crack::LoadWay& way) {
@@ -159,21 +159,21 @@ const Event* LineEvents::next(double target, const SteppingOptions& options) {
   step_.reset();
   birth_.reset();
   ties_ = 0;
-  trials_.stand_apart(false);
+  trials_.use_separate_factor(false);
   const BodyState& state = body_.state();
-  const LoadWay way = body_.response().way_to(target, options.control);
+  const LoadWay way = body_.response().load_path_to(target, options.control);
   const LineSteps::Choice choice = steps_.choose(state.tips, state.displacement, way, &trials_);
   std::vector<char> intact;
   std::optional<double> bonds;
   if (laws().more_begin) {
-    intact = left_to_themselves(choice, way);
+    intact = free_to_break(choice, way);
     bonds = next_critical({body_.response().ratios(), intact}, way);
   }
   if (bonds && way.is_before(*bonds, choice.load_factor)) {
     const std::vector<int> most =
         most_critical({body_.response().ratios(), intact}, *bonds, 0, 0);  // alike but for rounding
-    const Event* born = tell_birth(most, *bonds);
-    return born ? born : tell_bonds(intact, *bonds, options);
+    const Event* born = prepare_birth(most, *bonds);
+    return born ? born : prepare_breaks(intact, *bonds, options);
   }
   if (!choice.first) return nullptr;
   step_ = choice.first, ties_ = choice.ties;
@@ -186,7 +186,7 @@ const Event* LineEvents::step_of(const crack::TipId& tip, const std::optional<Po
   step_.reset();
   birth_.reset();
   ties_ = 0;
-  trials_.stand_apart(false);
+  trials_.use_separate_factor(false);
   const BodyState& state = body_.state();
   const LoadWay way{state.load_factor, true, Control::path};
   for (const LineStep& step : steps_.all(state.tips, state.displacement, way, &trials_, true))
@@ -205,7 +205,8 @@ Outcome LineEvents::perform() {
   if (step_) {
     BodyState& state = body_.state();
     const auto displacement = [&](const auto&) -> const coupling::Affine& { return state.displacement; };
-    outcome.extensions = {steps_.growth().take(*step_, event_, outcome.released_energy, displacement, state.tips)};
+    outcome.extensions = {
+        steps_.growth().complete_step(*step_, event_, outcome.released_energy, displacement, state.tips)};
   }
   return outcome;
 }

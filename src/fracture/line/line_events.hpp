@@ -27,13 +27,15 @@ class LineEvents final : public EventSource {
   const LineSteps& steps() const { return steps_; }
   // Called before tips or candidates are asked for. If an open window (`in_window`) has changed the terms, or the
   // system has no current factor, trial steps use a factor of their own.
-  void look(bool in_window) { trials_.stand_apart(in_window || !body_.system().factor().is_current()); }
+  void prepare_trials(bool in_window) {
+    trials_.use_separate_factor(in_window || !body_.system().factor().is_current());
+  }
   void freeze(const std::set<crack::TipId>& tips) { steps_.freeze(tips); }
   // Tips of the lines, and candidates for growth, for LineCarrier (line_carrier.hpp). If tips are asked for without
   // their loads of growth, no trial step is made.
   std::vector<crack::Tip> tips(bool with_loads = true);
   std::vector<crack::Candidate> candidates(const crack::LoadWay& way);
-  bool tells_step() const { return step_.has_value(); }  // and no crack begins
+  bool is_step_of_tip() const { return step_.has_value(); }  // and no crack begins
 
  private:
   struct Birth {
@@ -47,12 +49,12 @@ class LineEvents final : public EventSource {
   std::vector<int> cut_by(const Birth& birth, double load_factor, bool& is_tie) const;
   Point middle_of(int bond) const;
   bool is_elsewhere(int bond, const Birth& birth) const;
-  const Event* tell_birth(const std::vector<int>& most, double load_factor);
-  const Event* tell_birth(int bond, const std::vector<int>& most, const Birth& birth, double load_factor);
-  std::vector<char> left_to_themselves(const LineSteps::Choice& choice, const LoadWay& way) const;
-  void spare_relaxing(const LoadWay& way, std::vector<char>& intact) const;
+  const Event* prepare_birth(const std::vector<int>& most, double load_factor);
+  const Event* prepare_birth(int bond, const std::vector<int>& most, const Birth& birth, double load_factor);
+  std::vector<char> free_to_break(const LineSteps::Choice& choice, const LoadWay& way) const;
+  void exempt_unloading(const LoadWay& way, std::vector<char>& intact) const;
   void begin_crack(Outcome& outcome);
-  const Event* tell_bonds(const std::vector<char>& intact, double load_factor, const SteppingOptions& options);
+  const Event* prepare_breaks(const std::vector<char>& intact, double load_factor, const SteppingOptions& options);
 
   LoadedBody& body_;
   WholeBodyEvents& whole_body_;

@@ -38,10 +38,10 @@ int law_ahead_of(const GrowingTip& tip, const pd::TipLaws& laws, const NearPoint
   int found = tip.law;
   for (const int node : near.about(tip.place, law.horizon)) {
     const int number = laws.of_node[static_cast<std::size_t>(node)];
-    const Point way = positions[static_cast<std::size_t>(node)] - tip.place;
-    if (number < 0 || way.dot(tip.direction) <= rounding_of_places * law.spacing) continue;
-    if (way.norm() >= nearest - rounding_of_places * law.spacing) continue;
-    nearest = way.norm(), found = number;
+    const Point to_point = positions[static_cast<std::size_t>(node)] - tip.place;
+    if (number < 0 || to_point.dot(tip.direction) <= rounding_of_places * law.spacing) continue;
+    if (to_point.norm() >= nearest - rounding_of_places * law.spacing) continue;
+    nearest = to_point.norm(), found = number;
   }
   return found;
 }
@@ -65,14 +65,14 @@ double LineGrowth::ratio_after(const GrowingTip& tip, const pd::TipLaw& law, con
 }
 
 crack::TipState LineGrowth::state_of_begun(const GrowingTip& tip) const {
-  const bool leaves = way_.leaves_body(tip.place, tip.direction, fields_.law_of(tip));
+  const bool leaves = path_.leaves_body(tip.place, tip.direction, fields_.law_of(tip));
   return leaves ? state_at_edge(tip.place) : crack::TipState::grows;
 }
 
 void LineGrowth::move(const LineStep& step, std::vector<GrowingTip>& tips) const {
   GrowingTip& tip = tips[step.tip];
-  tip.place += step.way.length * step.direction;
-  tip.grown += step.way.length;
+  tip.place += step.path.length * step.direction;
+  tip.grown += step.path.length;
   tip.even_ahead.reset();
   tip.direction = step.direction;
   if (fields_.laws().laws.size() > 1) tip.law = law_ahead_of(tip, fields_.laws(), fields_.stress().near(), positions_);
@@ -83,8 +83,8 @@ crack::TipState LineGrowth::state_at_edge(const Point& place) const {
   return at_hole ? crack::TipState::at_hole : crack::TipState::at_edge;
 }
 
-crack::Extension LineGrowth::take(const LineStep& step, const Event& event, double released_energy,
-                                  const DisplacementAt& displacement_at, std::vector<GrowingTip>& tips) const {
+crack::Extension LineGrowth::complete_step(const LineStep& step, const Event& event, double released_energy,
+                                           const DisplacementAt& displacement_at, std::vector<GrowingTip>& tips) const {
   move(step, tips);
   return remember(step, event.ratio, released_energy, displacement_at(tips), event.load_factor, tips);
 }
@@ -93,40 +93,40 @@ crack::Extension LineGrowth::remember(const LineStep& step, double ratio, double
                                       const coupling::Affine& displacement, double load_factor,
                                       std::vector<GrowingTip>& tips) const {
   GrowingTip& tip = tips[step.tip];
-  const Point from = tip.place - step.way.length * step.direction;
-  const double grown_before = tip.grown - step.way.length;
+  const Point from = tip.place - step.path.length * step.direction;
+  const double grown_before = tip.grown - step.path.length;
   pd::TipLaw law = fields_.laws().laws[static_cast<std::size_t>(step.law)].at(from, grown_before);
   const double share_of_direction = law.directions ? law.directions->share(heading_of(step.direction)) : 1;
   if (law.directions) law.toughness *= std::sqrt(share_of_direction);
   if (step.toughness > 0) law.toughness = step.toughness;
   // The event's ratio contains the correction by earlier steps, which must not enter the remembered ratios.
-  const double before = step.by_energy || step.by_factors ? ratio : ratio / correction_of(tip);
+  const double before = step.load_by_trial || step.load_by_sums ? ratio : ratio / correction_of(tip);
   // The expected energy is the mean of the rates at both ends of the step: the rate changes by up to a half within a
   // spacing behind a kink or near an edge.
-  const bool arrives = step.way.arrives();
-  const double after = arrives          ? before
-                       : step.by_energy ? before * step.after_step
-                                        : std::sqrt(step.rate_over_fit) *
-                                              std::max(ratio_after(tip, law, displacement, load_factor), 0.0);
+  const bool arrives = step.path.arrives();
+  const double after = arrives              ? before
+                       : step.load_by_trial ? before * step.after_step
+                                            : std::sqrt(step.rate_over_fit) *
+                                                  std::max(ratio_after(tip, law, displacement, load_factor), 0.0);
   const double fracture_energy = law.toughness * law.toughness / law.modulus;
   const double rate = fracture_energy * (before * before + after * after) / 2;
-  const double expected = rate * law.thickness * step.way.length;
-  const double released = step.by_factors ? step.rate_over_fit : expected > 0 ? released_energy / expected : 1;
+  const double expected = rate * law.thickness * step.path.length;
+  const double released = step.load_by_sums ? step.rate_over_fit : expected > 0 ? released_energy / expected : 1;
   // The energy of a first step is not used, because it depends on where between the points the crack was described to
   // end. A load by an energy is no test of the fit, whose correction then stays as it is.
   const bool is_first = tip.energy_ratios.empty();
-  if (is_first || !step.by_energy)
+  if (is_first || !step.load_by_trial)
     tip.energy_ratios.push_back(is_first ? 1 : std::clamp(released, least_energy_ratio, largest_energy_ratio));
   if (tip.energy_ratios.size() > remembered_steps) tip.energy_ratios.erase(tip.energy_ratios.begin());
-  tip.state = step.way.ends_as == crack::TipState::at_edge ? state_at_edge(tip.place) : step.way.ends_as;
+  tip.state = step.path.ends_as == crack::TipState::at_edge ? state_at_edge(tip.place) : step.path.ends_as;
   crack::Extension extension =
       crack::begin_extension(tip.id, from, step.angle, load_factor, step.factors, fracture_energy);
-  crack::arrive(extension, tip.place, step.way.length, tip.state);
+  crack::arrive(extension, tip.place, step.path.length, tip.state);
   const pd::TipLaw there = fields_.laws().laws[static_cast<std::size_t>(step.law)].at(tip.place, tip.grown);
   const double energy_there =
       law.function ? fracture_energy : there.toughness * there.toughness / there.modulus * share_of_direction;
   const double mean_energy = (fracture_energy + energy_there) / 2;
-  extension.surface_energy = mean_energy * law.thickness * step.way.length;
+  extension.surface_energy = mean_energy * law.thickness * step.path.length;
   extension.rate_before = step.is_loaded ? in_range(fracture_energy * before * before) : 0;
   extension.rate_after = arrives || !step.is_loaded ? 0 : in_range(fracture_energy * after * after);
   return extension;

@@ -14,8 +14,8 @@ namespace bempd::fracture {
 // energy of each step, by which the loads of the next ones are corrected.
 class LineGrowth {
  public:
-  LineGrowth(const std::vector<Point>& positions, const TipFields& fields, const LineWay& way)
-      : positions_(positions), fields_(fields), way_(way) {}
+  LineGrowth(const std::vector<Point>& positions, const TipFields& fields, const LinePath& path)
+      : positions_(positions), fields_(fields), path_(path) {}
 
   // Factor on a fit's stress intensity factors, and so on its loads: from the ratios of released to expected energy in
   // the tip's last steps.
@@ -25,8 +25,8 @@ class LineGrowth {
   // the energy expected, which corrects its next loads, or it ends. `displacement_at` returns displacements after the
   // event, known around the given tips.
   using DisplacementAt = std::function<const coupling::Affine&(const std::vector<GrowingTip>&)>;
-  crack::Extension take(const LineStep& step, const Event& event, double released_energy,
-                        const DisplacementAt& displacement_at, std::vector<GrowingTip>& tips) const;
+  crack::Extension complete_step(const LineStep& step, const Event& event, double released_energy,
+                                 const DisplacementAt& displacement_at, std::vector<GrowingTip>& tips) const;
 
   // State of a tip whose crack has just begun: at a free edge or a hole it has ended.
   crack::TipState state_of_begun(const GrowingTip& tip) const;
@@ -44,7 +44,7 @@ class LineGrowth {
 
   const std::vector<Point>& positions_;
   const TipFields& fields_;
-  const LineWay& way_;
+  const LinePath& path_;
 };
 
 }  // namespace bempd::fracture

@@ -22,12 +22,12 @@ Point middle_of(const coupling::Terms& terms, int term, const std::vector<Point>
 
 // Whether a term is too close to a tip to break by itself. The middle of the term decides, so that the order of its
 // ends does not matter.
-bool LineGuard::is_spared(int term, const GrowingTip& tip) const {
+bool LineGuard::is_guarded(int term, const GrowingTip& tip) const {
   const Point middle = middle_of(body_.system().terms(), term, body_.positions());
   return (middle - tip.place).norm() < (1 - rounding_of_places) * guarded_reach * fields_.law_of(tip).horizon;
 }
 
-void LineGuard::spare(const GrowingTip& tip, std::vector<char>& intact, std::optional<double> overloaded_at) const {
+void LineGuard::exempt(const GrowingTip& tip, std::vector<char>& intact, std::optional<double> overloaded_at) const {
   // Only overloaded bonds closest to an unloading tip are exempt; the overload of others has another cause.
   const auto bears = [&](int term) {
     return overloaded_at && (!(body_.response().ratios().at(static_cast<std::size_t>(term), *overloaded_at) > 1) ||
@@ -35,8 +35,8 @@ void LineGuard::spare(const GrowingTip& tip, std::vector<char>& intact, std::opt
                                  relaxing_reach * fields_.law_of(tip).horizon);
   };
   for (const int node : fields_.stress().near().about(tip.place, (guarded_reach + 1) * fields_.law_of(tip).horizon)) {
-    for (const int term : way_.terms_from().of(node))
-      if (is_spared(term, tip) && !bears(term)) intact[static_cast<std::size_t>(term)] = 0;
+    for (const int term : path_.terms_from().of(node))
+      if (is_guarded(term, tip) && !bears(term)) intact[static_cast<std::size_t>(term)] = 0;
   }
 }
 

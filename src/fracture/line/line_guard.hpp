@@ -11,18 +11,19 @@ namespace bempd::fracture {
 // Terms near the tips of crack lines, which do not break by themselves.
 class LineGuard {
  public:
-  LineGuard(LoadedBody& body, const TipFields& fields, const LineWay& way) : body_(body), fields_(fields), way_(way) {}
+  LineGuard(LoadedBody& body, const TipFields& fields, const LinePath& path)
+      : body_(body), fields_(fields), path_(path) {}
 
   // Whether a term is too close to a tip to break by itself.
-  bool is_spared(int term, const GrowingTip& tip) const;
+  bool is_guarded(int term, const GrowingTip& tip) const;
   // Marks terms near a tip as not intact in `intact`, because they do not break by themselves: all of them, or only
   // those overloaded at a load factor.
-  void spare(const GrowingTip& tip, std::vector<char>& intact, std::optional<double> overloaded_at = {}) const;
+  void exempt(const GrowingTip& tip, std::vector<char>& intact, std::optional<double> overloaded_at = {}) const;
 
  private:
   LoadedBody& body_;
   const TipFields& fields_;
-  const LineWay& way_;
+  const LinePath& path_;
 };
 
 }  // namespace bempd::fracture

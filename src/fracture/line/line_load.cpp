@@ -22,8 +22,8 @@ Kink kink_at(const AffineIntensity& of, double load_factor, const crack::GrowthL
   return law.directions ? law.kink(factors) : kink_of(factors);
 }
 
-bool are_proportional(const AffineIntensity& intensity, const AffineIntensity& turning) {
-  return turning.one[0] == 0 && turning.two[0] == 0 && intensity.one[0] == 0 && intensity.two[0] == 0;
+bool are_proportional(const AffineIntensity& intensity, const AffineIntensity& turn_factors) {
+  return turn_factors.one[0] == 0 && turn_factors.two[0] == 0 && intensity.one[0] == 0 && intensity.two[0] == 0;
 }
 
 // Load factor above the one at which a tip reaches its toughness, as the start of an iteration; 0 if larger loads do
@@ -40,11 +40,11 @@ double beyond_toughness(const AffineIntensity& intensity, const crack::GrowthLaw
 // root (Newton's method).
 class ByHoopStress {
  public:
-  ByHoopStress(const AffineIntensity& intensity, const AffineIntensity& turning, const LineCriterion& criterion)
+  ByHoopStress(const AffineIntensity& intensity, const AffineIntensity& turn_factors, const LineCriterion& criterion)
       : intensity_(intensity),
-        turning_(turning),
+        turn_factors_(turn_factors),
         criterion_(criterion),
-        proportional_(are_proportional(intensity, turning)) {}
+        proportional_(are_proportional(intensity, turn_factors)) {}
 
   std::optional<LineLoad> load() {
     const double present = criterion_.present;
@@ -68,7 +68,7 @@ class ByHoopStress {
       return hoop_factor({intensity_.one[part], intensity_.two[part]}, kink) * criterion_.correction / toughness;
     };
     found_.constant = share(0), found_.growing = share(1),
-    found_.angle = kink_at(turning_, load_factor, criterion_.law).angle;
+    found_.angle = kink_at(turn_factors_, load_factor, criterion_.law).angle;
     if (!(found_.growing > 0)) return false;
     const std::optional<double> root = load_ratio(1 - found_.constant, found_.growing);
     found_.load_factor = root.value_or(0);
@@ -85,13 +85,13 @@ class ByHoopStress {
                least * criterion_.law.toughness;
   }
 
-  const AffineIntensity &intensity_, &turning_;
+  const AffineIntensity &intensity_, &turn_factors_;
   const LineCriterion& criterion_;
   bool proportional_;
   LineLoad found_;
 };
 
-std::optional<LineLoad> load_by_energy(const AffineIntensity& intensity, const AffineIntensity& turning,
+std::optional<LineLoad> load_by_energy(const AffineIntensity& intensity, const AffineIntensity& turn_factors,
                                        const LineCriterion& criterion) {
   const crack::AffineFactors factors{{intensity.one[0], intensity.two[0]}, {intensity.one[1], intensity.two[1]}};
   crack::GrowthLaw law = criterion.law;
@@ -114,7 +114,7 @@ std::optional<LineLoad> load_by_energy(const AffineIntensity& intensity, const A
   } else {
     return std::nullopt;
   }
-  found.angle = kink_at(turning, found.load_factor, law).angle;
+  found.angle = kink_at(turn_factors, found.load_factor, law).angle;
   return found;
 }
 
@@ -128,31 +128,31 @@ std::optional<double> load_ratio(double dividend, double divisor) {
 
 namespace {
 
-std::optional<LineLoad> load_by_numbers(const AffineIntensity& intensity, const AffineIntensity& turning,
+std::optional<LineLoad> load_by_numbers(const AffineIntensity& intensity, const AffineIntensity& turn_factors,
                                         const LineCriterion& criterion) {
   if (!(criterion.law.toughness > 0) || std::isinf(criterion.law.toughness)) return std::nullopt;
   if (criterion.law.criterion == KinkCriterion::energy_release_rate)
-    return load_by_energy(intensity, turning, criterion);
-  return ByHoopStress(intensity, turning, criterion).load();
+    return load_by_energy(intensity, turn_factors, criterion);
+  return ByHoopStress(intensity, turn_factors, criterion).load();
 }
 
 }  // namespace
 
 // A fracture energy that a function of the host gives depends on the factors of the tip, and so on the load factor.
 // Both are found together, by repeated substitution.
-std::optional<LineLoad> load_of_growth(const AffineIntensity& intensity, const AffineIntensity& turning,
+std::optional<LineLoad> load_of_growth(const AffineIntensity& intensity, const AffineIntensity& turn_factors,
                                        LineCriterion& criterion) {
-  if (!criterion.law.asking.function) return load_by_numbers(intensity, turning, criterion);
+  if (!criterion.law.asking.function) return load_by_numbers(intensity, turn_factors, criterion);
   constexpr int most_rounds = 50;
   constexpr double same = 1e-10;
   const crack::GrowthLaw asking = criterion.law;
   const crack::AffineFactors factors{{intensity.one[0], intensity.two[0]}, {intensity.one[1], intensity.two[1]}};
   criterion.law.asking.function = nullptr;
-  std::optional<LineLoad> load = load_by_numbers(intensity, turning, criterion);
+  std::optional<LineLoad> load = load_by_numbers(intensity, turn_factors, criterion);
   for (int round = 0; load && round < most_rounds; ++round) {
     const double before = load->load_factor;
     criterion.law = asking.with_host_toughness(factors, before);
-    load = load_by_numbers(intensity, turning, criterion);
+    load = load_by_numbers(intensity, turn_factors, criterion);
     if (!load || std::abs(load->load_factor - before) <= same * std::abs(before)) return load;
   }
   if (!load) return load;

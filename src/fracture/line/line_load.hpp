@@ -23,12 +23,12 @@ struct LineLoad {
   double load_factor = 0, constant = 0, growing = 0, angle = 0;
 };
 
-// Load factor and angle at which a tip grows; empty if it does not grow at any load factor on the load path. `turning`
-// determines the angle, `intensity` the load factor. The tip turns to the direction of maximum hoop stress, also if the
-// energy release rate decides when it grows. In a material whose fracture energy depends on the direction one criterion
-// decides both.
-// If a function of the host gives the fracture energy, `criterion` gets the toughness at that load factor.
-std::optional<LineLoad> load_of_growth(const AffineIntensity& intensity, const AffineIntensity& turning,
+// Load factor and angle at which a tip grows; empty if it does not grow at any load factor on the load path.
+// `turn_factors` determines the angle, `intensity` the load factor. The tip turns to the direction of maximum hoop
+// stress, also if the energy release rate decides when it grows. In a material whose fracture energy depends on the
+// direction one criterion decides both. If a function of the host gives the fracture energy, `criterion` gets the
+// toughness at that load factor.
+std::optional<LineLoad> load_of_growth(const AffineIntensity& intensity, const AffineIntensity& turn_factors,
                                        LineCriterion& criterion);
 
 // Ratio of two numbers; empty if the divisor is zero, or so small that the ratio is no load factor.

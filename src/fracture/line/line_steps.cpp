@@ -19,10 +19,10 @@ LineSteps::LineSteps(LoadedBody& body, pd::TipLaws laws)
     : system_(body.system()),
       laws_(std::move(laws)),
       fields_(body, laws_),
-      way_(body.system(), body.positions(), fields_.stress()),
-      growth_(body.positions(), fields_, way_),
-      guard_(body, fields_, way_),
-      loads_(body, fields_, way_) {}
+      path_(body.system(), body.positions(), fields_.stress()),
+      growth_(body.positions(), fields_, path_),
+      guard_(body, fields_, path_),
+      loads_(body, fields_, path_) {}
 
 std::optional<LineStep> LineSteps::next(const std::vector<GrowingTip>& tips, std::size_t number,
                                         const coupling::Affine& displacement, const LoadWay& load_way) const {
@@ -32,13 +32,13 @@ std::optional<LineStep> LineSteps::next(const std::vector<GrowingTip>& tips, std
   const WilliamsFit fit = fields_.fitted(tip, law, displacement);
   const AffineIntensity by_fit = fields_.intensity_of(tip, fit);
   const double present = load_way.ahead(load_way.present);
-  const AffineIntensity intensity = on_way(fields_.intensity_for_load(tip, fit), load_way);
-  const AffineIntensity turning =
-      on_way(fields_.has_begun(tip) ? fields_.turning_of(tip, by_fit, displacement, present) : by_fit, load_way);
+  const AffineIntensity intensity = along_load_path(fields_.intensity_for_load(tip, fit), load_way);
+  const AffineIntensity turn_factors = along_load_path(
+      fields_.has_begun(tip) ? fields_.factors_for_turn(tip, by_fit, displacement, present) : by_fit, load_way);
   LineCriterion criterion{fields_.growth_law(law, tip, tip.acts_at()), LineGrowth::correction_of(tip), present,
                           load_way.control};
   if (law.function) criterion.law.asking.t_stress = {fit.t_stress()[0], load_way.ahead(fit.t_stress()[1])};
-  const std::optional<LineLoad> load = load_of_growth(intensity, turning, criterion);
+  const std::optional<LineLoad> load = load_of_growth(intensity, turn_factors, criterion);
   if (!load) return std::nullopt;
   LineStep step;
   if (law.function) step.toughness = criterion.law.toughness;
@@ -47,8 +47,8 @@ std::optional<LineStep> LineSteps::next(const std::vector<GrowingTip>& tips, std
   step.factors = {{by_fit.one[0], by_fit.two[0]}, {by_fit.one[1], by_fit.two[1]}};
   step.load_factor = load_way.ahead(load->load_factor);
   step.constant = load->constant, step.growing = load_way.ahead(load->growing);
-  step.way = way_.next(tip.place, step.direction, law);
-  if (step.way.bonds.empty()) return std::nullopt;
+  step.path = path_.next(tip.place, step.direction, law);
+  if (step.path.bonds.empty()) return std::nullopt;
   loads_.judge_fit(tips, fit, step);
   return step;
 }
@@ -57,10 +57,10 @@ std::vector<LineStep> LineSteps::all(const std::vector<GrowingTip>& tips, const 
                                      const LoadWay& way, TrialBody* body, bool with_frozen) const {
   std::vector<LineStep> steps;
   for (std::size_t k = 0; k < tips.size(); ++k) {
-    if (tips[k].has_ended() || (!with_frozen && rests(tips[k]))) continue;
+    if (tips[k].has_ended() || (!with_frozen && does_not_grow(tips[k]))) continue;
     if (std::optional<LineStep> step = next(tips, k, displacement, way)) steps.push_back(std::move(*step));
   }
-  if (body && need_body(steps, way))
+  if (body && needs_trial_step(steps, way))
     for (LineStep& step : steps)
       if (!step.fit_holds) loads_.replace(tips[step.tip], displacement, way, *body, step);
   return steps;
@@ -80,7 +80,7 @@ bool LineSteps::is_driven(const LineStep& step, const LoadWay& way, double load_
 LineSteps::Choice LineSteps::choose(const std::vector<GrowingTip>& tips, const coupling::Affine& displacement,
                                     const LoadWay& way, TrialBody* body) const {
   Choice choice{all(tips, displacement, way, body), std::nullopt, way.end()};
-  choice.needs_body = !body && need_body(choice.steps, way);
+  choice.needs_trial_step = !body && needs_trial_step(choice.steps, way);
   const std::optional<crack::FirstToGrow> first = crack::first_to_grow(candidates(choice.steps, way), way.upwards);
   if (!first) return choice;
   choice.first = choice.steps[first->index], choice.ties = first->ties;
@@ -91,8 +91,8 @@ LineSteps::Choice LineSteps::choose(const std::vector<GrowingTip>& tips, const c
 Event LineSteps::event_of(const LineStep& step, double load_factor) const {
   Event event{load_factor, step.ratio_at(load_factor), step.load_factor, {}};
   event.tip = step.id;
-  if (!step.way.arrives()) event.taken_energy = step.taken_energy;
-  for (const int bond : step.way.bonds) event.changes.push_back(system_.terms().breaking(bond));
+  if (!step.path.arrives()) event.taken_energy = step.taken_energy;
+  for (const int bond : step.path.bonds) event.changes.push_back(system_.terms().breaking(bond));
   return event;
 }
 
@@ -102,7 +102,7 @@ std::vector<GrowingTip> LineSteps::guarded(const std::vector<LineStep>& steps, c
   for (const LineStep& step : steps)
     if (is_driven(step, way, load_factor)) found.push_back(tips[step.tip]);
   for (const GrowingTip& tip : tips)
-    if (rests(tip)) found.push_back(tip);
+    if (does_not_grow(tip)) found.push_back(tip);
   return found;
 }
 

@@ -38,7 +38,7 @@ class LineSteps {
   void freeze(std::set<crack::TipId> tips) { frozen_ = std::move(tips); }
   const std::set<crack::TipId>& frozen() const { return frozen_; }
   // Whether a tip does not grow at any load: it is frozen, or has stopped at an interface.
-  bool rests(const GrowingTip& tip) const {
+  bool does_not_grow(const GrowingTip& tip) const {
     return tip.state == crack::TipState::at_interface || (!tip.has_ended() && frozen_.count(tip.id) > 0);
   }
 
@@ -55,7 +55,7 @@ class LineSteps {
     std::optional<LineStep> first;  // null if no tip grows
     double load_factor;             // of its event; without one the end of the way
     int ties = 0;                   // other tips that would have grown as soon
-    bool needs_body = false;        // without one: an energy has to tell the load of a step that may matter
+    bool needs_trial_step = false;  // without one: an energy has to tell the load of a step that may matter
   };
   Choice choose(const std::vector<GrowingTip>& tips, const coupling::Affine& displacement, const LoadWay& way,
                 TrialBody* body = nullptr) const;
@@ -70,7 +70,7 @@ class LineSteps {
                                   const LoadWay& way, double load_factor) const;
 
   const TipFields& fields() const { return fields_; }
-  const LineWay& way() const { return way_; }
+  const LinePath& path() const { return path_; }
   const LineGrowth& growth() const { return growth_; }
   const LineGuard& guard() const { return guard_; }
 
@@ -81,7 +81,7 @@ class LineSteps {
   const coupling::EquilibriumSystem& system_;
   pd::TipLaws laws_;
   TipFields fields_;
-  LineWay way_;
+  LinePath path_;
   LineGrowth growth_;
   LineGuard guard_;
   StepLoads loads_;

@@ -21,16 +21,16 @@ constexpr double shortest_ligament = 1;
 // free.
 constexpr double around_edge = 1.5;
 
-// Search for a crack face ahead: number of stations on one spacing, and largest distance of a bond beside the path in
+// Search for a crack face ahead: number of samples on one spacing, and largest distance of a bond beside the path in
 // spacings. Then the least cosine of its angle to the path, and the number of bonds needed.
-constexpr int stations = 10;
+constexpr int samples = 10;
 constexpr double beside = 1, least_cosine = 0.8;
 constexpr int enough_bonds = 2;
 
 }  // namespace
 
-LineWay::LineWay(const coupling::EquilibriumSystem& system, const std::vector<Point>& positions,
-                 const TipStress& stress)
+LinePath::LinePath(const coupling::EquilibriumSystem& system, const std::vector<Point>& positions,
+                   const TipStress& stress)
     : system_(system),
       positions_(positions),
       stress_(stress),
@@ -41,16 +41,16 @@ LineWay::LineWay(const coupling::EquilibriumSystem& system, const std::vector<Po
 
 // Distance from a tip to the face of a crack on its path, where all bonds along the path are broken; empty if there is
 // none within a spacing.
-std::optional<double> LineWay::face_ahead(const Point& tip, const Point& way, const pd::TipLaw& law) const {
+std::optional<double> LinePath::face_ahead(const Point& tip, const Point& direction, const pd::TipLaw& law) const {
   const coupling::Terms& terms = system_.terms();
-  std::array<int, stations> present{}, left{};
+  std::array<int, samples> present{}, left{};
   const auto count = [&](std::size_t t, const Point& from) {
     const Point bond = terms.length[t] * Point(terms.cosine[t], terms.sine[t]);
-    if (std::abs(bond.dot(way)) < (least_cosine - rounding_of_places) * terms.length[t]) return;
-    for (int k = 0; k < stations; ++k) {
-      const double at = (k + 1) * law.spacing / stations, part = (at - from.dot(way)) / bond.dot(way);
+    if (std::abs(bond.dot(direction)) < (least_cosine - rounding_of_places) * terms.length[t]) return;
+    for (int k = 0; k < samples; ++k) {
+      const double at = (k + 1) * law.spacing / samples, part = (at - from.dot(direction)) / bond.dot(direction);
       if (part <= rounding_of_places || part >= 1 - rounding_of_places) continue;
-      if (std::abs(cross(way, from + part * bond)) > (beside + rounding_of_places) * law.spacing) continue;
+      if (std::abs(cross(direction, from + part * bond)) > (beside + rounding_of_places) * law.spacing) continue;
       ++present[static_cast<std::size_t>(k)];
       left[static_cast<std::size_t>(k)] += system_.stages().intact()[t] != 0 ? 1 : 0;
     }
@@ -61,13 +61,13 @@ std::optional<double> LineWay::face_ahead(const Point& tip, const Point& way, co
     for (const int term : terms_from_.of(node))
       if (!terms.is_wide(static_cast<std::size_t>(term))) count(static_cast<std::size_t>(term), from);
   }
-  for (std::size_t k = 0; k < stations; ++k)
-    if (present[k] >= enough_bonds && left[k] == 0) return static_cast<double>(k + 1) * law.spacing / stations;
+  for (std::size_t k = 0; k < samples; ++k)
+    if (present[k] >= enough_bonds && left[k] == 0) return static_cast<double>(k + 1) * law.spacing / samples;
   return std::nullopt;
 }
 
 // Whether the edge at a place is free: no boundary element and no support is within `reach`.
-bool LineWay::is_free(const Point& edge, double reach) const {
+bool LinePath::is_free(const Point& edge, double reach) const {
   for (const int node : stress_.near().about(edge, reach)) {
     if ((positions_[static_cast<std::size_t>(node)] - edge).norm() > reach) continue;
     if (system_.dense_bodies().contain(node) || system_.unknowns().is_prescribed(2 * node) ||
@@ -78,19 +78,19 @@ bool LineWay::is_free(const Point& edge, double reach) const {
 }
 
 // Distance from a tip to where its path leaves the body through a free edge; empty if that is not near.
-std::optional<double> LineWay::edge_ahead(const Point& tip, const Point& way, const pd::TipLaw& law) const {
+std::optional<double> LinePath::edge_ahead(const Point& tip, const Point& direction, const pd::TipLaw& law) const {
   const int farthest = static_cast<int>(std::lround(shortest_ligament * law.horizon / law.spacing)) + 1;
   const double around = around_edge * law.spacing, reach = farthest * law.spacing + around;
   if (stress_.nearest_outline(tip, reach) >= reach) return std::nullopt;
   for (int k = 0; k <= farthest; ++k) {
-    const Point here = tip + k * law.spacing * way;
-    if (!across(here, here + law.spacing * way, law.horizon).empty()) continue;
+    const Point here = tip + k * law.spacing * direction;
+    if (!across(here, here + law.spacing * direction, law.horizon).empty()) continue;
     return k > 0 && is_free(here, around) ? std::optional(k * law.spacing) : std::nullopt;
   }
   return std::nullopt;
 }
 
-std::vector<int> LineWay::across(const Point& from, const Point& to, double horizon, PointsOnPath side) const {
+std::vector<int> LinePath::across(const Point& from, const Point& to, double horizon, PointsOnPath side) const {
   const std::vector<Point>& positions = positions_;
   const coupling::Terms& terms = system_.terms();
   const double reach = horizon + (to - from).norm();
@@ -112,7 +112,7 @@ std::vector<int> LineWay::across(const Point& from, const Point& to, double hori
   return found;
 }
 
-int LineWay::clear_spacings(const Point& place, const Point& direction, const pd::TipLaw& law, int most) const {
+int LinePath::clear_spacings(const Point& place, const Point& direction, const pd::TipLaw& law, int most) const {
   for (int k = 0; k < most; ++k) {
     const Point here = place + k * law.spacing * direction;
     if (across(here, here + law.spacing * direction, law.horizon).empty() || face_ahead(here, direction, law)) return k;
@@ -120,12 +120,12 @@ int LineWay::clear_spacings(const Point& place, const Point& direction, const pd
   return most;
 }
 
-bool LineWay::leaves_body(const Point& place, const Point& direction, const pd::TipLaw& law) const {
+bool LinePath::leaves_body(const Point& place, const Point& direction, const pd::TipLaw& law) const {
   const Point end = place + most_empty_steps * law.spacing * direction;
   return across(place, end, law.horizon).empty() && is_free(place, around_edge * law.spacing);
 }
 
-LineWay::Step LineWay::next(const Point& place, const Point& direction, const pd::TipLaw& law) const {
+LinePath::Step LinePath::next(const Point& place, const Point& direction, const pd::TipLaw& law) const {
   using crack::TipState;
   const auto step_of = [&](double length, TipState ends_as) {
     return Step{length, across(place, place + length * direction, law.horizon), ends_as};

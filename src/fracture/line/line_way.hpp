@@ -12,9 +12,9 @@
 namespace bempd::fracture {
 
 // Path of a tip: bonds across it, and whether it meets the face of a crack or a free edge.
-class LineWay {
+class LinePath {
  public:
-  LineWay(const coupling::EquilibriumSystem& system, const std::vector<Point>& positions, const TipStress& stress);
+  LinePath(const coupling::EquilibriumSystem& system, const std::vector<Point>& positions, const TipStress& stress);
 
   struct Step {
     double length = 0;
@@ -40,8 +40,8 @@ class LineWay {
   const linalg::Adjacency& terms_from() const { return terms_from_; }
 
  private:
-  std::optional<double> face_ahead(const Point& tip, const Point& way, const pd::TipLaw& law) const;
-  std::optional<double> edge_ahead(const Point& tip, const Point& way, const pd::TipLaw& law) const;
+  std::optional<double> face_ahead(const Point& tip, const Point& direction, const pd::TipLaw& law) const;
+  std::optional<double> edge_ahead(const Point& tip, const Point& direction, const pd::TipLaw& law) const;
   bool is_free(const Point& edge, double reach) const;
 
   const coupling::EquilibriumSystem& system_;

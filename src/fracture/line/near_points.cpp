@@ -28,12 +28,13 @@ NearPoints::NearPoints(const std::vector<Point>& points) {
   points_in_ = linalg::make_adjacency(buckets, [&](const auto& add) {
     for (std::size_t i = 0; i < points.size(); ++i) {
       const Point from_lowest = points[i] - lowest_;
-      add(number_of(from_lowest.y(), rows_) * columns_ + number_of(from_lowest.x(), columns_), static_cast<int>(i));
+      add(bucket_index(from_lowest.y(), rows_) * columns_ + bucket_index(from_lowest.x(), columns_),
+          static_cast<int>(i));
     }
   });
 }
 
-int NearPoints::number_of(double distance, int count) const {
+int NearPoints::bucket_index(double distance, int count) const {
   return static_cast<int>(std::clamp(std::floor(distance / side_), 0.0, static_cast<double>(count - 1)));
 }
 
@@ -41,8 +42,8 @@ std::vector<int> NearPoints::about(const Point& place, double reach) const {
   const Point from_lowest = place - lowest_, around = Point::Constant(reach + rounding_of_distances * side_);
   const Point low = from_lowest - around, high = from_lowest + around;
   std::vector<int> found;
-  for (int row = number_of(low.y(), rows_); row <= number_of(high.y(), rows_); ++row) {
-    for (int column = number_of(low.x(), columns_); column <= number_of(high.x(), columns_); ++column) {
+  for (int row = bucket_index(low.y(), rows_); row <= bucket_index(high.y(), rows_); ++row) {
+    for (int column = bucket_index(low.x(), columns_); column <= bucket_index(high.x(), columns_); ++column) {
       const auto points = points_in_.of(row * columns_ + column);
       found.insert(found.end(), points.begin(), points.end());
     }

@@ -18,7 +18,7 @@ class NearPoints {
  private:
   // Row or column of buckets at a distance from the lowest coordinate of all points; `count` is the number of rows or
   // columns.
-  int number_of(double distance, int count) const;
+  int bucket_index(double distance, int count) const;
 
   Point lowest_{0, 0};
   double side_ = 1;

@@ -12,8 +12,8 @@ constexpr double rounding_of_places = 1e-8;
 
 // Whether c lies to the left of the line from a to b; false for a point on the line.
 inline bool is_left(const Point& a, const Point& b, const Point& c) {
-  const Point way = b - a, to = c - a;
-  return cross(way, to) > rounding_of_places * way.norm() * std::max(way.norm(), to.norm());
+  const Point ab = b - a, ac = c - a;
+  return cross(ab, ac) > rounding_of_places * ab.norm() * std::max(ab.norm(), ac.norm());
 }
 
 }  // namespace bempd::fracture

@@ -62,11 +62,11 @@ double largest_residual(const pd::TipLaw& law) {
 }
 
 // Whether an edge lies within a horizon to a side of a tip. Factors by sums turn the tip towards it.
-bool runs_along_edge(const GrowingTip& tip, const pd::TipLaw& law, const LineWay& way) {
+bool runs_along_edge(const GrowingTip& tip, const pd::TipLaw& law, const LinePath& path) {
   const int spacings = static_cast<int>(std::floor(law.horizon / law.spacing + rounding_of_places));
   const Point left = left_of(tip.direction);
-  return way.clear_spacings(tip.place, left, law, spacings) < spacings ||
-         way.clear_spacings(tip.place, -left, law, spacings) < spacings;
+  return path.clear_spacings(tip.place, left, law, spacings) < spacings ||
+         path.clear_spacings(tip.place, -left, law, spacings) < spacings;
 }
 
 // Change of the energy release rate along a kink, by the factors and the T stress of the fit; T counts less the larger
@@ -76,7 +76,7 @@ KinkShape shape_of(const WilliamsFit& fit, const TipStress& stress, double horiz
   const double share = std::clamp(
       (residual_without_direction - step.residual) / (residual_without_direction - residual_with_shape), 0.0, 1.0);
   if (share == 0 || step.is_shut) return {};
-  return {stress.as_read(fit.factors(horizon)), share * t_stress_at_kinks * fit.t_stress(), step.angle};
+  return {stress.corrected_factors(fit.factors(horizon)), share * t_stress_at_kinks * fit.t_stress(), step.angle};
 }
 
 // Relative error of the load that the fit gives for a tip under shear, whose factors K_I and K_II are `one` and `two`.
@@ -93,7 +93,7 @@ void set_by_factors(const TipFactors& found, const LineLoad& load, const LoadWay
   const double by_fit = step.ratio_at(load_factor) / correction;
   const double by_factors = load.constant + load.load_factor * load.growing;
   const AffineIntensity& intensity = found.intensity;
-  step.by_factors = true, step.error = found.error;
+  step.load_by_sums = true, step.error = found.error;
   step.rate_over_fit = by_fit > 0 ? std::pow(by_factors / by_fit, 2) : 1;
   step.factors = {{intensity.one[0], intensity.two[0]}, {intensity.one[1], intensity.two[1]}};
   step.load_factor = load_factor, step.constant = load.constant, step.growing = way.ahead(load.growing);
@@ -125,8 +125,8 @@ Point direction_by_energy(const GrowingTip& tip, const pd::TipLaw& law, const Li
 // Takes the load by the energy, with its relative error; for a sheared tip the mean of both loads, weighted by the
 // squares of their errors. The fit's load of such a tip depends less on its place between points, that of the energy
 // less on what lies around (docs/cracks.md).
-void blend(const LineLoad& by_energy, double error, LineStep& step) {
-  const double share = step.blends ? error * error / (error * error + step.error * step.error) : 0;
+void average_loads(const LineLoad& by_energy, double error, LineStep& step) {
+  const double share = step.averages_loads ? error * error / (error * error + step.error * step.error) : 0;
   const double constant = std::lerp(by_energy.constant, step.constant, share);
   const double growing = std::lerp(by_energy.growing, step.growing, share);
   const std::optional<double> root = load_ratio(1 - constant, growing);
@@ -139,7 +139,7 @@ void blend(const LineLoad& by_energy, double error, LineStep& step) {
 
 }  // namespace
 
-AffineIntensity on_way(AffineIntensity intensity, const LoadWay& way) {
+AffineIntensity along_load_path(AffineIntensity intensity, const LoadWay& way) {
   intensity.one[1] *= way.sense(), intensity.two[1] *= way.sense();
   return intensity;
 }
@@ -157,17 +157,17 @@ void StepLoads::judge_fit(const std::vector<GrowingTip>& tips, const WilliamsFit
   const bool press = fields_.faces_press_at(tip),
              beside_face = fields_.stress().is_beside_face(tip, law, (1 - rounding_of_places) * law.horizon);
   const bool may_sum =
-      !fields_.has_begun(tip) && !step.is_shut && !press && !beside_face && !runs_along_edge(tip, law, way_);
+      !fields_.has_begun(tip) && !step.is_shut && !press && !beside_face && !runs_along_edge(tip, law, path_);
   // Sums around the tip give the loads of first steps, and of steps towards an edge. Other steps do without, because
   // each one would cost a solution of the whole body.
   const bool has_own_field = may_sum && tip.grown == 0;
   if (law.function) {  // it needs factors
-    step.asks_around = has_own_field;
+    step.asks_for_sums = has_own_field;
     step.fit_holds = !has_own_field;
     return;
   }
   const Eigen::Vector2d at(1, step.load_factor);
-  const AffineIntensity factors = fields_.stress().as_read(fit.factors(law.horizon));
+  const AffineIntensity factors = fields_.stress().corrected_factors(fit.factors(law.horizon));
   const bool is_sheared = std::abs(factors.two.dot(at)) > largest_shear * std::abs(factors.one.dot(at));
   // The distances are reduced by rounding, so that an equal distance counts as clear in whatever direction the scene is
   // turned.
@@ -186,16 +186,16 @@ void StepLoads::judge_fit(const std::vector<GrowingTip>& tips, const WilliamsFit
   const bool is_alone = !beside_tip && !press && !fields_.stress().meets_other_material(tip, law, clear);
   const bool by_hoop = fields_.laws().criterion == KinkCriterion::hoop_stress;
   step.at_border = is_alone && fields_.stress().lacks_points(tip, law);
-  step.fit_would_hold = by_hoop && is_told && is_alone;
-  step.asks_around = step.at_border || has_own_field || (may_sum && is_alone && is_crowded && !is_sheared);
-  step.factors_suffice = step.at_border || (by_hoop && !(is_sheared && is_crowded));
-  step.fit_holds = step.fit_would_hold && !step.asks_around;
+  step.fit_holds_without_sums = by_hoop && is_told && is_alone;
+  step.asks_for_sums = step.at_border || has_own_field || (may_sum && is_alone && is_crowded && !is_sheared);
+  step.sums_suffice = step.at_border || (by_hoop && !(is_sheared && is_crowded));
+  step.fit_holds = step.fit_holds_without_sums && !step.asks_for_sums;
   if (beside_face) step.error = std::max(step.error, error_beside_face);
-  step.blends = is_sheared && is_alone && step.residual < residual_with_shape && step.error < error_beside_face;
-  if (step.blends) step.error = sheared_error(factors.one.dot(at), factors.two.dot(at), step, is_crowded);
+  step.averages_loads = is_sheared && is_alone && step.residual < residual_with_shape && step.error < error_beside_face;
+  if (step.averages_loads) step.error = sheared_error(factors.one.dot(at), factors.two.dot(at), step, is_crowded);
 }
 
-bool need_body(const std::vector<LineStep>& steps, const LoadWay& way) {
+bool needs_trial_step(const std::vector<LineStep>& steps, const LoadWay& way) {
   double first = std::numeric_limits<double>::infinity();
   for (const LineStep& step : steps) first = std::min(first, std::abs(way.place_of(step.load_factor)));
   return std::ranges::any_of(steps, [&](const LineStep& step) {
@@ -209,20 +209,20 @@ bool StepLoads::take_factors(const GrowingTip& tip, const coupling::Affine& disp
   const std::optional<TipFactors> found = body.factors_around(tip, displacement);
   if (!found || !(found->error < largest_error_around)) return false;
   const pd::TipLaw law = fields_.law_of(tip).at(tip.acts_at(), tip.grown);
-  const AffineIntensity intensity = on_way(found->intensity, way);
+  const AffineIntensity intensity = along_load_path(found->intensity, way);
   LineCriterion criterion{fields_.growth_law(law, tip, tip.acts_at()), 1, way.ahead(way.present), way.control};
   const Point t_stress = law.function ? fields_.t_stress_at(tip, displacement) : Point(0, 0);
   if (law.function) criterion.law.asking.t_stress = {t_stress.x(), way.ahead(t_stress.y())};
   const std::optional<LineLoad> load = load_of_growth(intensity, intensity, criterion);
   const Point direction = load ? turned(tip.direction, load->angle) : tip.direction;
-  const LineWay::Step its = way_.next(tip.place, direction, law);
+  const LinePath::Step its = path_.next(tip.place, direction, law);
   if (!load || its.bonds.empty()) return false;
   set_by_factors(*found, *load, way, LineGrowth::correction_of(tip), step);
-  step.direction = direction, step.way = its;
+  step.direction = direction, step.path = its;
   // If these factors do not suffice, the energy gives the load: alone if growth is by the energy criterion, else (a
   // sheared tip beside an edge) in the mean with the load by the factors.
-  step.blends = !step.factors_suffice && fields_.laws().criterion == KinkCriterion::hoop_stress;
-  if (step.blends) step.error += error_of_crowded;
+  step.averages_loads = !step.sums_suffice && fields_.laws().criterion == KinkCriterion::hoop_stress;
+  if (step.averages_loads) step.error += error_of_crowded;
   if (law.function)
     step.toughness = criterion.law.toughness;
   else if (!step.at_border)
@@ -234,16 +234,16 @@ bool StepLoads::take_factors(const GrowingTip& tip, const coupling::Affine& disp
 // have none by energy: fluid would follow into the step, which the energy does not contain.
 void StepLoads::replace(const GrowingTip& tip, const coupling::Affine& displacement, const LoadWay& way,
                         TrialBody& body, LineStep& step) const {
-  const bool around = step.asks_around && take_factors(tip, displacement, way, body, step);
-  if (around ? step.factors_suffice : step.fit_would_hold) return;
+  const bool around = step.asks_for_sums && take_factors(tip, displacement, way, body, step);
+  if (around ? step.sums_suffice : step.fit_holds_without_sums) return;
   if (!body_.loads().pressure_in(tip.id.crack).isZero(0) || body_.loads().has_fluid()) return;
   const pd::TipLaw& law = fields_.law_of(tip);
   if (!around && !direction_holds(step) && !fields_.has_begun(tip)) {
     const Point better = direction_by_energy(tip, law, step, trials_, displacement, body);
-    const LineWay::Step its = way_.next(tip.place, better, law);
+    const LinePath::Step its = path_.next(tip.place, better, law);
     if (!its.bonds.empty()) {
       step.angle += std::atan2(cross(step.direction, better), step.direction.dot(better));
-      step.direction = better, step.way = its;
+      step.direction = better, step.path = its;
     }
   }
   std::optional<TrialGrowth> growth = trials_.along(tip, law, step.direction, displacement, body);
@@ -258,13 +258,13 @@ void StepLoads::replace(const GrowingTip& tip, const coupling::Affine& displacem
   if (step.is_shut && tip.grown == 0 && step.residual < residual_without_direction &&
       way.ahead(load->load_factor) > way.ahead(step.load_factor))
     return;
-  step.by_energy = true, step.by_factors = false, step.taken_energy = growth->first_energy();
+  step.load_by_trial = true, step.load_by_sums = false, step.taken_energy = growth->first_energy();
   // A tip that is overloaded at the start of the path is due there, even if a smaller load would suffice further on.
   const bool is_due = way.control == Control::load && way.ahead(load->load_factor) > way.ahead(way.present) &&
                       growth->opens(way.present) && growth->ratio(way.present) >= 1 + ratio_rounding;
   step.after_step = growth->ratio_after(load->load_factor) / growth->ratio(load->load_factor);
   const double least_error = step.error < error_beside_face ? 0 : error_by_energy_beside_face;
-  blend(*load, std::max(error_by_energy + growth->error(load->load_factor), least_error), step);
+  average_loads(*load, std::max(error_by_energy + growth->error(load->load_factor), least_error), step);
   if (is_due) step.load_factor = way.present;
 }
 

@@ -12,18 +12,18 @@
 namespace bempd::fracture {
 
 // Stress intensity factors as functions of the load factor times the sign of the load path.
-AffineIntensity on_way(AffineIntensity intensity, const LoadWay& way);
+AffineIntensity along_load_path(AffineIntensity intensity, const LoadWay& way);
 
 // Whether one of the steps whose fits do not hold may be the first, where `steps` have the loads of their fits. Its
 // load then has to come from the energy of a trial step, which a TrialBody is needed for.
-bool need_body(const std::vector<LineStep>& steps, const LoadWay& way);
+bool needs_trial_step(const std::vector<LineStep>& steps, const LoadWay& way);
 
 // Methods that give a tip's critical load: the fit of stresses or, where that fit does not hold, sums around the tip or
 // the energy of a trial step.
 class StepLoads {
  public:
-  StepLoads(LoadedBody& body, const TipFields& fields, const LineWay& way)
-      : body_(body), fields_(fields), way_(way), trials_(body.system(), fields.laws(), way) {}
+  StepLoads(LoadedBody& body, const TipFields& fields, const LinePath& path)
+      : body_(body), fields_(fields), path_(path), trials_(body.system(), fields.laws(), path) {}
 
   // Says whether the fit that gave a step its load holds, and which method serves if it does not.
   void judge_fit(const std::vector<GrowingTip>& tips, const WilliamsFit& fit, LineStep& step) const;
@@ -40,7 +40,7 @@ class StepLoads {
 
   LoadedBody& body_;
   const TipFields& fields_;
-  const LineWay& way_;
+  const LinePath& path_;
   TrialSteps trials_;
 };
 

@@ -36,8 +36,8 @@ bool TipFields::has_begun(const GrowingTip& tip) const {
 
 // Stress intensity factors for the turn of a tip whose crack began in the run: from the stress closely ahead. They are
 // 0 (no turn) if that stress is only rounding.
-AffineIntensity TipFields::turning_of(const GrowingTip& tip, const AffineIntensity& by_fit,
-                                      const coupling::Affine& displacement, double present) const {
+AffineIntensity TipFields::factors_for_turn(const GrowingTip& tip, const AffineIntensity& by_fit,
+                                            const coupling::Affine& displacement, double present) const {
   const pd::TipLaw law = law_of(tip).at(tip.acts_at(), tip.grown);
   AffineIntensity ahead = stress_.closely_ahead_of(tip, law, displacement, body_.loads().pressure_in(tip.id.crack));
   const auto size = [](const AffineIntensity& one, int part) { return std::hypot(one.one[part], one.two[part]); };
@@ -62,7 +62,7 @@ bool TipFields::is_shut(const GrowingTip& tip, const WilliamsFit& fit) const {
 }
 
 AffineIntensity TipFields::intensity_of(const GrowingTip& tip, const WilliamsFit& fit) const {
-  AffineIntensity found = stress_.as_read(fit.factors(law_of(tip).horizon));
+  AffineIntensity found = stress_.corrected_factors(fit.factors(law_of(tip).horizon));
   if (!laws_.loads_by_energy || !is_shut(tip, fit)) return found;
   const Eigen::Vector2d at(1, body_.state().load_factor);
   if (std::abs(found.two.dot(at)) < least_shear_of_shut * std::abs(found.one.dot(at))) found.two.setZero();
@@ -72,7 +72,7 @@ AffineIntensity TipFields::intensity_of(const GrowingTip& tip, const WilliamsFit
 
 AffineIntensity TipFields::intensity_for_load(const GrowingTip& tip, const WilliamsFit& fit) const {
   return laws_.loads_by_energy && is_shut(tip, fit) ? intensity_of(tip, fit)
-                                                    : stress_.for_load(fit, law_of(tip).horizon);
+                                                    : stress_.factors_for_load(fit, law_of(tip).horizon);
 }
 
 AffineIntensity TipFields::intensity_at(const GrowingTip& tip, const coupling::Affine& displacement) const {
@@ -85,9 +85,9 @@ bool TipFields::is_closed(const GrowingTip& tip, const coupling::Affine& displac
 
 double TipFields::kink_at(const GrowingTip& tip, const coupling::Affine& displacement, double load_factor) const {
   const AffineIntensity fit = intensity_at(tip, displacement);
-  const AffineIntensity turning = has_begun(tip) ? turning_of(tip, fit, displacement, load_factor) : fit;
+  const AffineIntensity turn_factors = has_begun(tip) ? factors_for_turn(tip, fit, displacement, load_factor) : fit;
   const Eigen::Vector2d at(1, load_factor);
-  const Point factors(turning.one.dot(at), turning.two.dot(at));
+  const Point factors(turn_factors.one.dot(at), turn_factors.two.dot(at));
   return law_of(tip).directions ? growth_law(tip, tip.place).kink(factors).angle : kink_of(factors).angle;
 }
 

@@ -31,15 +31,15 @@ class TipFields {
 
   // Stress intensity factors of a tip as affine functions of the load factor.
   AffineIntensity intensity_at(const GrowingTip& tip, const coupling::Affine& displacement) const;
-  // Stress intensity factors from a fit, corrected as in TipStress::as_read(). If loads come from energies, K_I is 0
-  // for a tip whose faces press on each other.
+  // Stress intensity factors from a fit, corrected as in TipStress::corrected_factors(). If loads come from energies,
+  // K_I is 0 for a tip whose faces press on each other.
   AffineIntensity intensity_of(const GrowingTip& tip, const WilliamsFit& fit) const;
-  // Factors that give the load of growth: TipStress::for_load(), but those of intensity_of() if the tip is shut and
-  // loads come from energies.
+  // Factors that give the load of growth: TipStress::factors_for_load(), but those of intensity_of() if the tip is shut
+  // and loads come from energies.
   AffineIntensity intensity_for_load(const GrowingTip& tip, const WilliamsFit& fit) const;
   // Factors that give the turn of a tip whose crack began in the run; 0 (no turn) if the stress ahead is only rounding.
-  AffineIntensity turning_of(const GrowingTip& tip, const AffineIntensity& by_fit, const coupling::Affine& displacement,
-                             double present) const;
+  AffineIntensity factors_for_turn(const GrowingTip& tip, const AffineIntensity& by_fit,
+                                   const coupling::Affine& displacement, double present) const;
   // T of a tip, constant and proportional part [Pa].
   Point t_stress_at(const GrowingTip& tip, const coupling::Affine& displacement) const {
     return fitted(tip, law_of(tip), displacement).t_stress();

@@ -12,7 +12,7 @@ namespace {
 
 // Half length of the pieces that make up a face, in spacings. Each piece runs across the middle of a broken bond
 // between neighbours and overlaps the next one slightly.
-constexpr double half_piece = 0.55;  // in spacings
+constexpr double half_length_of_piece = 0.55;  // in spacings
 
 // Limits in spacings up to which a broken bond counts as broken by the tip's own crack: how far its middle lies ahead
 // of the tip, within `beside_own` to the sides and elsewhere. Broken bonds between neighbours have their middles within
@@ -34,7 +34,7 @@ void TipSight::add_gone(const Point& middle, const Point& along) {
   const double rounding = rounding_of_places * spacing_;
   if (ahead <= (aside <= beside_own * spacing_ + rounding ? ahead_of_own : ahead_of_kink) * spacing_ + rounding) return;
   nearest_face_ = std::min(nearest_face_, step.norm());
-  const Point half = half_piece * spacing_ * Point(-along.y(), along.x());
+  const Point half = half_length_of_piece * spacing_ * Point(-along.y(), along.x());
   faces_.push_back({middle - half, middle + half});
 }
 

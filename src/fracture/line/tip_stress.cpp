@@ -175,18 +175,18 @@ TipStress::Fit TipStress::fit_of(const GrowingTip& growing, const pd::TipLaw& la
   const TipSight sight = sight_of(tip, law);
   const double face = sight.nearest_face();
   Reach reach = reach_at(std::min(face, nearest_disturbance(tip, law)), law.horizon);
-  Fit fit{terms_beside(face, law.horizon), stations(tip, law, reach, fitted_cosine, sight)};
-  std::vector<Station> apart = fit.stations;
-  std::erase_if(apart, [&](const Station& s) { return joints_.are_beside(s.node); });
+  Fit fit{terms_beside(face, law.horizon), stress_points(tip, law, reach, fitted_cosine, sight)};
+  std::vector<StressPoint> apart = fit.stress_points;
+  std::erase_if(apart, [&](const StressPoint& s) { return joints_.are_beside(s.node); });
   if (apart.size() >= enough_points) {
-    fit.stations = std::move(apart);
-  } else if (apart.size() < fit.stations.size()) {
+    fit.stress_points = std::move(apart);
+  } else if (apart.size() < fit.stress_points.size()) {
     reach = reach_at(std::min(face, nearest_outline(tip.place, away_from_surfaces * law.horizon)), law.horizon);
-    fit.stations = stations(tip, law, reach, fitted_cosine, sight);
+    fit.stress_points = stress_points(tip, law, reach, fitted_cosine, sight);
   }
-  if (fit.terms < fitted_terms && fit.stations.size() < enough_points) {
+  if (fit.terms < fitted_terms && fit.stress_points.size() < enough_points) {
     reach.inner = 2 * rounding_of_places;  // at the tip itself the stress is infinite
-    fit.stations = stations(tip, law, reach, fitted_cosine, sight);
+    fit.stress_points = stress_points(tip, law, reach, fitted_cosine, sight);
   }
   return fit;
 }
@@ -227,18 +227,20 @@ bool TipStress::lacks_points(const GrowingTip& tip, const pd::TipLaw& law) const
   return std::ranges::any_of(sides, is_oblique);
 }
 
-std::vector<TipStress::Station> TipStress::stations_closely_ahead(const GrowingTip& tip, const pd::TipLaw& law) const {
-  return stations(tip, law, {0, near_reach}, near_cosine, sight_of(tip, law));
+std::vector<TipStress::StressPoint> TipStress::points_closely_ahead(const GrowingTip& tip,
+                                                                    const pd::TipLaw& law) const {
+  return stress_points(tip, law, {0, near_reach}, near_cosine, sight_of(tip, law));
 }
 
 // Stress points; points without bonds have no stress and are left out.
-std::vector<TipStress::Station> TipStress::stations(const GrowingTip& tip, const pd::TipLaw& law, const Reach& reach,
-                                                    double least_cosine, const TipSight& sight) const {
-  std::vector<Station> found;
+std::vector<TipStress::StressPoint> TipStress::stress_points(const GrowingTip& tip, const pd::TipLaw& law,
+                                                             const Reach& reach, double least_cosine,
+                                                             const TipSight& sight) const {
+  std::vector<StressPoint> found;
   for (const int node : near_.about(tip.place, reach.outer * law.horizon)) {
     const Point& point = positions_[static_cast<std::size_t>(node)];
     const Point step = (point - tip.place) / law.horizon;
-    const Station s{node, step.norm(), step.dot(tip.direction), cross(tip.direction, step)};
+    const StressPoint s{node, step.norm(), step.dot(tip.direction), cross(tip.direction, step)};
     if (s.distance < reach.inner - rounding_of_places || s.distance >= reach.outer - rounding_of_places) continue;
     if (s.ahead < least_cosine * s.distance - rounding_of_places || bonds_at_.of(node).empty()) continue;
     if (sight.sees(point)) found.push_back(s);
@@ -248,12 +250,12 @@ std::vector<TipStress::Station> TipStress::stations(const GrowingTip& tip, const
 
 void TipStress::add_nodes_asked(const GrowingTip& tip, const pd::TipLaw& law, bool closely_ahead,
                                 std::vector<int>& nodes) const {
-  std::vector<Station> asked = fit_of(tip, law).stations;
+  std::vector<StressPoint> asked = fit_of(tip, law).stress_points;
   if (closely_ahead) {
-    const std::vector<Station> near = stations_closely_ahead(tip, law);
+    const std::vector<StressPoint> near = points_closely_ahead(tip, law);
     asked.insert(asked.end(), near.begin(), near.end());
   }
-  for (const Station& s : asked)
+  for (const StressPoint& s : asked)
     for_each_term(s.node, [&](std::size_t term) {
       system_.terms().for_each_node(term, [&](int node) { nodes.push_back(node); });
     });
@@ -263,7 +265,7 @@ WilliamsFit TipStress::fitted(const GrowingTip& tip, const pd::TipLaw& law, cons
                               const Eigen::RowVector2d& pressure) const {
   const Fit fit = fit_of(tip, law);
   WilliamsFit series(fit.terms);
-  for (const auto& [node, r, ahead, across] : fit.stations) {
+  for (const auto& [node, r, ahead, across] : fit.stress_points) {
     Stress s = stress(node, tip.direction, law, displacement);
     s.topRows<2>().rowwise() += pressure;
     series.add(r, std::atan2(across, ahead), s);
@@ -276,9 +278,9 @@ AffineIntensity TipStress::closely_ahead_of(const GrowingTip& tip, const pd::Tip
                                             const Eigen::RowVector2d& pressure) const {
   AffineIntensity sum;
   double total = 0;
-  for (const Station& station : stations_closely_ahead(tip, law)) {
-    const Stress s = stress(station.node, tip.direction, law, displacement);
-    const double r = station.distance, bump = 1 - r * r / (near_reach * near_reach), weight = bump * bump;
+  for (const StressPoint& point : points_closely_ahead(tip, law)) {
+    const Stress s = stress(point.node, tip.direction, law, displacement);
+    const double r = point.distance, bump = 1 - r * r / (near_reach * near_reach), weight = bump * bump;
     sum.one += weight * (s.row(1) + pressure);
     sum.two += weight * s.row(2);
     total += weight;

@@ -29,12 +29,12 @@ class TipStress {
 
   // fitted(): Williams' series fitted to the stress ahead of the tip. `pressure` is the fluid pressure in its crack
   // (constant and proportional part): a uniform pressure of that size is subtracted from the stress, so that the faces
-  // are free of load. as_read(): the tip's stress intensity factors from those of the fit. If loads come from energies,
-  // it reduces K_II, which the fit gives too large. for_load(): those that give the load of growth.
+  // are free of load. corrected_factors(): the tip's stress intensity factors from those of the fit. If loads come from
+  // energies, it reduces K_II, which the fit gives too large. factors_for_load(): those that give the load of growth.
   WilliamsFit fitted(const GrowingTip& tip, const pd::TipLaw& law, const coupling::Affine& displacement,
                      const Eigen::RowVector2d& pressure) const;
-  AffineIntensity as_read(AffineIntensity fitted) const;
-  AffineIntensity for_load(const WilliamsFit& fit, double horizon) const;
+  AffineIntensity corrected_factors(AffineIntensity fitted) const;
+  AffineIntensity factors_for_load(const WilliamsFit& fit, double horizon) const;
 
   // Stress intensity factors from the mean stress closely ahead. Their ratio K_II / K_I is more accurate if another tip
   // is closely behind.
@@ -68,21 +68,21 @@ class TipStress {
   };
 
   // Stress point: a material point near a tip whose stress is a value for the fit of Williams' series.
-  struct Station {
+  struct StressPoint {
     int node;
     double distance, ahead, across;  // of the tip, in horizons
   };
   struct Fit {
     int terms;  // of Williams' series
-    std::vector<Station> stations;
+    std::vector<StressPoint> stress_points;
   };
   GrowingTip as_fitted(GrowingTip tip) const;
   Fit fit_of(const GrowingTip& growing, const pd::TipLaw& law) const;
-  std::vector<Station> stations_closely_ahead(const GrowingTip& tip, const pd::TipLaw& law) const;
+  std::vector<StressPoint> points_closely_ahead(const GrowingTip& tip, const pd::TipLaw& law) const;
   // Stress points ahead of a tip: material points with bonds within `reach` that no other crack hides. `least_cosine`
   // limits the angle to the tip's direction.
-  std::vector<Station> stations(const GrowingTip& tip, const pd::TipLaw& law, const Reach& reach, double least_cosine,
-                                const TipSight& sight) const;
+  std::vector<StressPoint> stress_points(const GrowingTip& tip, const pd::TipLaw& law, const Reach& reach,
+                                         double least_cosine, const TipSight& sight) const;
 
   // Calls visit(term) for the intact terms at a node, on which its stress depends.
   template <class Visit>

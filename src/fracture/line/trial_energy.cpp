@@ -21,7 +21,7 @@ constexpr std::size_t most_answers_kept = 32;
 
 std::optional<Eigen::MatrixXd> WholeBodyTrials::flexibility(std::span<const int> terms) {
   try {
-    if (is_apart_) return coupling::flexibility_by_temporary_factor(system_, terms);
+    if (uses_separate_factor_) return coupling::flexibility_by_temporary_factor(system_, terms);
     if (system_.counters().matrices != matrix_known_ || answers_.size() >= most_answers_kept) answers_.clear();
     for (const Answer& answer : answers_)
       if (std::equal(answer.terms.begin(), answer.terms.end(), terms.begin(), terms.end())) return answer.flexibility;

@@ -50,7 +50,7 @@ class WholeBodyTrials final : public TrialBody {
 
   // Computes answers with a separate factor from now on if `apart`: an open window has changed terms, and the system's
   // factor belongs to the previous matrix.
-  void stand_apart(bool apart) { is_apart_ = apart; }
+  void use_separate_factor(bool apart) { uses_separate_factor_ = apart; }
 
  private:
   struct Answer {
@@ -60,7 +60,7 @@ class WholeBodyTrials final : public TrialBody {
 
   coupling::EquilibriumSystem& system_;
   FactorsAround factors_;
-  bool is_apart_ = false;
+  bool uses_separate_factor_ = false;
   std::int64_t matrix_known_ = -1;  // by the count of matrices
   std::vector<Answer> answers_;
 };

@@ -17,12 +17,12 @@ namespace bempd::fracture {
 namespace {
 
 // Largest length of a trial step in spacings. The bonds that it happens to cut change the result by up to 13 % over one
-// spacing, by 2 % over four. Near an edge or a face it reaches half of the way.
+// spacing, by 2 % over four. Near an edge or a face it reaches half of the distance.
 constexpr int longest_trial = 4;
 
 // Directions that are tried: their number on each side, and the angle between two of them [rad].
-constexpr int trials_aside = 2;
-constexpr double between_trials = 10 * std::numbers::pi / 180;
+constexpr int trials_on_each_side = 2;
+constexpr double angle_between_trials = 10 * std::numbers::pi / 180;
 
 constexpr double ratio_of_ties = 1e-9;
 
@@ -67,8 +67,8 @@ std::vector<CutStiffness::Bond> CutStiffness::family_of(const coupling::Terms& t
   for (const int node : points)
     for (const int bond : bonds_at.of(node)) {
       const auto t = static_cast<std::size_t>(bond);
-      const Point way = Point(terms.cosine[t], terms.sine[t]) * (terms.first[t] == node ? 1 : -1);
-      const Point vector = terms.length[t] * way, rounded = vector / same;
+      const Point direction = Point(terms.cosine[t], terms.sine[t]) * (terms.first[t] == node ? 1 : -1);
+      const Point vector = terms.length[t] * direction, rounded = vector / same;
       const std::pair key(std::lround(rounded.x()), std::lround(rounded.y()));
       found.try_emplace(key, vector, std::vector<double>()).first->second.second.push_back(whole[t]);
     }
@@ -96,7 +96,7 @@ double CutStiffness::per_length(int law, const Point& normal) const {
   return sum / (spacing * spacing);
 }
 
-double CutStiffness::left_of_weakened(std::size_t bond, double stiffness) const {
+double CutStiffness::effective_stiffness_of_weakened(std::size_t bond, double stiffness) const {
   const Point vector = terms_.length[bond] * Point(terms_.cosine[bond], terms_.sine[bond]);
   const int law = laws_.of_node[static_cast<std::size_t>(terms_.first[bond])];
   if (law < 0) return stiffness;
@@ -190,19 +190,19 @@ std::optional<LineLoad> TrialGrowth::load(double nearby, double sense, bool prop
   return found;
 }
 
-TrialSteps::TrialSteps(const coupling::EquilibriumSystem& system, const pd::TipLaws& laws, const LineWay& way)
-    : system_(system), way_(way), cut_(system.terms(), laws) {}
+TrialSteps::TrialSteps(const coupling::EquilibriumSystem& system, const pd::TipLaws& laws, const LinePath& path)
+    : system_(system), path_(path), cut_(system.terms(), laws) {}
 
 // The first step of an initial crack cuts bonds that the crack has weakened.
 CutStiffness::Counted TrialSteps::counted(const GrowingTip& tip, int bond, const Point& normal) const {
   const auto b = static_cast<std::size_t>(bond);
   const double present = system_.stages().stiffness()[b];
-  return cut_.of(b, tip.energy_ratios.empty() ? cut_.left_of_weakened(b, present) : present, normal);
+  return cut_.of(b, tip.energy_ratios.empty() ? cut_.effective_stiffness_of_weakened(b, present) : present, normal);
 }
 
 double TrialSteps::energy_of_step(const GrowingTip& tip, const pd::TipLaw& law, const Point& direction) const {
   double energy = 0;
-  for (const int bond : way_.across(tip.place, tip.place + law.spacing * direction, law.horizon))
+  for (const int bond : path_.across(tip.place, tip.place + law.spacing * direction, law.horizon))
     energy += counted(tip, bond, left_of(direction)).energy;
   return std::isfinite(energy) ? energy * law.energy_share(tip.grown, direction) : 0;
 }
@@ -213,7 +213,7 @@ std::optional<TrialGrowth> TrialSteps::along(const GrowingTip& tip, const pd::Ti
                                              const coupling::Affine& displacement, TrialBody& body) const {
   const coupling::Terms& terms = system_.terms();
   const int lengths =
-      std::clamp(way_.clear_spacings(tip.place, direction, law, 2 * longest_trial) / 2, 1, longest_trial);
+      std::clamp(path_.clear_spacings(tip.place, direction, law, 2 * longest_trial) / 2, 1, longest_trial);
   const Point normal = left_of(direction);
   const double share = law.energy_share(tip.grown, direction);
   std::vector<int> order;
@@ -222,7 +222,7 @@ std::optional<TrialGrowth> TrialSteps::along(const GrowingTip& tip, const pd::Ti
   CutStiffness::Counted all;
   for (int k = 1; k <= lengths; ++k) {
     std::vector<coupling::StageChange> changes;
-    for (const int bond : way_.across(tip.place, tip.place + k * law.spacing * direction, law.horizon)) {
+    for (const int bond : path_.across(tip.place, tip.place + k * law.spacing * direction, law.horizon)) {
       if (std::find(order.begin(), order.end(), bond) != order.end()) continue;
       const CutStiffness::Counted own = counted(tip, bond, normal);
       all.length += own.length, all.energy += own.energy;
@@ -256,23 +256,24 @@ std::optional<TrialGrowth> TrialSteps::along(const GrowingTip& tip, const pd::Ti
 // Direction of the largest ratio: the top of a parabola through the best direction and its neighbours.
 Point TrialSteps::best_direction(const GrowingTip& tip, const pd::TipLaw& law, const Point& around, double load_factor,
                                  const coupling::Affine& displacement, TrialBody& body) const {
-  std::array<double, 2 * trials_aside + 1> ratio{};
-  for (int k = -trials_aside; k <= trials_aside; ++k) {
-    const auto growth = along(tip, law, turned(around, k * between_trials), displacement, body);
-    ratio[static_cast<std::size_t>(k + trials_aside)] = growth ? growth->mean_ratio(load_factor) : 0;
+  std::array<double, 2 * trials_on_each_side + 1> ratio{};
+  for (int k = -trials_on_each_side; k <= trials_on_each_side; ++k) {
+    const auto growth = along(tip, law, turned(around, k * angle_between_trials), displacement, body);
+    ratio[static_cast<std::size_t>(k + trials_on_each_side)] = growth ? growth->mean_ratio(load_factor) : 0;
   }
   // The direction nearest to the middle is chosen among those that are equal up to rounding.
-  int best = trials_aside;
+  int best = trials_on_each_side;
   for (const int k : {-1, 1, -2, 2})
-    if (ratio[static_cast<std::size_t>(trials_aside + k)] > (1 + ratio_of_ties) * ratio[static_cast<std::size_t>(best)])
-      best = trials_aside + k;
-  double aside = best - trials_aside;
-  if (best > 0 && best < 2 * trials_aside) {
+    if (ratio[static_cast<std::size_t>(trials_on_each_side + k)] >
+        (1 + ratio_of_ties) * ratio[static_cast<std::size_t>(best)])
+      best = trials_on_each_side + k;
+  double aside = best - trials_on_each_side;
+  if (best > 0 && best < 2 * trials_on_each_side) {
     const auto b = static_cast<std::size_t>(best);
     const double bend = ratio[b - 1] - 2 * ratio[b] + ratio[b + 1];
     if (bend < 0) aside += (ratio[b - 1] - ratio[b + 1]) / (2 * bend);
   }
-  return turned(around, aside * between_trials);
+  return turned(around, aside * angle_between_trials);
 }
 
 }  // namespace bempd::fracture

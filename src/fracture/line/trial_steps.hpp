@@ -27,7 +27,7 @@ class CutStiffness {
 
   // Effective stiffness of a bond that is weakened at the end of an initial crack: taking away half a bond releases
   // less than half of what the whole bond would release.
-  double left_of_weakened(std::size_t bond, double stiffness) const;
+  double effective_stiffness_of_weakened(std::size_t bond, double stiffness) const;
 
  private:
   struct Bond {
@@ -93,7 +93,7 @@ class TrialGrowth {
 // its own singular field, but disturbed by an edge, a face or another tip.
 class TrialSteps {
  public:
-  TrialSteps(const coupling::EquilibriumSystem& system, const pd::TipLaws& laws, const LineWay& way);
+  TrialSteps(const coupling::EquilibriumSystem& system, const pd::TipLaws& laws, const LinePath& path);
 
   // Trial step of a tip in a direction; empty if no bond lies ahead, or if the body has no answer.
   std::optional<TrialGrowth> along(const GrowingTip& tip, const pd::TipLaw& law, const Point& direction,
@@ -110,7 +110,7 @@ class TrialSteps {
   CutStiffness::Counted counted(const GrowingTip& tip, int bond, const Point& normal) const;
 
   const coupling::EquilibriumSystem& system_;
-  const LineWay& way_;
+  const LinePath& path_;
   CutStiffness cut_;
 };
 

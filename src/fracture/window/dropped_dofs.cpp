@@ -17,16 +17,16 @@ void append(const DroppedDofs::Forms& forms, DroppedDofs::Forms& to) {
 
 }  // namespace
 
-void DroppedDofs::narrow(std::vector<int> left, const std::vector<int>& followed, Eigen::MatrixXd response,
+void DroppedDofs::narrow(std::vector<int> dropped, const std::vector<int>& followed, Eigen::MatrixXd response,
                          const Affine& displacement, const Forms& ratios) {
-  Level level{std::move(left), std::vector<int>(displacement.rows(), -1), std::move(response), {}, breaks()};
+  Level level{std::move(dropped), std::vector<int>(displacement.rows(), -1), std::move(response), {}, breaks()};
   for (std::size_t i = 0; i < followed.size(); ++i) level.column_of[followed[i]] = static_cast<int>(i);
-  level.start = displacement(level.left, Eigen::all);
+  level.start = displacement(level.dropped, Eigen::all);
   levels_.push_back(std::move(level));
   append(ratios, ratios_);
 }
 
-void DroppedDofs::note_losses(const Forms& elongations, const std::vector<double>& stiffnesses) {
+void DroppedDofs::note_lost_stiffness(const Forms& elongations, const std::vector<double>& stiffnesses) {
   append(elongations, broken_);
   lost_.insert(lost_.end(), stiffnesses.begin(), stiffnesses.end());
 }
@@ -61,7 +61,7 @@ std::vector<Affine> DroppedDofs::complete(const std::vector<State>& states, bool
     const Eigen::MatrixXd change = level.response * pull;
     for (Eigen::Index c = 0; c < columns; ++c) {
       const Eigen::Index part = first_part + c % parts;
-      result[later[c / parts]].col(part)(level.left) = level.start.col(part) + change.col(c);
+      result[later[c / parts]].col(part)(level.dropped) = level.start.col(part) + change.col(c);
     }
   }
   return result;
@@ -71,9 +71,9 @@ std::vector<Affine> DroppedDofs::complete(const std::vector<State>& states, bool
 // the flexibility then, F the present one, and P = sum of k b b^T over the terms that have lost stiffness since. Only
 // displacements f enter P, so F = F0 + F P F0. A force r_l therefore acts as F_fl r_l = y + F_ff P y, with y = F0_fl
 // r_l.
-void DroppedDofs::hand_over(Affine& force, Affine& answer) const {
+void DroppedDofs::transfer_forces(Affine& force, Affine& answer) const {
   for (const Level& level : levels_) {
-    const Affine y = level.response.transpose() * force(level.left, Eigen::all);
+    const Affine y = level.response.transpose() * force(level.dropped, Eigen::all);
     for (std::size_t dof = 0; dof < level.column_of.size(); ++dof) {
       if (level.column_of[dof] >= 0) answer.row(static_cast<Eigen::Index>(dof)) += y.row(level.column_of[dof]);
     }
@@ -112,7 +112,7 @@ int DroppedDofs::first_violation(const std::vector<Affine>& states, const std::v
       largest = largest.max(ratio);
     }
     for (std::size_t c = begin; c < end; ++c) {
-      const bool holds = largest[static_cast<Eigen::Index>(c - begin)] < checks[c].bound();
+      const bool holds = largest[static_cast<Eigen::Index>(c - begin)] < checks[c].limit_less_rounding();
       if (!holds) return checks[c].state;
     }
   }

@@ -17,7 +17,7 @@ struct OutsideCheck {
   double limit;
 
   // Limit less a margin for rounding, because the window and the whole body solve different forms of the equations.
-  double bound() const { return limit * (1 - WindowSettings::certificate_margin); }
+  double limit_less_rounding() const { return limit * (1 - WindowSettings::comparison_margin); }
 };
 
 // Degrees of freedom (dofs) that a window has dropped: it no longer follows their displacements from event to event,
@@ -45,9 +45,9 @@ class DroppedDofs {
   // Drops the degrees of freedom `left` for good; the window continues with `followed`. `response` holds the
   // displacements of the left ones (rows) due to unit forces on the followed ones (columns), `ratios` the stretch
   // ratios of the bonds that end on left ones.
-  void narrow(std::vector<int> left, const std::vector<int>& followed, Eigen::MatrixXd response,
+  void narrow(std::vector<int> dropped, const std::vector<int>& followed, Eigen::MatrixXd response,
               const coupling::Affine& displacement, const Forms& ratios);
-  void note_losses(const Forms& elongations, const std::vector<double>& stiffnesses);
+  void note_lost_stiffness(const Forms& elongations, const std::vector<double>& stiffnesses);
 
   std::size_t narrowings() const { return levels_.size(); }
   std::size_t breaks() const { return lost_.size(); }
@@ -59,7 +59,7 @@ class DroppedDofs {
   // displacements that they cause with the stiffness at the time of dropping. `force` gains, on followed ones, the
   // forces that correct this for terms broken since. The followed displacements are then `answer` plus the response to
   // `force` on followed degrees of freedom.
-  void hand_over(coupling::Affine& force, coupling::Affine& answer) const;
+  void transfer_forces(coupling::Affine& force, coupling::Affine& answer) const;
 
   // Index of the first state with a failed check of a bond on dropped degrees of freedom; the number of states if there
   // is none. The states must be completed.
@@ -67,7 +67,7 @@ class DroppedDofs {
 
  private:
   struct Level {
-    std::vector<int> left, column_of;  // column_of[dof]: in `response`
+    std::vector<int> dropped, column_of;  // column_of[dof]: in `response`
     Eigen::MatrixXd response;
     coupling::Affine start;
     std::size_t breaks_before;

@@ -42,7 +42,7 @@ bool EventForecast::choose_place(const BodyState& state, double load_factor) {
 
 void EventForecast::open_again(const BodyState& state, const Options& options) {
   options_ = options;
-  locator_.stay();
+  locator_.keep_location();
   open_here(state);
 }
 
@@ -177,7 +177,7 @@ bool EventForecast::forecast_next(double from, const BodyState& start) {
     return false;
   }
   if (line) {
-    lines_->take(*line, foreseen);
+    lines_->complete_step(*line, foreseen);
   } else {
     bonds_.note(events_.count(), from, foreseen.event, options_);
   }

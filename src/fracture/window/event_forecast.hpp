@@ -34,7 +34,7 @@ class EventForecast {
   void expect_cracks(const std::vector<int>& cut) { locator_.expect_cracks(cut); }
 
   // Switches to growth of crack lines: events are steps of lines from now on.
-  void follow(const LineSteps& lines) { lines_.emplace(body_, lines); }
+  void grow_lines(const LineSteps& lines) { lines_.emplace(body_, lines); }
 
   // Opens a window around the bonds that are close to breaking at the load factor of the next event. Returns false if
   // no window would be smaller than the problem.

@@ -22,9 +22,9 @@ LineCertificate::LineCertificate(const coupling::EquilibriumSystem& system, cons
   }
 }
 
-bool LineCertificate::is_spared(std::size_t bond, const Step& step) const {
+bool LineCertificate::is_guarded(std::size_t bond, const Step& step) const {
   return std::any_of(step.growing.begin(), step.growing.end(),
-                     [&](const GrowingTip& tip) { return steps_.guard().is_spared(bonds_[bond], tip); });
+                     [&](const GrowingTip& tip) { return steps_.guard().is_guarded(bonds_[bond], tip); });
 }
 
 int LineCertificate::first_break(const std::vector<coupling::Affine>& states, const std::vector<Step>& steps) const {
@@ -55,7 +55,7 @@ int LineCertificate::first_break(const std::vector<coupling::Affine>& states, co
 int LineCertificate::first_break(const Eigen::MatrixXd& stretched, int begin, const std::vector<Step>& steps,
                                  const std::vector<int>& broken_at) const {
   constexpr Eigen::Index batch = WindowSettings::states_swept_at_once;
-  constexpr double limit = 1 - WindowSettings::certificate_margin;
+  constexpr double limit = 1 - WindowSettings::comparison_margin;
   Eigen::Array<double, batch, Eigen::Dynamic> u =
       Eigen::Array<double, batch, Eigen::Dynamic>::Zero(batch, stretched.cols());
   u.topRows(stretched.rows()) = stretched;
@@ -68,7 +68,7 @@ int LineCertificate::first_break(const Eigen::MatrixXd& stretched, int begin, co
     for (int k = 0; k < static_cast<int>(stretched.rows()) && begin + k < found; ++k) {
       const int state = begin + k;
       if (ratio[k] < limit || broken_at[b] < state) continue;
-      if (!is_spared(b, steps[static_cast<std::size_t>(state)])) found = state;
+      if (!is_guarded(b, steps[static_cast<std::size_t>(state)])) found = state;
     }
   }
   return found;

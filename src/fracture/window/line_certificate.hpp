@@ -30,7 +30,7 @@ class LineCertificate {
  private:
   int first_break(const Eigen::MatrixXd& stretched, int begin, const std::vector<Step>& steps,
                   const std::vector<int>& broken_at) const;
-  bool is_spared(std::size_t bond, const Step& step) const;
+  bool is_guarded(std::size_t bond, const Step& step) const;
 
   const coupling::Condensation& condensation_;
   const LineSteps& steps_;

@@ -12,20 +12,20 @@ using coupling::Affine;
 bool LineForecast::choose_place(WindowLocator& locator, const WindowOptions& options, const BodyState& state,
                                 double load_factor) const {
   if (!state.displacement.col(0).isZero(0) || !(state.load_factor >= 0)) return false;
-  std::vector<WindowLocator::Way> ways;
+  std::vector<WindowLocator::PathAhead> paths;
   const LoadWay load_way{state.load_factor, true, options.control};
   const std::vector<LineStep> steps = lines_.all(state.tips, state.displacement, load_way);
-  if (need_body(steps, load_way)) return false;
+  if (needs_trial_step(steps, load_way)) return false;
   for (const LineStep& step : steps) {
     if (!LineSteps::is_driven(step, load_way, load_factor)) continue;
     const GrowingTip& tip = state.tips[step.tip];
     const pd::TipLaw& law = lines_.fields().law_of(tip);
     const Point& from = tip.place;
-    const double length = std::max(step.way.length, WindowSettings::least_way * law.spacing);
-    ways.push_back({from, step.direction, law.horizon, {}});
-    ways.back().bonds = lines_.way().across(from, from + length * step.direction, law.horizon);
+    const double length = std::max(step.path.length, WindowSettings::least_path * law.spacing);
+    paths.push_back({from, step.direction, law.horizon, {}});
+    paths.back().bonds = lines_.path().across(from, from + length * step.direction, law.horizon);
   }
-  return locator.choose(ways, options.ahead);
+  return locator.choose(paths, options.ahead);
 }
 
 void LineForecast::begin(const coupling::Condensation& condensation, const WindowSolver& window,
@@ -45,7 +45,7 @@ Affine LineForecast::displacement_near(const std::vector<GrowingTip>& tips) cons
 std::optional<LineSteps::Choice> LineForecast::choose(double from, Control control, ForecastEvent& foreseen) const {
   const LoadWay way{from, true, control};
   LineSteps::Choice choice = lines_.choose(tips_, near_tips_, way);
-  if (!choice.first || choice.needs_body) return std::nullopt;
+  if (!choice.first || choice.needs_trial_step) return std::nullopt;
   const double at = choice.load_factor;
   if (!(at >= 0) || (from > 0 && !LineSteps::is_driven(*choice.first, way, WindowSettings::surely_driven * from)))
     return std::nullopt;
@@ -56,11 +56,11 @@ std::optional<LineSteps::Choice> LineForecast::choose(double from, Control contr
   return choice;
 }
 
-void LineForecast::take(const LineSteps::Choice& line, ForecastEvent& foreseen) {
+void LineForecast::complete_step(const LineSteps::Choice& line, ForecastEvent& foreseen) {
   foreseen.outcome.ties = line.ties;
   const auto displacement = [&](const auto& tips) -> const Affine& { return near_tips_ = displacement_near(tips); };
-  foreseen.outcome.extensions = {
-      lines_.growth().take(*line.first, foreseen.event, foreseen.outcome.released_energy, displacement, tips_)};
+  foreseen.outcome.extensions = {lines_.growth().complete_step(*line.first, foreseen.event,
+                                                               foreseen.outcome.released_energy, displacement, tips_)};
   foreseen.tips = tips_;
 }
 

@@ -32,7 +32,7 @@ class LineForecast {
   // Next step at a load factor from `from` on, whose event is put into `foreseen`; empty if the window cannot tell it.
   std::optional<LineSteps::Choice> choose(double from, Control control, ForecastEvent& foreseen) const;
   // Moves the tip of a line after its step has been performed in the window.
-  void take(const LineSteps::Choice& line, ForecastEvent& foreseen);
+  void complete_step(const LineSteps::Choice& line, ForecastEvent& foreseen);
   // Takes the displacements around the tips from the window again, after they have been corrected there.
   void note_displacement();
   // Reaches of the tips, for which the window is needed.

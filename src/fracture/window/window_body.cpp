@@ -28,7 +28,7 @@ std::optional<BodyChange> WindowBody::change(const Event& event, std::span<const
   change.work = WindowFunctions::work(before, window_.rows().functions(), f);
   if (outcome.switches == 0) return change;
   switched_faces_ = face_forecast_.last_state();
-  change.released_first = released_by_constraints(kept_before, f);
+  change.released_before_terms = released_by_constraints(kept_before, f);
   return change;
 }
 
@@ -59,8 +59,8 @@ bool WindowBody::presses_on_held_parts() const {
   std::vector<std::size_t> closed = face_forecast_.last();
   std::erase_if(closed, [&](std::size_t i) { return !face_forecast_.constraints()[i].closed; });
   if (closed.empty()) return false;
-  const FreedPartFinder::Held held = body_.freed_parts().held_parts();
-  if (!held.others.empty()) return true;
+  const FreedPartFinder::PartsOnSprings held = body_.freed_parts().held_parts();
+  if (!held.springs_in_supported_pieces.empty()) return true;
   return std::any_of(closed.begin(), closed.end(), [&](std::size_t i) {
     const std::vector<coupling::TermEntry>& pull = face_forecast_.constraints()[i].constraint.pull;
     return std::any_of(pull.begin(), pull.end(), [&](const coupling::TermEntry& e) { return held.nodes[e.node] != 0; });

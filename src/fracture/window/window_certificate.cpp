@@ -74,15 +74,15 @@ std::vector<WindowCertificate::Classes> WindowCertificate::largest_ratios(const 
   return result;
 }
 
-void WindowCertificate::take(const std::vector<int>& states) {
+void WindowCertificate::compute_snapshots(const std::vector<int>& states) {
   for (std::size_t begin = 0; begin < states.size(); begin += WindowSettings::states_solved_at_once) {
     const std::size_t end = std::min(states.size(), begin + WindowSettings::states_solved_at_once);
-    take_together(
+    compute_together(
         {states.begin() + static_cast<std::ptrdiff_t>(begin), states.begin() + static_cast<std::ptrdiff_t>(end)});
   }
 }
 
-void WindowCertificate::take_together(const std::vector<int>& states) {
+void WindowCertificate::compute_together(const std::vector<int>& states) {
   check_cancelled();
   std::vector<int> solved = states;
   std::erase(solved, 0);
@@ -157,7 +157,7 @@ Eigen::MatrixXd WindowCertificate::values(const std::vector<std::pair<int, doubl
 bool WindowCertificate::is_exceeded(int state) const {
   const Snapshot& snapshot = snapshots_.at(state);
   for (std::size_t c = 0; c < checks_[state].size(); ++c) {
-    if (!(snapshot.largest[c] < checks_[state][c].bound())) return true;
+    if (!(snapshot.largest[c] < checks_[state][c].limit_less_rounding())) return true;
   }
   return false;
 }
@@ -186,7 +186,7 @@ std::vector<int> WindowCertificate::uncertified() const {
         const Eigen::VectorXd here = on_boundary(state, check.load_factor) - start;
         const double length = way.squaredNorm();
         const double t = length > 0 ? std::clamp(way.dot(here) / length, 0.0, 1.0) : 0.0;
-        questions.push_back({state, check.bound(), (1 - t) * a->second.bound + t * b->second.bound});
+        questions.push_back({state, check.limit_less_rounding(), (1 - t) * a->second.bound + t * b->second.bound});
         differences.push_back(here - t * way);
       }
     }
@@ -257,7 +257,7 @@ int WindowCertificate::first_violation(const std::vector<Affine>& states, const 
   }
   int end = static_cast<int>(states.size());
   for (int round = 0; !wanted.empty(); ++round) {
-    take(wanted);
+    compute_snapshots(wanted);
     // Results after the first violation are not needed.
     for (auto s = snapshots_.begin(); s != snapshots_.end() && s->first < end; ++s) {
       if (is_exceeded(s->first)) end = s->first;

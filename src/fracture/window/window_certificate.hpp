@@ -45,8 +45,8 @@ class WindowCertificate {
   void collect_bonds(const coupling::EquilibriumSystem& system, const StretchRatios& ratios);
   void classify(const std::vector<double>& compliance);
   std::vector<Classes> largest_ratios(const Eigen::MatrixXd& displacements) const;
-  void take(const std::vector<int>& states);
-  void take_together(const std::vector<int>& states);
+  void compute_snapshots(const std::vector<int>& states);
+  void compute_together(const std::vector<int>& states);
   Eigen::MatrixXd solve(const std::vector<int>& states);
   Eigen::MatrixXd values(const std::vector<std::pair<int, double>>& wanted, const std::vector<int>& solved,
                          const Eigen::MatrixXd& whole) const;

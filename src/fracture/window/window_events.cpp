@@ -69,7 +69,7 @@ bool WindowEvents::suits(const SteppingOptions& options) const { return forecast
 WindowOrigin WindowEvents::origin() const {
   WindowOrigin origin = origin_;
   origin.events_performed = events_performed_;
-  origin.is_behind = is_behind_ || is_shown_;
+  origin.is_out_of_date = is_out_of_date_ || is_updated_for_reader_;
   origin.has_changed_terms = forecast_.events().have_changed_terms();
   origin.needs_whole_body = forecast_.frees_a_motion();
   if (!faces_have_switched_) origin.faces.reset();
@@ -78,24 +78,24 @@ WindowOrigin WindowEvents::origin() const {
 
 bool WindowEvents::open_again(const WindowOrigin& origin) {
   events_performed_ = 0;
-  is_behind_ = is_shown_ = false;
+  is_out_of_date_ = is_updated_for_reader_ = false;
   origin_ = origin;
   most_events_at_first_ = forecast_.most_events();
   BodyState& state = body_.state();
   origin_.faces = state.faces;
   faces_have_switched_ = false;
   forecast_.open_again(state, origin.options);
-  for (const WindowOrigin::Look& look : origin.looks) {
-    while (events_performed_ < look.after)
+  for (const WindowOrigin::Computation& computation : origin.computations) {
+    while (events_performed_ < computation.after)
       if (!take_again()) return false;
     if (!forecast_.must_compute()) return false;
-    state.load_factor = look.load_factor;
-    state.largest_force = look.largest_force;
+    state.load_factor = computation.load_factor;
+    state.largest_force = computation.largest_force;
     forecast_.compute(state);
   }
   while (events_performed_ < origin.events_performed)
     if (!take_again()) return false;
-  is_shown_ = origin.is_behind;
+  is_updated_for_reader_ = origin.is_out_of_date;
   return true;
 }
 
@@ -128,12 +128,12 @@ void WindowEvents::close() {
 
 void WindowEvents::forget() {
   forecast_.forget();
-  is_behind_ = is_shown_ = false;
+  is_out_of_date_ = is_updated_for_reader_ = false;
 }
 
 void WindowEvents::abandon() noexcept {
   forecast_.close();
-  is_behind_ = is_shown_ = false;
+  is_out_of_date_ = is_updated_for_reader_ = false;
 }
 
 const Event* WindowEvents::next(double, const SteppingOptions&) {
@@ -142,10 +142,10 @@ const Event* WindowEvents::next(double, const SteppingOptions&) {
     before_forgetting_();
     // Displacements brought up to date only for a reader have other rounding errors than those that the events computed
     // next give for this state.
-    is_behind_ = is_behind_ || is_shown_;
-    is_shown_ = false;
+    is_out_of_date_ = is_out_of_date_ || is_updated_for_reader_;
+    is_updated_for_reader_ = false;
     const BodyState& state = body_.state();
-    origin_.looks.push_back({events_performed_, state.load_factor, state.largest_force});
+    origin_.computations.push_back({events_performed_, state.load_factor, state.largest_force});
     forecast_.compute(state);
   }
   const ForecastEvent* foreseen = forecast_.events().next();
@@ -163,8 +163,8 @@ Outcome WindowEvents::perform() {
   state.load_factor = event.load_factor;
   state.largest_force = std::max(state.largest_force, foreseen.largest_force);
   take(foreseen);
-  is_behind_ = true;
-  is_shown_ = false;
+  is_out_of_date_ = true;
+  is_updated_for_reader_ = false;
   return outcome;
 }
 
@@ -175,15 +175,15 @@ void WindowEvents::take_faces(FaceState faces) {
 }
 
 void WindowEvents::bring_up_to_date() {
-  show();
-  is_shown_ = false;
+  update_for_reader();
+  is_updated_for_reader_ = false;
 }
 
-void WindowEvents::show() {
-  if (!is_behind_) return;
-  body_.response().show(forecast_.displacement(forecast_.events().position()));
-  is_behind_ = false;
-  is_shown_ = true;
+void WindowEvents::update_for_reader() {
+  if (!is_out_of_date_) return;
+  body_.response().set_solution(forecast_.displacement(forecast_.events().position()));
+  is_out_of_date_ = false;
+  is_updated_for_reader_ = true;
 }
 
 WindowEvents::Place WindowEvents::place() const {
@@ -223,8 +223,8 @@ void WindowEvents::return_to(Place& place) noexcept {
   body_.faces().keep_first_pending(place.pending_faces, state.faces);
   state.stages = body_.system().stages().numbers();
   events_performed_ = place.events_performed;
-  is_behind_ = true;
-  is_shown_ = false;
+  is_out_of_date_ = true;
+  is_updated_for_reader_ = false;
 }
 
 }  // namespace bempd::fracture

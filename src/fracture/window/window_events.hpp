@@ -21,7 +21,7 @@ class WindowEvents final : public EventSource {
   WindowEvents(LoadedBody& body, std::function<void()> before_forgetting);
 
   // Switches to growth of crack lines: events are steps of lines from now on.
-  void follow(const LineSteps& lines) { forecast_.follow(lines); }
+  void grow_lines(const LineSteps& lines) { forecast_.grow_lines(lines); }
 
   // Announces, before the first solution, where initial cracks are: they have broken the bonds `cut`.
   void expect_cracks(const std::vector<int>& cut) { forecast_.expect_cracks(cut); }
@@ -57,7 +57,7 @@ class WindowEvents final : public EventSource {
 
   void bring_up_to_date();
   // Brings displacements up to date for a reader only: the run continues as if they were still out of date.
-  void show();
+  void update_for_reader();
 
   // Position of the body among the events of the window, to which it can return.
   struct Place {
@@ -80,8 +80,8 @@ class WindowEvents final : public EventSource {
   void take_faces(FaceState faces);
   bool take_again();
 
-  bool is_behind_ = false;
-  bool is_shown_ = false;  // although the run itself is behind
+  bool is_out_of_date_ = false;
+  bool is_updated_for_reader_ = false;  // although the run itself is behind
   std::int64_t events_performed_ = 0;
   WindowOrigin origin_;  // but for what changes from event to event
   bool faces_have_switched_ = false;

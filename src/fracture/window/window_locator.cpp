@@ -147,7 +147,8 @@ std::vector<int> WindowLocator::hot_bonds(double load_factor, double share) cons
 bool WindowLocator::choose(double load_factor, double tie_band, double ahead) {
   // Bonds at clamps and corners are nearly as close to breaking as those at tips in lattices with squares, so the
   // present window is kept as long as possible.
-  if (!system_.terms().followers.empty() && still_holds(hot_bonds(load_factor, WindowSettings::hot_in_present)))
+  if (!system_.terms().followers.empty() &&
+      still_holds(hot_bonds(load_factor, WindowSettings::hot_share_in_present_window)))
     return true;
   const ZoneShape shape{length_ahead(ahead)};
   std::vector<double> shares(WindowSettings::hot_shares.begin(), WindowSettings::hot_shares.end());
@@ -166,22 +167,22 @@ bool WindowLocator::choose(double load_factor, double tie_band, double ahead) {
   return false;
 }
 
-bool WindowLocator::choose(const std::vector<Way>& ways, double ahead) {
+bool WindowLocator::choose(const std::vector<PathAhead>& paths, double ahead) {
   std::vector<int> next;
-  for (const Way& way : ways) next.insert(next.end(), way.bonds.begin(), way.bonds.end());
+  for (const PathAhead& path : paths) next.insert(next.end(), path.bonds.begin(), path.bonds.end());
   std::sort(next.begin(), next.end());
   next.erase(std::unique(next.begin(), next.end()), next.end());
   if (next.empty()) return false;
   if (still_holds(next)) return true;
   ZoneShape shape{length_ahead(ahead)};
   std::vector<Zone> zones;
-  for (const Way& way : ways) {
-    if (way.bonds.empty()) continue;
-    const double spacing = spacing_[system_.terms().first[way.bonds.front()]];
-    const double reach = way.horizon / spacing + WindowSettings::beside_way;
+  for (const PathAhead& path : paths) {
+    if (path.bonds.empty()) continue;
+    const double spacing = spacing_[system_.terms().first[path.bonds.front()]];
+    const double reach = path.horizon / spacing + WindowSettings::margin_beside_path;
     shape.half_width = std::max(shape.half_width, reach);
     shape.back = std::max(shape.back, reach);
-    zones.push_back(zone_ahead(way.from, way.direction, spacing, shape));
+    zones.push_back(zone_ahead(path.from, path.direction, spacing, shape));
   }
   std::vector<int> nodes = nodes_of(zones);
   if (nodes.empty() || is_too_large(nodes, shape)) return false;

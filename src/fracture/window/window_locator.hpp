@@ -30,16 +30,16 @@ class WindowLocator {
   bool choose(double load_factor, double tie_band, double ahead);
 
   // Next steps of a tip of a crack line, and the bonds across them; windows are chosen in front of these.
-  struct Way {
+  struct PathAhead {
     Point from, direction;
     double horizon;
     std::vector<int> bonds;
   };
-  bool choose(const std::vector<Way>& ways, double ahead);
+  bool choose(const std::vector<PathAhead>& paths, double ahead);
 
   WindowLocation memory() const { return {zones_, nodes_, system_.factor().keeps_last(nodes_)}; }
   void go_back_to(WindowLocation memory);
-  void stay() { mark_rim(); }  // where it is, with the present terms
+  void keep_location() { mark_rim(); }  // where it is, with the present terms
 
   const std::vector<Zone>& zones() const { return zones_; }
   double spacing(int node) const { return spacing_[node]; }  // of the lattice

@@ -37,13 +37,13 @@ struct WindowOrigin {
   std::vector<GrowingTip> tips;    // when the window was opened
   std::optional<FaceState> faces;  // when it was opened, if places have closed or opened in the window since
   // Occasion on which the window computed events ahead.
-  struct Look {
+  struct Computation {
     std::int64_t after = 0;  // number of the window's events performed before
     double load_factor = 0, largest_force = 0;
   };
-  std::vector<Look> looks;
+  std::vector<Computation> computations;
   std::int64_t events_performed = 0;
-  bool is_behind = false;  // the displacements were not asked for by the run itself
+  bool is_out_of_date = false;  // the displacements were not asked for by the run itself
   // What closing the window does to the system's factor: it is dropped if terms have changed, and its order of
   // elimination, too, if an event needs the whole body because a motion may come free.
   bool has_changed_terms = false, needs_whole_body = false;

@@ -77,9 +77,9 @@ void WindowRows::add_form(const Pull& pull, double scale, DroppedDofs::Forms& fo
 }
 
 // Rows of functions and prescribed displacements all stay.
-std::vector<int> WindowRows::keep(const std::vector<int>& stay) {
-  std::vector<int> rows = stay, place(static_cast<std::size_t>(values_.rows()), -1), followed;
-  for (const int r : stay) followed.push_back(followed_[r]);
+std::vector<int> WindowRows::keep(const std::vector<int>& kept_rows) {
+  std::vector<int> rows = kept_rows, place(static_cast<std::size_t>(values_.rows()), -1), followed;
+  for (const int r : kept_rows) followed.push_back(followed_[r]);
   for (Eigen::Index r = size(); r < values_.rows(); ++r) rows.push_back(static_cast<int>(r));
   for (std::size_t r = 0; r < rows.size(); ++r) place[rows[r]] = static_cast<int>(r);
   values_ = Affine(values_(rows, Eigen::all));

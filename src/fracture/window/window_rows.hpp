@@ -39,8 +39,8 @@ class WindowRows {
   // Adds the scaled elongation of a pull as a form of kept displacements.
   void add_form(const Pull& pull, double scale, DroppedDofs::Forms& forms) const;
 
-  // Follows only the displacements in the rows `stay`. Returns the new place of every row; -1 where it has gone.
-  std::vector<int> keep(const std::vector<int>& stay);
+  // Follows only the displacements in the rows `kept_rows`. Returns the new place of every row; -1 where it has gone.
+  std::vector<int> keep(const std::vector<int>& kept_rows);
 
  private:
   void number_rows();

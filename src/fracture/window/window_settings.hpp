@@ -29,7 +29,7 @@ struct WindowSettings {
   // Share of the largest ratio from which on bonds have to lie in the present window if it is to be kept, in systems
   // where terms follow others (squares of cells). Then the largest number of hot bonds around which a window is placed,
   // and of bonds cut by initial cracks for windows at the ends of these.
-  static constexpr double hot_in_present = 0.9;
+  static constexpr double hot_share_in_present_window = 0.9;
   static constexpr std::size_t most_hot_bonds = 1500, most_cut_bonds = 6000;
   // Distance below which hot bonds belong to one crowd (group of hot bonds), and distance from a crowd within which
   // broken bonds tell on which side of it the crack lies.
@@ -65,7 +65,7 @@ struct WindowSettings {
   // Windows for lines: least length of the path that they hold, and how much wider they are than the reach of a step.
   // Then the number of steps that a window has to save so that another one, which costs a factorization, is tried at
   // once.
-  static constexpr double least_way = 8, beside_way = 0.5;
+  static constexpr double least_path = 8, margin_beside_path = 0.5;
   static constexpr int worthwhile_steps = 16;
   // Share of the load factor that windows pass to LineSteps::is_driven() in place of the whole. It makes this test
   // stricter, so that a tip that counts as driven in a window does so in the whole body too.
@@ -96,7 +96,7 @@ struct WindowSettings {
   static constexpr int states_swept_at_once = 16;
 
   // Margins for rounding, relative to the stiffness around a window: in the certificate's comparisons, and in energies.
-  static constexpr double certificate_margin = 1e-9;
+  static constexpr double comparison_margin = 1e-9;
   static constexpr double energy_rounding = 1e-13;
   // Share of the undamaged scene's energy below which a body may have separated although rounding hides it.
   static constexpr double doubtful_energy = 1e-7;

@@ -36,7 +36,7 @@ Affine WindowSolver::unbalanced() const {
 
 void WindowSolver::balance(Affine force) {
   Affine answer = Affine::Zero(kept_, 2);
-  dropped_.hand_over(force, answer);
+  dropped_.transfer_forces(force, answer);
   for (int part = has_constant_part_ ? 0 : 1; part < 2; ++part) {
     rows_.values().col(part).head(size()) += answer.col(part)(rows_.followed());
     rows_.values().col(part).head(size()) += flexibility_.answer(force.col(part)(rows_.followed()));
@@ -146,7 +146,7 @@ bool WindowSolver::lose(const std::vector<Loss>& losses) {
     rows_.add_form(loss.pull, 1, elongations);
     lost.push_back(loss.stiffness);
   }
-  dropped_.note_losses(elongations, lost);
+  dropped_.note_lost_stiffness(elongations, lost);
   return true;
 }
 
@@ -179,14 +179,14 @@ DroppedDofs::State WindowSolver::state() const {
 }
 
 void WindowSolver::narrow(const std::vector<char>& leaves) {
-  std::vector<int> stay, left, followed_then, left_then;
+  std::vector<int> kept_rows, dropped_rows, followed_dofs, dropped_dofs;
   for (int i = 0; i < followed(); ++i) {
     const int kept = rows_.followed()[i];
     const bool goes = leaves[kept] != 0;
-    (goes ? left : stay).push_back(i);
-    (goes ? left_then : followed_then).push_back(kept);
+    (goes ? dropped_rows : kept_rows).push_back(i);
+    (goes ? dropped_dofs : followed_dofs).push_back(kept);
   }
-  if (left.empty()) return;
+  if (dropped_rows.empty()) return;
   DroppedDofs::Forms ratios;
   std::vector<char> watched(terms_.size(), 1);
   for (std::size_t t = 0; t < terms_.size(); ++t) {
@@ -200,10 +200,11 @@ void WindowSolver::narrow(const std::vector<char>& leaves) {
       if (scale > 0) rows_.add_form(terms_.pull(t), scale, ratios);
     }
   }
-  dropped_.narrow(std::move(left_then), followed_then, flexibility_.block(left, stay), state().displacement, ratios);
+  dropped_.narrow(std::move(dropped_dofs), followed_dofs, flexibility_.block(dropped_rows, kept_rows),
+                  state().displacement, ratios);
   terms_.keep(watched);
-  terms_.renumber_rows(rows_.keep(stay));
-  flexibility_.keep(stay);
+  terms_.renumber_rows(rows_.keep(kept_rows));
+  flexibility_.keep(kept_rows);
 }
 
 }  // namespace bempd::fracture
