@@ -10,7 +10,7 @@
 #include "elasticity/crack_tip_field.hpp"
 #include "elasticity/griffith.hpp"
 #include "fracture/line/deep_points.hpp"
-#include "fracture/line/line_way.hpp"
+#include "fracture/line/line_path.hpp"
 #include "fracture/line/tip_stress.hpp"
 #include "geometry/turning.hpp"
 #include "regions/discretization.hpp"

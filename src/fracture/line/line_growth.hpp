@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "fracture/event_source.hpp"
+#include "fracture/line/line_path.hpp"
 #include "fracture/line/line_step.hpp"
-#include "fracture/line/line_way.hpp"
 #include "fracture/line/tip_fields.hpp"
 
 namespace bempd::fracture {

@@ -3,7 +3,7 @@
 #include <optional>
 #include <vector>
 
-#include "fracture/line/line_way.hpp"
+#include "fracture/line/line_path.hpp"
 #include "fracture/line/tip_fields.hpp"
 
 namespace bempd::fracture {

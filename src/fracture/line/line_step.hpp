@@ -1,7 +1,7 @@
 #pragma once
 
 #include "crack/carrier.hpp"
-#include "fracture/line/line_way.hpp"
+#include "fracture/line/line_path.hpp"
 #include "geometry/point.hpp"
 
 namespace bempd::fracture {

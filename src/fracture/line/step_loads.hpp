@@ -3,8 +3,8 @@
 #include <vector>
 
 #include "fracture/line/line_growth.hpp"
+#include "fracture/line/line_path.hpp"
 #include "fracture/line/line_step.hpp"
-#include "fracture/line/line_way.hpp"
 #include "fracture/line/tip_fields.hpp"
 #include "fracture/line/trial_steps.hpp"
 #include "fracture/load_way.hpp"

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "fracture/line/line_load.hpp"
-#include "fracture/line/line_way.hpp"
+#include "fracture/line/line_path.hpp"
 #include "fracture/line/trial_energy.hpp"
 #include "linalg/adjacency.hpp"
 #include "pd/tip_law.hpp"

@@ -1,4 +1,4 @@
-#include "fracture/line/line_way.hpp"
+#include "fracture/line/line_path.hpp"
 
 #include <algorithm>
 #include <array>
