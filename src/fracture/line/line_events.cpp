@@ -12,7 +12,7 @@ namespace bempd::fracture {
 namespace {
 
 // Distance in horizons from a tip that does not grow (frozen or stopped) within which no crack begins.
-constexpr double reach_of_resting_tip = 1;
+constexpr double reach_of_other_tip = 1;
 
 // Relative difference of two energies up to which they count as equal.
 constexpr double rounding_of_energies = 1e-9;
@@ -56,7 +56,7 @@ std::optional<LineEvents::Birth> LineEvents::birth_at(int bond, double load_fact
   const pd::TipLaw& law = laws().laws[static_cast<std::size_t>(number)];
   const Point middle = middle_of(bond);
   for (const GrowingTip& tip : body_.state().tips)
-    if ((tip.place - middle).norm() < reach_of_resting_tip * law.horizon) return std::nullopt;
+    if ((tip.place - middle).norm() < reach_of_other_tip * law.horizon) return std::nullopt;
   const Point direction = steps_.fields().stress().across_tension(bond, law, body_.state().displacement, load_factor);
   if (!direction.allFinite()) return std::nullopt;  // stresses that no number holds
   return Birth{middle, direction, number};

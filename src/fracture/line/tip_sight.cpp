@@ -28,7 +28,7 @@ bool lie_apart(const Point& from, const Point& to, const Point& a, const Point& 
 TipSight::TipSight(const Point& place, const Point& direction, double spacing)
     : place_(place), direction_(direction), spacing_(spacing), nearest_face_(std::numeric_limits<double>::infinity()) {}
 
-void TipSight::add_gone(const Point& middle, const Point& along) {
+void TipSight::add_broken_bond(const Point& middle, const Point& along) {
   const Point step = middle - place_;
   const double ahead = step.dot(direction_), aside = std::abs(cross(direction_, step));
   const double rounding = rounding_of_places * spacing_;

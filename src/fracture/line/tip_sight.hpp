@@ -13,7 +13,7 @@ class TipSight {
   TipSight(const Point& place, const Point& direction, double spacing);
 
   // Adds a broken bond between neighbours as part of a face, unless the tip's own crack has broken it.
-  void add_gone(const Point& middle, const Point& along);
+  void add_broken_bond(const Point& middle, const Point& along);
 
   double nearest_face() const { return nearest_face_; }  // infinite without one
   bool sees(const Point& point) const;

@@ -105,7 +105,7 @@ TipSight TipStress::sight_of(const GrowingTip& tip, const pd::TipLaw& law) const
         continue;
       const Point along(terms.cosine[b], terms.sine[b]);
       const Point middle = positions_[static_cast<std::size_t>(node)] + terms.length[b] / 2 * along;
-      if ((middle - tip.place).norm() < reach * (1 - rounding_of_places)) sight.add_gone(middle, along);
+      if ((middle - tip.place).norm() < reach * (1 - rounding_of_places)) sight.add_broken_bond(middle, along);
     }
   }
   return sight;
@@ -176,11 +176,11 @@ TipStress::Fit TipStress::fit_of(const GrowingTip& growing, const pd::TipLaw& la
   const double face = sight.nearest_face();
   Reach reach = reach_at(std::min(face, nearest_disturbance(tip, law)), law.horizon);
   Fit fit{terms_beside(face, law.horizon), stress_points(tip, law, reach, fitted_cosine, sight)};
-  std::vector<StressPoint> apart = fit.stress_points;
-  std::erase_if(apart, [&](const StressPoint& s) { return joints_.are_beside(s.node); });
-  if (apart.size() >= enough_points) {
-    fit.stress_points = std::move(apart);
-  } else if (apart.size() < fit.stress_points.size()) {
+  std::vector<StressPoint> away_from_joints = fit.stress_points;
+  std::erase_if(away_from_joints, [&](const StressPoint& s) { return joints_.are_beside(s.node); });
+  if (away_from_joints.size() >= enough_points) {
+    fit.stress_points = std::move(away_from_joints);
+  } else if (away_from_joints.size() < fit.stress_points.size()) {
     reach = reach_at(std::min(face, nearest_outline(tip.place, away_from_surfaces * law.horizon)), law.horizon);
     fit.stress_points = stress_points(tip, law, reach, fitted_cosine, sight);
   }

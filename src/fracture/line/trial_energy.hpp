@@ -48,9 +48,9 @@ class WholeBodyTrials final : public TrialBody {
     return factors_ ? factors_(tip, displacement) : std::nullopt;
   }
 
-  // Computes answers with a separate factor from now on if `apart`: an open window has changed terms, and the system's
-  // factor belongs to the previous matrix.
-  void use_separate_factor(bool apart) { uses_separate_factor_ = apart; }
+  // Computes answers with a separate factor from now on if `separate`: an open window has changed terms, and the
+  // system's factor belongs to the previous matrix.
+  void use_separate_factor(bool separate) { uses_separate_factor_ = separate; }
 
  private:
   struct Answer {
