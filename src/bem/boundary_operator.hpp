@@ -7,16 +7,17 @@
 namespace bempd::bem {
 
 struct AssemblyOptions {
-  double quadrature_tolerance = 1e-14;  // of every integral; the stiffness is some ten times as far off
-  int threads = 0;                      // 0: one a core
-  bool compact = false;                 // operators keep less memory and take longer to build
+  // Relative error of each integral; the error of the stiffness is some ten times larger.
+  double quadrature_tolerance = 1e-14;
+  int threads = 0;       // 0: one thread per core
+  bool compact = false;  // whether operators use less memory and take longer to build
 
   // Number of threads that a boundary of this many elements can use.
   int threads_for(std::size_t elements) const;
 };
 
-// Interface of a body that is described by its boundary: stiffness and tractions of its boundary nodes, as the layers
-// above use them.
+// Elastic body described by its boundary. The layers above use the stiffness and the tractions of its boundary nodes
+// through this interface.
 class BoundaryOperator {
  public:
   virtual ~BoundaryOperator() = default;

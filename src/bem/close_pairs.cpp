@@ -1,7 +1,7 @@
 // Pairs of elements that lie along each other at a distance far below their lengths. The inner integral is a smooth
-// function of the position x on the outer element, except near the ends of the inner element, where it varies over the
-// distance between the two. So the outer element is split towards the ends of the inner one. For every outer point the
-// inner element is split towards that point.
+// function of the position x on the outer element, except near the ends of the inner element, where it varies over
+// lengths of this distance. Therefore the outer element is split towards the ends of the inner element, and for every
+// outer point the inner element is split towards that point.
 
 #include <algorithm>
 #include <cassert>
@@ -13,8 +13,8 @@ namespace bempd::bem {
 
 namespace {
 
-// Makes `one` a set of the single point `p`. The position is repeated, because whole vectors are read; the copies have
-// the weight 0.
+// Makes `one` a set of the single point `p`. Its position is repeated, because whole vectors are read; the repeated
+// points have the weight 0.
 void pick_point(const ElementPoints& points, int p, ElementPoints& one) {
   const auto repeat = [p](const ElementPoints::Values& from, ElementPoints::Values& to) { to.fill(from[p]); };
   const auto alone = [p](const ElementPoints::Values& from, ElementPoints::Values& to) {

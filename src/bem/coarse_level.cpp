@@ -16,8 +16,8 @@ class Merging {
   explicit Merging(int nodes) : keeps_(nodes, 1) {}
 
   // Merges two elements, the second of which starts where the first one ends. Their common node becomes the mid node of
-  // the merged element: its coarse value is that at the middle, even if the two elements meet elsewhere (`first_share`
-  // is the first one's share of the length). `sweep` is the angle of the merged arc.
+  // the merged element, whose coarse value belongs to the middle even if the two elements meet elsewhere. `first_share`
+  // is the length of the first element over that of both, `sweep` the angle of the merged arc.
   void merge(const std::array<int, 3>& first, const std::array<int, 3>& second, double first_share, double sweep) {
     const ElementGeometry whole{Point::Zero(), Point::UnitX(), Point::Zero(), ElementBasis(0.5 * sweep)};
     const double joint = -1 + 2 * first_share;
@@ -60,7 +60,7 @@ class Merging {
   }
 
  private:
-  // Number of each node among the nodes that remain; -1 for the others.
+  // Number of each node among the nodes that remain; -1 for removed nodes.
   std::vector<int> numbers() const {
     std::vector<char> stays = keeps_;
     for (const int node : middles_) stays[node] = 1;
@@ -118,8 +118,8 @@ Merged merge_pairs(const BoundaryMesh& mesh, const CrackMesh& cracks) {
   return merged;
 }
 
-// Map from the unknowns of the coarse level to the displacements and openings of all nodes. Of the constraints between
-// openings at joints, it takes over those for nodes of the coarse level only.
+// Map from the unknowns of the coarse level to the displacements and openings of all nodes. Only those constraints
+// between openings at joints are taken over that belong to nodes of the coarse level.
 Map from_coarse_unknowns(const Merging& merging, const Map& from_unknowns) {
   const Map some = merging.selection() * from_unknowns;
   std::vector<Eigen::Triplet<double>> entries;
@@ -138,7 +138,8 @@ Map from_coarse_unknowns(const Merging& merging, const Map& from_unknowns) {
 }
 
 // Adds a stiffness against the rigid motions of every piece of the body, so that the matrix becomes positive definite.
-// The solution does not change: forces in equilibrium do no work on rigid motions. Openings are zero in rigid motions.
+// The solution does not change, because forces in equilibrium do no work on rigid motions. Openings are zero in rigid
+// motions.
 void hold_rigid_motions(const CrackedOperator& body, const Map& map, Eigen::MatrixXd& stiffness) {
   const BoundaryMesh& mesh = body.mesh();
   const int pieces = body.cracks().pieces.count;

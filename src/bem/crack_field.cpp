@@ -55,7 +55,8 @@ CauchyIntegrals of_tip(const std::array<Point, 3>& w, const Complex& z) {
   return result;
 }
 
-// Cauchy integrals by quadrature, for distant points: there the closed forms are small differences of large numbers.
+// Cauchy integrals by quadrature, for distant points, where the closed forms would be small differences of large
+// numbers.
 CauchyIntegrals by_quadrature(const std::array<Point, 3>& w, bool tip, const Complex& z) {
   const GaussRule& rule = gauss_rule(max_regular_points);
   CauchyIntegrals result{};
@@ -101,16 +102,16 @@ CrackField::CrackField(const ScaledBoundary& boundary, const CrackMesh& cracks, 
   }
 }
 
-// Adds displacement and stress of one crack element, from derivatives of g = 1 / (4 pi (1 - nu)) integral of w ln r for
-// both components of the opening w (Crouch and Starfield, Boundary Element Methods in Solid Mechanics, 1983, section
-// 5.2, with the opposite sign of the discontinuity).
+// Adds the displacement and stress due to one crack element. They follow from derivatives of the integrals g = 1 / (4
+// pi (1 - nu)) integral of w ln r of both components of the opening w (Crouch and Starfield, Boundary Element Methods
+// in Solid Mechanics, 1983, section 5.2, with the opposite sign of the discontinuity).
 void CrackField::add(const Piece& piece, const Point& x, Value& value) const {
   const Point left = left_of(piece.axis), r = x - piece.start;
   Complex z(r.dot(piece.axis) / piece.length, r.dot(left) / piece.length);
   // A point at the tip is moved just ahead of it: the displacement would otherwise contain infinite terms times 0.
   constexpr double at_tip = 1e-24;
   if (piece.tip && std::abs(z) < at_tip) z = -at_tip;
-  // The sign of zero chooses the face of the crack. The left face of a reversed element is on its right.
+  // The sign of zero chooses the face of the crack. A reversed element has the crack's left face on its own right.
   if (std::abs(z.imag()) <= on_crack && z.real() >= 0 && z.real() <= 1)
     z.imag(piece.reversed != right_face_ ? -0.0 : 0.0);
   constexpr double far = 3;
@@ -120,7 +121,7 @@ void CrackField::add(const Piece& piece, const Point& x, Value& value) const {
   const double c = 1 / (4 * std::numbers::pi * (1 - nu_)), y = z.imag();
   const auto real = [&](const Complex& f) { return c * f.real(); };
   const auto minus_imaginary = [&](const Complex& f) { return -c * f.imag(); };
-  // First, second and third derivatives of the potentials of the shearing (s) and of the opening (o) component.
+  // First, second and third derivatives of the potentials of the shearing component (s) and the opening component (o).
   const double sx = real(i.value[0]), sy = minus_imaginary(i.value[0]);
   const double ox = real(i.value[1]), oy = minus_imaginary(i.value[1]);
   const double sxx = real(i.first[0]), sxy = minus_imaginary(i.first[0]);

@@ -9,12 +9,12 @@
 namespace bempd::bem {
 
 // Displacement and stress inside a body due to the openings of its cracks: the double layer over every crack element,
-// in closed form near the element. The field is as exact beside the crack as elsewhere, and jumps by the opening across
-// it. A point on a crack gets the values of the left face, or of the right one after choose_right_face(). Lengths are
-// in units of `boundary.length`, stresses in units of the shear modulus.
+// in closed form near the element. The field is as exact beside a crack as elsewhere, and jumps by the opening across
+// the crack. A point on a crack gets the values of the left face, or of the right face after choose_right_face().
+// Lengths are in units of `boundary.length`, stresses in units of the shear modulus.
 class CrackField {
  public:
-  // Prepares the field of `openings` [m], which has all opening nodes, 2 * node + component; `nu` is the effective
+  // Prepares the field of `openings` [m], numbered 2 * node + component over all opening nodes; `nu` is the effective
   // Poisson's ratio.
   CrackField(const ScaledBoundary& boundary, const CrackMesh& cracks, double nu, const Eigen::VectorXd& openings);
 
@@ -27,19 +27,20 @@ class CrackField {
   // Displacement and stress at x due to all crack elements, or to all but element `skipped`.
   Value at(const Point& x, int skipped = -1) const;
 
-  // Displacement and stress at x, also at ends of elements, where terms of at() that are infinite should cancel but do
-  // not. At an end the displacement is the mean of those close to it, and the stress the mean of those inside the
-  // elements that meet, whose openings have a kink there.
+  // Displacement and stress at x, also at ends of elements, where at() sums infinite terms that cancel only in exact
+  // arithmetic. At such an end the displacement is the mean of the values just inside the elements that meet there. The
+  // stress is the mean of the values a little further inside, because the openings have a kink at the end.
   Value anywhere(const Point& x) const;
 
-  // Distance from x to the tip that is nearest in units of its element's length, in these units; infinite without tips.
+  // Smallest distance from x to a tip, in lengths of the tip's element; infinite without tips.
   double nearness_of_tip(const Point& x) const;
 
  private:
-  // Crack element with its opening, in components along the axis and to the left of it: the sum of terms[k] s^k with 0
-  // <= s <= 1. At a tip it is sigma (terms[0] + terms[1] sigma^2), where s = sigma^2 is the distance from the tip.
+  // Crack element with the components of its opening along its axis and to the left of the axis. With the fraction 0 <=
+  // s <= 1 of the length from `start`, the opening is the sum of terms[k] s^k. If the start is a tip, the opening is
+  // sigma (terms[0] + terms[1] sigma^2) with s = sigma^2.
   struct Piece {
-    Point start, axis;  // unit vector
+    Point start, axis;  // `axis` is a unit vector
     double length;
     bool tip, reversed;
     std::array<Point, 3> terms;

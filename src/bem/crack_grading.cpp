@@ -14,12 +14,11 @@ namespace bempd::bem {
 namespace {
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
-constexpr double largest_distance = 1e100;  // with which boxes can be compared
-constexpr std::size_t many_edges = 100;     // from which on a tree finds those near a place sooner
+constexpr double largest_distance = 1e100;  // in place of infinity, for boxes
+constexpr std::size_t many_edges = 100;     // from this number on, a tree finds near edges faster than a loop
 
-// Limit on the ratio of two distances from a point of a crack line that meets another line at a joint: that to the
-// other line, and that along its own line to the joint. Below the limit the two lines run beside each other with a gap;
-// above it they lead away from each other.
+// Limit on a ratio for a crack line that meets a neighbour (crack or edge) at a joint: the distance of a point of the
+// line from the neighbour, over its distance along the line from the joint. Below it the two run beside each other.
 constexpr double aside = 0.3;
 
 // Turn of a crack line at a corner [rad] below which the corner counts as a part of a curve drawn as a polygon.
@@ -27,21 +26,21 @@ constexpr double least_kink = 0.2;
 
 constexpr int most_halvings = 40;
 
-// Largest length of an element over its distance to the next crack, edge or tip. Elements that end at a tip have a
-// limit of their own, because their openings split the energy release rate into modes: measured on infinitesimal kinks,
-// K_II is wrong by 4e-4 with a limit of 0.5, by 2e-5 with 0.25.
+// Largest length of an element over its distance to the next crack, edge or tip; `longest_at_tip` for elements that end
+// at a tip, because their openings split the energy release rate into modes. Measured on infinitesimal kinks, K_II is
+// wrong by 4e-4 with a limit of 0.5, by 2e-5 with 0.25.
 constexpr double longest = 0.5, longest_at_tip = 0.25;
 
-// Largest length of an element along a narrow gap, in widths of the gap, and its growth with the distance from the
-// gap's ends. The strip between the faces bends: openings are right to 4e-5 with elements of two widths, to 6e-4 with
-// four, if the elements at the ends of the gap are short.
+// Largest length of an element along a narrow gap, in gap widths, and its growth per distance from the gap's ends. The
+// strip between the faces bends: openings are right to 4e-5 with elements of two widths, to 6e-4 with four, if the
+// elements at the ends of the gap are short.
 constexpr double longest_along_gap = 2, growth_along_gap = 0.25;
-// Largest length of elements along a gap, as a share of the element length without a gap. It limits the elements of
-// wide gaps, where longer ones would hardly be fewer.
+// Largest length of elements along a gap over the element length without a gap, on cracks and on the boundary. In wide
+// gaps this limit holds; longer elements would hardly be fewer.
 constexpr double part_along_crack = 0.125, part_along_boundary = 0.25;
 
-// Growth of crack elements behind a mouth on an edge with fixed node spacing: each is at most 1.6 times as long as the
-// one before.
+// Growth of elements per distance from a mouth on an edge with fixed node spacing: each is up to 1.6 times the one
+// before.
 constexpr double growth_from_rows = 0.6;
 
 Segment segment(const CrackLine& line, std::size_t i) { return {line.points[i], line.points[i + 1]}; }
@@ -65,8 +64,7 @@ double turn(const CrackLine& line, std::size_t vertex) {
   return std::abs(std::atan2(cross(before, after), before.dot(after)));
 }
 
-// Largest number of elements on one line or piece of the boundary. More would only be needed for a gap that was not
-// intended.
+// Largest number of elements on one crack line or piece of the boundary; only a gap that is an error needs more.
 constexpr std::size_t most_elements = 100000;
 
 void require_few(const std::vector<double>& ends) {
@@ -104,8 +102,8 @@ CrackSizes::CrackSizes(const CrackLines& cracks, const std::vector<Edge>& bounda
   for (int l = 0; l < static_cast<int>(cracks.lines.size()); ++l) stations_.push_back(stations_of(l));
 }
 
-// Length of elements on segment `i` of line `l` before grading. Segments that were described keep their elements when
-// the crack grows.
+// Length of elements on segment `i` of line `l` before grading. Described segments keep their elements when the crack
+// grows.
 double CrackSizes::target(int l, std::size_t i) const {
   const CrackLine& line = cracks_.lines[l];
   if (!line.grown[i]) return targets_[l];
@@ -113,7 +111,7 @@ double CrackSizes::target(int l, std::size_t i) const {
   return targets_[l] > 0 ? std::max(targets_[l], length / grading_.elements_per_growth) : length;
 }
 
-// Limit on the element length at the distance `way` along line `l`, because of the line's tips. Towards a tip on a
+// Limit that the tips of line `l` set on the element length at the distance `way` along the line. Towards a tip on a
 // short segment, elements are no longer than their distance from the tip.
 double CrackSizes::from_tips(int l, double way) const {
   const CrackLine& line = cracks_.lines[l];
@@ -184,7 +182,7 @@ void CrackSizes::for_neighbours(int l, double way, const Point& x, const double&
   };
   if (boundary_.size() < many_edges) {
     for (const Edge& edge : boundary_) visit_edge(edge);
-  } else {  // the tolerance covers the rounding of boxes
+  } else {  // `tolerance_` covers the rounding of boxes
     const Point reach = Point::Constant(std::min(limit, largest_distance) + 2 * tolerance_);
     for (const int edge : edges_.meeting({x - reach, x + reach})) visit_edge(boundary_[static_cast<std::size_t>(edge)]);
   }
@@ -200,7 +198,7 @@ void CrackSizes::for_neighbours(int l, double way, const Point& x, const double&
 }
 
 // Limit on the element length at x along a gap of width `gap`. `shortest` is the length of the elements at the ends of
-// the gap, `undivided` the limit that holds without the gap.
+// the gap, `undivided` the limit without the gap.
 double CrackSizes::along_gap(double gap, double shortest, double undivided, const Point& x) const {
   if (shortest >= undivided) return shortest;
   double to_end = infinite;
@@ -215,10 +213,10 @@ double CrackSizes::on_line(int l, double way) const {
   const double share = at_tip ? longest_at_tip : longest;
   const Point x = place_at(l, way);
   const double own = target(l, segment_at(l, way));
-  // Elements in a small angle between two lines that meet are not made smaller than those at kinks.
+  // Elements in a small angle between two lines that meet are not made shorter than elements at kinks.
   const double least = std::ldexp(own, -grading_.halvings_at_kinks);
   double limit = std::min({share * from_kinks(l, way), from_tips(l, way), from_rows(x)});
-  double widest = limit / share;  // gaps as wide as this set no limit below the present one
+  double widest = limit / share;  // wider gaps do not lower the present limit
   for_neighbours(l, way, x, widest, [&](const Neighbour& near) {
     if (near.distance_along == infinite)
       limit = std::min(limit, along_gap(near.gap, share * near.gap, part_along_crack * own, x));
@@ -260,7 +258,8 @@ std::vector<double> CrackSizes::stations_of(int l) const {
 }
 
 double CrackSizes::on_boundary(const Point& x, double undivided) const {
-  // Least element length in a small angle between boundary and crack, as a share of the crack element at the mouth.
+  // Least element length in a small angle between boundary and crack, over the length of the crack element at the
+  // mouth.
   const double least = std::ldexp(1, -grading_.halvings_at_kinks);
   double limit = infinite;
   for (std::size_t l = 0; l < cracks_.lines.size(); ++l) {
@@ -272,7 +271,7 @@ double CrackSizes::on_boundary(const Point& x, double undivided) const {
       if (line.joints[end] < 0 || !cracks_.joints[line.joints[end]].mouth) continue;
       const double to_end = (cracks_.joints[line.joints[end]].place - x).norm();
       const double element = end == 0 ? stations[1] : stations.back() - stations[stations.size() - 2];
-      const bool beside = to_end > tolerance_ && gap < aside * to_end;  // at the mouth both are rounding errors
+      const bool beside = to_end > tolerance_ && gap < aside * to_end;  // at the mouth both distances are rounding
       allowed = std::max(allowed, beside ? least * element : std::max(to_end, element));
     }
     limit = std::min(limit, allowed);
@@ -281,7 +280,7 @@ double CrackSizes::on_boundary(const Point& x, double undivided) const {
 }
 
 std::vector<double> CrackSizes::refined(const Arc& piece, const std::vector<double>& stations) const {
-  // Elements no longer than the distance from all cracks are short enough.
+  // Elements shorter than their distance from all cracks need no division.
   const Point middle = piece.chord().at(0.5);
   const double reach = piece.length() - least_distance(piece, middle);
   if (std::all_of(around_.begin(), around_.end(), [&](const Box& box) { return box.exteriorDistance(middle) > reach; }))

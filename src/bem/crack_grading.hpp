@@ -9,35 +9,39 @@
 namespace bempd::bem {
 
 struct CrackGrading {
-  // Number of elements along the described part of a line (not its growth), before grading adds more near its ends.
+  // Number of elements along the described part of a crack line (without its growth), before grading adds more near its
+  // ends.
   int elements_per_line = 8;
-  // Largest number of elements on one segment of growth; if fewer are enough, they are as long as those on the line.
+  // Largest number of elements on one segment of growth. A segment gets fewer if elements as long as those on the
+  // described part of the line are short enough.
   int elements_per_growth = 4;
   // Number of halvings of elements at kinks and branches, where stress has a weak singularity.
   int halvings_at_kinks = 4;
 };
 
-// Narrowest gap: the least distance of a crack line from another line, or from the boundary, that it does not meet.
+// Narrowest gap: the least distance between a crack line and another crack line, or the boundary, where the two do not
+// meet.
 struct NarrowGap {
-  int line = -1, other = -1;  // other: -1 is the boundary; line: -1 if there is no gap at all
+  int line = -1, other = -1;  // line: -1 if there is no gap; other: -1 for the boundary
   double width;
   Point place;  // on the line
 };
 
 // Crack mouth on an edge whose nodes have a fixed spacing (a row of material points). The crack element at the mouth
-// has that length, and elements grow with the distance from it.
+// has that length, and elements grow with the distance from the mouth.
 struct MouthOnRow {
   Point place;
   double spacing;
 };
 
 // Lengths of the elements on cracks, and of boundary elements near cracks. An element is no longer than its distance to
-// the next crack, edge or tip, unless that just continues its own line. Along a narrow gap, elements away from the
-// gap's ends may be longer, because fields vary over the width of the gap only near these ends.
+// the next crack, edge or tip; a crack or edge that leads away from a joint with the element's own line sets no limit.
+// Along a narrow gap, elements away from the gap's ends may be longer, because fields vary over the width of the gap
+// only near these ends.
 class CrackSizes {
  public:
-  // Chooses the elements on all cracks. `panel_ends` are places on the boundary where supports or loads end, besides
-  // the corners, which are known from `boundary`.
+  // Chooses the elements on all cracks. `panel_ends` are places on the boundary where supports or loads end; the
+  // corners are taken from `boundary`.
   CrackSizes(const CrackLines& cracks, const std::vector<Edge>& boundary, double tolerance,
              const CrackGrading& grading = {}, const std::vector<Point>& panel_ends = {},
              std::vector<MouthOnRow> mouths = {});
@@ -45,8 +49,8 @@ class CrackSizes {
   // Distances along each crack line at which its elements end, from 0 to the length of the line.
   const std::vector<std::vector<double>>& stations() const { return stations_; }
 
-  // Ends of boundary elements on a piece of the boundary, as fractions of its length: those of `stations`, with
-  // elements halved until they are short enough for the cracks nearby.
+  // Ends of boundary elements on a piece of the boundary, as fractions of its length. The elements between `stations`
+  // are halved until they are short enough for the cracks nearby.
   std::vector<double> refined(const Arc& piece, const std::vector<double>& stations) const;
 
   NarrowGap narrowest_gap() const;
@@ -59,8 +63,8 @@ class CrackSizes {
     double distance_along;
     int line;  // number of the neighbouring crack line; -1: an edge of the boundary
   };
-  // Calls visit(neighbour) for the cracks and edges beside a place x of a line whose gap is not sure to be as large as
-  // `limit`, which visit() may make smaller.
+  // Calls visit(neighbour) for the cracks and edges near x, the place at the distance `way` along a crack line. Edges
+  // that are certainly at least `limit` away may be left out; visit() may lower `limit`.
   template <class Visit>
   void for_neighbours(int line, double way, const Point& x, const double& limit, const Visit& visit) const;
   std::size_t segment_at(int line, double way) const;
@@ -76,14 +80,14 @@ class CrackSizes {
 
   const CrackLines& cracks_;
   const std::vector<Edge>& boundary_;
-  BoxTree edges_;  // of the circles around the boundary's edges
+  BoxTree edges_;  // boxes around the boundary's edges
   double tolerance_;
   CrackGrading grading_;
   std::vector<MouthOnRow> mouths_;
-  std::vector<std::vector<double>> ways_;  // of the points of each line
-  std::vector<Box> around_;                // each line
-  std::vector<double> targets_;            // length of elements on the part of each line that has not grown
-  std::vector<Point> ends_;                // of gaps: where fields vary quickly along them
+  std::vector<std::vector<double>> ways_;  // distances of each line's points along the line
+  std::vector<Box> around_;                // box around each line
+  std::vector<double> targets_;            // element length on the described part of each line
+  std::vector<Point> ends_;                // ends of gaps, near which fields vary quickly along the gap
   std::vector<std::vector<double>> stations_;
 };
 

@@ -11,7 +11,7 @@ namespace bempd::bem {
 namespace {
 
 struct Mouth {
-  int before = -1, after = -1;  // boundary nodes
+  int before = -1, after = -1;  // boundary nodes before and behind the mouth
 };
 
 // Splits the boundary node at a crack mouth into two. The node before the mouth keeps its number; elements that start
@@ -34,7 +34,8 @@ Mouth split_at(const Point& place, BoundaryMesh& mesh, double tolerance) {
   return mouth;
 }
 
-// Opening node of a line at a joint with others; its sign is positive if the line starts there.
+// Opening node at the end of a crack line that lies at a joint; the sign is 1 if the line starts at the joint, -1 if it
+// ends there.
 struct OpeningAtJoint {
   int node;
   double sign;
@@ -152,7 +153,7 @@ class Mesher {
   CrackMesh mesh;
 
  private:
-  // Place of station number `k` on a line. The ends of the line are the places of its joints, exactly.
+  // Place of station number `k` on a line. At the ends of the line it is exactly the place of the joint.
   Point place(const CrackLine& line, const std::vector<double>& stations, int k) const {
     if (k == 0) return line.joints[0] < 0 ? line.points.front() : places_[line.joints[0]];
     if (k + 1 == static_cast<int>(stations.size()))
@@ -169,8 +170,9 @@ class Mesher {
   }
 
   // Adds boundary nodes around a joint at which a line between two pieces ends. The lines at the joint divide the body
-  // into sectors, and each sector has a node: one before every line, counter-clockwise, and one behind the last line.
-  // At a mouth the first and the last of these nodes are those of the boundary.
+  // into sectors, each with a node of its own. `sectors_` gets the sector nodes counter-clockwise: that before each
+  // line, then that behind the last line. At a mouth the first and the last of these nodes are those of the boundary;
+  // inside the body they are the same node.
   void add_sectors(int joint) {
     const std::vector<LineEnd>& around = mesh.pieces.around[joint];
     sectors_.emplace_back();
@@ -190,7 +192,7 @@ class Mesher {
     sectors.push_back(mouth ? mouths_[joint].before : sectors.front());
   }
 
-  // Boundary node of the sector on the left or right of a line at its start (end 0) or end (1).
+  // Boundary node of the sector on the left or the right of a line at its start (`end` 0) or its end (1).
   int sector_beside(int line, int end, bool left) const {
     const int joint = cracks_.lines[line].joints[end];
     const std::vector<LineEnd>& around = mesh.pieces.around[joint];
@@ -214,8 +216,8 @@ class Mesher {
     return static_cast<int>(boundary_.nodes.size()) - 1;
   }
 
-  // Adds the boundary elements of a crack face with these nodes. A new panel begins where the line turns, because
-  // tractions jump there.
+  // Adds the boundary elements of a crack face with the given nodes. A new panel begins where the line turns, because
+  // tractions jump at corners.
   void add_face(const CrackLine& line, const std::vector<double>& stations, const std::vector<int>& nodes, int piece) {
     const auto segment_at = [&](double way) {
       std::size_t segment = 0;
@@ -255,8 +257,8 @@ class Mesher {
   std::vector<std::vector<OpeningAtJoint>> openings_at_joint_;
   std::vector<Mouth> mouths_;
   std::vector<Point> places_;
-  std::vector<std::vector<int>> sectors_;       // of joints where pieces meet
-  std::vector<std::array<int, 2>> line_nodes_;  // of openings at start and end of lines inside pieces
+  std::vector<std::vector<int>> sectors_;       // sector nodes of each joint where pieces meet
+  std::vector<std::array<int, 2>> line_nodes_;  // opening nodes at start and end of lines inside pieces
   int next_panel_ = 0;
 };
 

@@ -12,53 +12,54 @@
 namespace bempd::bem {
 
 struct CrackElement {
-  std::array<int, 3> nodes;  // of the openings: start, mid, end
+  std::array<int, 3> nodes;  // opening nodes: start, mid, end
   int line;
-  double from, to;  // ways along its line
+  double from, to;  // distances of its ends along its line
   TipEnd tip = TipEnd::none;
-  int piece = 0;
+  int piece = 0;  // piece of the body in which the element lies
 };
 
-// Element of a line between two pieces of a body. Its faces are parts of the pieces' boundaries, so that its opening is
-// the difference of their displacements.
+// Element of a crack line that separates two pieces of a body. Each face is a part of a piece's boundary, so that the
+// opening is the difference of the displacements of the two faces.
 struct CutElement {
   int line;
-  double from, to;                 // ways along its line
+  double from, to;                 // distances of its ends along its line
   std::array<int, 3> left, right;  // boundary nodes of each face, in the direction of the line
 };
 
 struct CrackTip {
   int element, line;
-  TipEnd end;              // of the element, and of the line
-  Point place, direction;  // the unit vector that leads on
+  TipEnd end;              // end of the element, and of the line, that is the tip
+  Point place, direction;  // place of the tip, and unit vector of straight growth
 };
 
-// Elements on cracks. Their unknowns are the openings w = u_left - u_right, with left and right as seen along the line;
-// the outward normal of the left face points to the right. Every line has nodes of its own; `constraint` relates the
-// openings at joints and tips.
+// Elements on cracks. Their unknowns are the openings w = u_left - u_right, with left and right as seen along the crack
+// line; the outward normal of the left face points to the right. Every line has opening nodes of its own; `constraint`
+// relates the openings at joints and tips.
 struct CrackMesh {
   std::vector<Point> nodes;
   std::vector<CrackElement> elements;
   std::vector<CutElement> cuts;
   std::vector<CrackTip> tips;
-  std::vector<int> joint_of_node;  // -1 for most
-  // Boundary nodes before and behind the mouth at each joint, in the direction of the boundary's loop; -1: no mouth
-  // there.
+  std::vector<int> joint_of_node;  // joint at each opening node; -1: none
+  // Boundary nodes before and behind the mouth at each joint, in the direction of the boundary's loop; -1 if the joint
+  // is no mouth.
   std::vector<std::array<int, 2>> mouth_of_joint;
 
-  // Matrix that gives all openings from the unknowns, which are the displacements of the boundary nodes and then the
-  // free openings. Openings are 0 at tips. Around a joint their sum is 0; at a mouth it is the displacement before the
-  // mouth less the one behind it.
+  // Matrix that gives all openings from the unknowns, which are the displacements of the boundary nodes, followed by
+  // the free openings. Openings are 0 at tips. Around a joint their sum, with the sign of the line's direction, is 0;
+  // at a mouth this sum is the displacement before the mouth less that behind it. Where pieces of the body meet at a
+  // joint, each opening is the difference of the displacements on both sides of its line.
   Eigen::SparseMatrix<double> constraint;
-  int free_nodes = 0;  // openings that remain
+  int free_nodes = 0;  // number of opening nodes with free openings
 
   CrackPieces pieces;
-  std::vector<std::vector<int>> nodes_at_joint;  // boundary nodes
-  int first_face_panel = 0;                      // first panel on a face; these are the last panels
+  std::vector<std::vector<int>> nodes_at_joint;  // boundary nodes at each joint
+  int first_face_panel = 0;                      // panels from this one on lie on crack faces
 };
 
-// Meshes the cracks, with elements that end at `stations` along each line, and splits the nodes of `mesh` at mouths:
-// new nodes come at the end of its list. Faces of lines that cut the body are added to `mesh` as boundary elements
+// Meshes the cracks, with elements that end at `stations` along each crack line, and splits the nodes of `mesh` at
+// mouths; new nodes are appended to its list. Faces of lines that cut the body are added to `mesh` as boundary elements
 // behind all others, with a panel for each straight part.
 CrackMesh mesh_cracks(const CrackLines& cracks, const std::vector<std::vector<double>>& stations, BoundaryMesh& mesh,
                       double tolerance);

@@ -15,8 +15,8 @@ namespace bempd::bem {
 
 namespace {
 
-// Directed piece of a walk with the body on its left, as a number: 2 l follows crack line l, 2 l + 1 runs back along
-// it, and 2 * (number of lines) + e is boundary element e.
+// Step of a walk with the body on its left, as a number: step 2 l follows crack line l, step 2 l + 1 runs back along
+// it, and step 2 * (number of lines) + e is boundary element e.
 using WalkStep = int;
 
 // Closed walk along the boundary and the crack lines, with a part of the body on its left.
@@ -77,8 +77,8 @@ class Walks {
  private:
   WalkStep out(const LineEnd& e) const { return 2 * e.line + e.end; }
 
-  // Next piece of a walk: at a joint, the first one clockwise from the piece that arrives. At a tip the walk turns
-  // back.
+  // Next step of a walk: at a joint, the first line or boundary clockwise from the line that arrives. At a tip the walk
+  // turns back along the same line.
   WalkStep next(WalkStep step) const {
     if (step >= 2 * lines()) {
       const int node = mesh_.elements[step - 2 * lines()].nodes[2];
@@ -100,8 +100,8 @@ class Walks {
     return e.end == 0 ? Point(points[1] - points[0]) : Point(points[points.size() - 2] - points.back());
   }
 
-  // Sorts the lines at a joint by their angles. At a mouth, angles count from the boundary that starts there; the angle
-  // of a line along this boundary may be negative by rounding.
+  // Sorts the lines at a joint by their angles. At a mouth, angles count from the boundary that starts at the mouth.
+  // The angle of a line along this boundary may be slightly negative by rounding.
   void sort_around(int joint) {
     Point axis(1, 0);
     double back = 2 * std::numbers::pi;
@@ -132,10 +132,12 @@ class Walks {
   const BoundaryMesh& mesh_;
   const std::vector<std::array<int, 2>>& mouths_;
   std::vector<std::vector<LineEnd>> around_;
-  std::map<int, int> starting_at_, ends_at_;  // element that starts at a node; joint whose node before it is
+  std::map<int, int> starting_at_;  // boundary element that starts at a node
+  std::map<int, int> ends_at_;      // joint of the mouth before which a node lies
 };
 
-// Number of the part that each walk belongs to: boundary loops and crack lines that are connected are one part.
+// Number of the connected part that each walk belongs to; a part consists of boundary loops and crack lines that are
+// connected.
 std::vector<int> parts_of(const std::vector<Walk>& walks, int lines) {
   linalg::DisjointSets joined(static_cast<int>(walks.size()));
   std::vector<int> walk_of(static_cast<std::size_t>(2 * lines), -1);
@@ -148,8 +150,8 @@ std::vector<int> parts_of(const std::vector<Walk>& walks, int lines) {
   return part;
 }
 
-// Flags the walks that go around the outside of a part, as around a hole with its cracks or a crack inside the body:
-// one of each part but the outermost one. All other walks go around a piece of the body.
+// Flags the walks that go around the outside of a connected part, such as a hole with its cracks, or a crack inside the
+// body. Every part but the outermost one has one such walk. All other walks go around a piece of the body.
 std::vector<char> go_around_outside(const std::vector<Walk>& walks, const std::vector<int>& part, int lines) {
   std::vector<int> least(walks.size(), -1);
   int outermost = -1;
@@ -165,7 +167,8 @@ std::vector<char> go_around_outside(const std::vector<Walk>& walks, const std::v
   return outside;
 }
 
-// First boundary element of a walk; a number larger than all if the walk has none.
+// Step of a walk with its first boundary element (the one with the smallest number); a number larger than all steps if
+// the walk has no boundary element.
 WalkStep first_on_boundary(const Walk& walk, int lines) {
   WalkStep first = std::numeric_limits<WalkStep>::max();
   for (const WalkStep step : walk.steps)
@@ -173,8 +176,8 @@ WalkStep first_on_boundary(const Walk& walk, int lines) {
   return first;
 }
 
-// Piece of the body that lies on the left of every walk. `around_pieces` are the walks around a piece; any other walk
-// belongs to the smallest piece in which it lies.
+// Piece of the body on the left of every walk. `around_pieces` are the walks around a piece; any other walk belongs to
+// the smallest piece in which it lies.
 std::vector<int> pieces_of(const Walks& finder, const std::vector<Walk>& walks, const std::vector<int>& part,
                            const std::vector<int>& around_pieces) {
   std::vector<int> piece(walks.size(), -1);

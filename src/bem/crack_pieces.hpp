@@ -16,10 +16,10 @@ struct LineEnd {
 // Pieces into which cracks cut a body.
 struct CrackPieces {
   int count = 1;
-  std::vector<int> of_element;              // of the boundary, with the faces that cracks add; empty for one piece
-  std::vector<std::array<int, 2>> of_line;  // on its left and on its right; empty for one piece
-  // Line ends at each joint, counter-clockwise. At a mouth their order leads from the boundary that starts there to the
-  // boundary that ends there.
+  std::vector<int> of_element;  // piece of each boundary element, crack faces included; empty if there is one piece
+  std::vector<std::array<int, 2>> of_line;  // pieces on the left and right of each line; empty if there is one
+  // Ends of crack lines at each joint, counter-clockwise. At a mouth they are ordered from the boundary that starts at
+  // the mouth to the boundary that ends at it.
   std::vector<std::vector<LineEnd>> around;
 
   bool is_cut(int line) const { return count > 1 && of_line[line][0] != of_line[line][1]; }
@@ -32,7 +32,7 @@ BoundaryMesh elements_of_piece(const BoundaryMesh& mesh, const CrackPieces& piec
 
 // Finds the pieces into which cracks cut a body. The nodes of `mesh` are split at mouths: `mouth_of_joint` has the
 // nodes before and behind each joint's mouth, -1 for joints inside the body. The first loop of the mesh is the outer
-// one.
+// loop.
 CrackPieces find_pieces(const CrackLines& cracks, const BoundaryMesh& mesh,
                         const std::vector<std::array<int, 2>>& mouth_of_joint);
 

@@ -17,8 +17,8 @@ namespace {
 // some 1e-7.
 constexpr double step = 1e-3;
 
-// Elements of a body, followed by two variants of each tip's element, with the tip moved forward and back. They give
-// derivatives of the Galerkin forms by the position of a tip.
+// Elements of a body, followed by two variants of each tip's element, with the tip moved forward and back. Their
+// differences give derivatives of the Galerkin matrices by the position of a tip.
 class MovedTips {
  public:
   explicit MovedTips(const CrackedOperator& body)
@@ -26,7 +26,7 @@ class MovedTips {
         elements_(with_moved(body)),
         blocks_(elements_, body.elasticity().effective_poisson_ratio(), body.options().quadrature_tolerance) {}
 
-  // Derivatives of 1/2 u^T D u + t^T B u by the position of tip number `k`, one for each column. `values` are
+  // Derivatives of 1/2 u^T D u + t^T B u by the position of tip number `k`, one for each column. `values` are the
   // displacements and openings u, `tractions` the scaled tractions t.
   Eigen::VectorXd derivatives(int k, const Eigen::MatrixXd& values, const Eigen::MatrixXd& tractions) const {
     const int first = static_cast<int>(body_.elements().size()) + 2 * k;
@@ -64,8 +64,8 @@ class MovedTips {
     return own;
   }
 
-  // Part of 1/2 u^T D u + t^T B u that depends on the position of tip `k`, with the tip's element replaced by
-  // `variant`: the sum over all pairs with this element, one for each column.
+  // Part of 1/2 u^T D u + t^T B u that depends on the position of tip `k`, one value for each column: the sum over all
+  // pairs with the tip's element, in place of which element number `variant` is used.
   Eigen::VectorXd forms(int k, int variant, const Eigen::MatrixXd& values, const Eigen::MatrixXd& tractions) const {
     const GalerkinElement& tip = elements_[variant];
     const int own = element_of(k), count = static_cast<int>(body_.elements().size());
@@ -100,8 +100,8 @@ bool is_closed(const CrackMesh& cracks, const CrackTip& tip, const CrackedState&
   return !state.closed.empty() && state.closed[cracks.elements[tip.element].nodes[1]] != 0;
 }
 
-// Opening next to a tip, shearing component first, as the factor of the square root of the distance over the element's
-// length. The normal component is 0 where the faces are closed.
+// Opening next to a tip, shearing component first. It is the coefficient of sqrt(distance from the tip / length of the
+// element). The normal component is 0 where the faces are closed.
 Point opening_at(const CrackMesh& cracks, const CrackTip& tip, const CrackedState& state) {
   const CrackElement& element = cracks.elements[tip.element];
   const Eigen::VectorXd& openings = state.openings;
@@ -211,8 +211,8 @@ std::vector<double> stresses_along_crack(const CrackedOperator& body, const Crac
     const double c = d.x() * d.x() - d.y() * d.y();
     double stress = c * (s[0] - s[1]) + 4 * d.x() * d.y() * s[2];
     if (is_closed(cracks, tip, state)) {
-      // Closed faces only slide. Their openings then give no normal stress on the crack's line, so T is the stress
-      // along it.
+      // Closed faces only slide, and their openings give no normal stress on the crack's line. T is then the stress
+      // along the crack.
       results.push_back(d.x() * d.x() * s[0] + d.y() * d.y() * s[1] + 2 * d.x() * d.y() * s[2]);
       continue;
     }

@@ -10,8 +10,8 @@ namespace bempd::bem {
 
 namespace {
 
-// Number of the position of each node, for nodes at which elements end: nodes that were split at a mouth have one
-// position, and so have the ends of cracks at a joint.
+// Number of the position of each node at an end of elements. Nodes that were split at a mouth have the same number, and
+// so have the ends of cracks at a joint.
 std::vector<int> position_numbers(const BoundaryMesh& mesh, const CrackMesh& cracks) {
   const int boundary = static_cast<int>(mesh.nodes.size());
   std::vector<int> places(static_cast<std::size_t>(boundary) + cracks.nodes.size());
@@ -29,8 +29,8 @@ std::vector<int> position_numbers(const BoundaryMesh& mesh, const CrackMesh& cra
   return places;
 }
 
-// Product with the transpose of a sparse map. Most columns of the map are unit vectors, in runs of consecutive rows:
-// their components are copied in runs.
+// Product with the transpose of a sparse map. Most columns of the map are unit vectors whose rows are consecutive; for
+// such runs of columns the components are copied.
 class TransposedMap {
  public:
   explicit TransposedMap(const Eigen::SparseMatrix<double>& map) : map_(map) {
@@ -54,7 +54,7 @@ class TransposedMap {
     return unit ? map_.innerIndexPtr()[first] : -1;
   }
 
-  // Computes the components of map^T column from number `first` on; the others of `result` stay as they are.
+  // Computes the components of map^T column from number `first` on; earlier components of `result` stay as they are.
   void apply(const double* column, Eigen::Index first, double* result) const {
     for (const Run& run : runs_) {
       const Eigen::Index skipped = std::clamp(first - run.column, Eigen::Index{0}, run.size);
@@ -78,9 +78,9 @@ class TransposedMap {
   std::vector<Eigen::Index> others_;
 };
 
-// Earlier node of each node of the unknowns, one that stands for the same displacements and openings; -1 for new nodes.
-// `map` and `map_before` give displacements and openings from the unknowns; `kept_nodes` has the earlier numbers of
-// nodes.
+// Node in the earlier body for each node of the unknowns: the one that stands for the same displacements and openings;
+// -1 for new nodes. `map` and `map_before` give displacements and openings from the unknowns of each body; `kept_nodes`
+// has the number of each node in the earlier body.
 std::vector<int> kept_unknowns(const std::vector<int>& kept_nodes, const Eigen::SparseMatrix<double>& map,
                                const Eigen::SparseMatrix<double>& map_before) {
   using Meaning = std::vector<std::pair<int, double>>;

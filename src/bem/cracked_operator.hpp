@@ -18,15 +18,15 @@ namespace bempd::bem {
 
 // Galerkin operator of a body with cracks. The openings w are unknowns beside the displacements u of the boundary:
 //   K = h G [D + B^T V^-1 B]  on (u, w).
-// V is that of the body without cracks. D and B also have columns for openings, integrated like those of the boundary.
-// The force conjugate to an opening is the traction on the left face (Bonnet, Maier and Polizzotto, Appl. Mech. Rev.
-// 51, 1998, section 6). Other parts of the scene see only the stiffness of the boundary nodes, from which the openings
-// are eliminated.
+// The single layer V is that of the body without cracks. The hypersingular matrix D and the double layer B have further
+// columns for openings, integrated like those of the boundary. The force conjugate to an opening is the traction on the
+// left face (Bonnet, Maier and Polizzotto, Appl. Mech. Rev. 51, 1998, section 6). Other parts of the scene use only the
+// stiffness of the boundary nodes, from which the openings are eliminated.
 class CrackedOperator final : public BoundaryOperator {
  public:
   // Builds the operator on a boundary mesh whose nodes are split at mouths, and which contains both faces of the crack
-  // lines that cut the body into pieces. If `before` is the operator of the body with shorter cracks (null: none), what
-  // both have in common is copied: integrals, the factor of V, and products with this factor.
+  // lines that cut the body into pieces. `before` is the operator of the body with shorter cracks (null: none).
+  // Integrals, the factor of V and products with this factor are copied from `before` where both bodies are the same.
   CrackedOperator(const BoundaryMesh& mesh, const CrackMesh& cracks, const PlaneElasticity& elasticity,
                   const AssemblyOptions& options = {}, const CrackedOperator* before = nullptr);
 
@@ -39,7 +39,7 @@ class CrackedOperator final : public BoundaryOperator {
   // Stiffness on the displacements of the boundary nodes and the free openings.
   const Eigen::MatrixXd& full_stiffness() const { return full_; }
 
-  // Forces on the boundary nodes that have the same effect on displacements as forces on all openings [N]
+  // Forces on the boundary nodes that have the same effect on displacements as forces [N] on all openings
   // (crack_forces.hpp): the part of the right-hand side that remains after the openings are eliminated.
   Eigen::MatrixXd forces_on_boundary(const Eigen::Ref<const Eigen::MatrixXd>& opening_forces) const;
   // Free openings that `forces`, acting on the free openings, cause while the displacements are held at zero.

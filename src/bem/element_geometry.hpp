@@ -7,11 +7,11 @@
 
 namespace bempd::bem {
 
-// Basis of the functions on an element besides the constants: an odd and an even function of -1 <= xi <= 1, both 1 at
-// xi = 1. They are xi and xi^2 on straight elements, and on circular arcs of half angle alpha
+// Basis functions on an element, besides the constant: an odd and an even function of the parameter -1 <= xi <= 1, both
+// with the value 1 at xi = 1. They are xi and xi^2 on straight elements, and on circular arcs of half angle alpha
 //   sin(alpha xi) / sin(alpha)  and  (1 - cos(alpha xi)) / (1 - cos(alpha)).
-// So x and y on the exact arc are among the functions, as are linear displacements, rigid rotations and the tractions
-// of constant stress. Both tend to the powers as alpha tends to zero.
+// The coordinates of the exact arc are combinations of these functions, as are linear displacements, rigid rotations
+// and the tractions of constant stress. As alpha tends to zero, the two functions tend to xi and xi^2.
 class ElementBasis {
  public:
   explicit ElementBasis(double half_angle = 0)
@@ -35,7 +35,8 @@ class ElementBasis {
   struct Pair {
     double odd, even;
   };
-  // Sine and cosine of half the angle on an arc that belongs to a parameter xi, or to a difference of two parameters.
+  // Sine and cosine of alpha xi / 2, half the angle of the arc for a parameter xi or for a difference of two
+  // parameters.
   struct HalfAngle {
     double sine = 0, cosine = 1;
     HalfAngle plus(const HalfAngle& other) const {
@@ -45,7 +46,7 @@ class ElementBasis {
   HalfAngle half(double xi) const {
     return powers() ? HalfAngle{} : HalfAngle{std::sin(0.5 * alpha_ * xi), std::cos(0.5 * alpha_ * xi)};
   }
-  // Values and slopes of the odd and the even function; on arcs they take one sine and one cosine.
+  // Values and slopes of the odd and the even function. On arcs all four are computed from one sine and one cosine.
   struct Values {
     Pair value, slope;
   };
@@ -63,8 +64,8 @@ class ElementBasis {
     const double mean = 0.5 * alpha_ * (xi + from), scale = alpha_ * sinc(0.5 * alpha_ * (xi - from));
     return {scale * odd_scale_ * std::cos(mean), 0.5 * scale * even_scale_ * even_scale_ * std::sin(mean)};
   }
-  // Divided differences between `from` and from + way, where way is not 0; `of_from` and `of_way` are half(from) and
-  // half(way).
+  // Divided differences of both functions between `from` and from + way, where `way` is not 0; `of_from` and `of_way`
+  // are half(from) and half(way).
   Pair quotients(double from, double way, const HalfAngle& of_from, const HalfAngle& of_way) const {
     if (powers()) return {1, 2 * from + way};
     const HalfAngle mean = of_from.plus(of_from).plus(of_way);
@@ -116,15 +117,15 @@ struct ElementGeometry {
     std::array<double, 3> shape, shape_derivative;
   };
   Values values(double xi) const { return values(xi, basis.at(xi)); }
-  // Divided differences between xi and from: (x(xi) - x(from)) / (xi - from), and those of the shape functions, without
-  // cancellation. Those of the shape functions are not valid for elements at a tip.
+  // Divided differences (f(xi) - f(from)) / (xi - from) of the position and of the shape functions, without
+  // cancellation. The shape functions' differences are not valid for elements at a tip.
   struct Quotients {
     Point place;
     std::array<double, 3> shape;
   };
   Quotients quotients(double xi, double from) const { return quotients(basis.quotients(xi, from)); }
-  // Values at from + way, and divided differences between there and `from`, where way is not 0. `of_from` and `of_way`
-  // are basis.half() of both, which several points may share.
+  // Values at from + way, and divided differences between `from` and from + way, where `way` is not 0. The arguments
+  // `of_from` and `of_way` are basis.half(from) and basis.half(way), which several points may share.
   struct ValuesAndQuotients {
     Values values;
     Quotients quotients;
@@ -172,7 +173,7 @@ ElementGeometry tip_element(const Point& start, const Point& end, TipEnd tip);
 // Outward normal times the Jacobian |dx/dxi|; the body lies on the left of the element.
 inline Point scaled_normal(const Point& derivative) { return {derivative.y(), -derivative.x()}; }
 
-// Part of an element, from one parameter to another one within -1 <= xi <= 1, in either direction.
+// Part of an element between two parameters within -1 <= xi <= 1, in either direction.
 struct Interval {
   double from = -1, to = 1;
   double mid() const { return 0.5 * (from + to); }

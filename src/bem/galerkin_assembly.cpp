@@ -14,8 +14,8 @@ namespace bempd::bem {
 
 namespace {
 
-// Groups of elements in which no two elements share a node. The threads can assemble one group without conflict, and
-// the order of sums does not depend on them.
+// Groups of elements in which no two elements share a node. Threads can assemble a group without conflict, and the
+// order of sums does not depend on the threads.
 std::vector<std::vector<int>> independent_groups(const std::vector<GalerkinElement>& elements, int nodes) {
   const int count = static_cast<int>(elements.size());
   std::vector<std::vector<int>> groups, touching(nodes);
@@ -50,12 +50,12 @@ class Assembler {
     matrices.double_layer.setZero(2 * nodes, 2 * traction_nodes);
   }
 
-  // Adds all pairs with the given outer element, in columns of that element; returns the number of kernel evaluations.
-  // assemble_galerkin() completes `single_layer` and `hypersingular` by adding their transposes.
+  // Adds all pairs with the given outer element, in the columns of that element; returns the number of kernel
+  // evaluations. assemble_galerkin() completes `single_layer` and `hypersingular` by adding their transposes.
   std::int64_t add_outer(int outer) {
     std::int64_t evaluations = 0;
     const GalerkinElement& x = elements_[outer];
-    // An outer crack element is paired with crack elements only, because boundary integral equations are set up on the
+    // An outer crack element is paired with crack elements only, because boundary integral equations hold on the
     // boundary alone.
     for (int inner = x.crack ? outer : 0; inner < static_cast<int>(elements_.size()); ++inner) {
       if (inner % 32 == 0) check_cancelled();
@@ -91,8 +91,9 @@ class Assembler {
 
   void add_double_layer(int outer, int inner, const PairMoments& m) {
     const GalerkinElement &x = elements_[outer], &y = elements_[inner];
-    // A pair with an inner crack element has three functions. Only constant boundary displacements, not openings, are
-    // free of forces, so no constant is subtracted and the outer element has no part.
+    // A pair with an inner crack element has three functions, those of the inner nodes. Constant boundary displacements
+    // cause no forces, so a constant is subtracted from them; constant openings do cause forces, so nothing is
+    // subtracted.
     const int functions = y.crack ? 3 : 6;
     for (int a = 0; a < 3; ++a)
       for (int b = 0; b < functions; ++b) {

@@ -15,9 +15,10 @@ struct GalerkinElement {
   ElementGeometry geometry;
   std::array<int, 3> nodes;
   std::array<int, 3> traction_nodes;
-  std::array<int, 2> places;  // numbers of its ends: elements with a common one touch, even without a common node
+  // Position numbers of the element's ends. Elements with a common position touch, even without a common node.
+  std::array<int, 2> places;
   bool crack = false;
-  int piece = 0;  // piece of a body that cracks cut: elements of different pieces have no integrals with each other
+  int piece = 0;  // piece of the body; elements of different pieces have no integrals with each other
 };
 
 std::vector<GalerkinElement> boundary_galerkin_elements(const BoundaryMesh& mesh, const ScaledBoundary& boundary);
@@ -33,8 +34,8 @@ struct GalerkinMatrices {
 struct KnownBlocks;
 
 // Assembles the Galerkin matrices of a body over the elements of its boundary, followed by those of its cracks. Cracks
-// have no traction nodes, so they have columns in B and D only. Blocks that are known from another body are copied
-// (null: none).
+// have no traction nodes, so they have columns in B and D only. Blocks in `known`, which belong to another body, are
+// copied (null: none).
 GalerkinMatrices assemble_galerkin(const std::vector<GalerkinElement>& elements, int nodes, int traction_nodes,
                                    double nu, const AssemblyOptions& options, const KnownBlocks* known = nullptr);
 

@@ -17,7 +17,7 @@ constexpr double tolerance = 1e-14;
 // Distance from an element, over its length, below which a point counts as lying on the boundary: smaller distances
 // are lost in the rounding of positions.
 constexpr double on_boundary = 1e-10;
-// Rounding of a place in a body, over the largest of its coordinates and of the body's size; also of a node's place.
+// Rounding error of the place of a point or node, over the largest of its coordinates and the body's size.
 constexpr double rounding = 8 * std::numeric_limits<double>::epsilon();
 
 // Parameter of the point of an arc nearest to x, from the angle at the arc's centre; beyond the ends, the nearer end.
@@ -108,7 +108,7 @@ InteriorEvaluator::Nearest InteriorEvaluator::nearest(const Point& x) const {
   Nearest best;
   for (int e = 0; e < static_cast<int>(boundary_.elements.size()); ++e) {
     const ElementGeometry& element = boundary_.elements[e];
-    const double reach = element.c1.norm() + element.c2.norm();  // of all its points from the middle
+    const double reach = element.c1.norm() + element.c2.norm();  // largest distance of the element's points from c0
     if ((element.c0 - x).norm() - reach > best.distance) continue;
     const double xi = nearest_parameter(element, x), distance = (element.at(xi) - x).norm();
     if (distance < best.distance) best = {e, xi, distance};
@@ -140,8 +140,8 @@ InteriorEvaluator::LinearField InteriorEvaluator::matching_field(const Nearest& 
   return field;
 }
 
-// Displacement of element `e` at xi less the linear field, without cancellation near the nearest point: the stress
-// kernel divides this difference by the square of the distance.
+// Displacement of element `e` at xi less the linear field, without cancellation near the nearest point, because the
+// stress kernel divides this difference by the square of the distance.
 Point InteriorEvaluator::remainder(int e, double xi, const Nearest& nearest, const LinearField& field) const {
   const ElementGeometry& element = boundary_.elements[e];
   const ElementGeometry& displacement = displacement_[e];
@@ -152,7 +152,7 @@ Point InteriorEvaluator::remainder(int e, double xi, const Nearest& nearest, con
            (displacement_[nearest.element].c2 - field.gradient * boundary_.elements[nearest.element].c2);
   };
   if (e == nearest.element) return on_nearest(xi);
-  // Neighbours of the nearest element: the difference is built up from the common end, so that it does not cancel.
+  // Neighbours of the nearest element get the difference from the common end onwards, so that it does not cancel.
   for (int own = 0; own < 2; ++own)
     for (int other = 0; other < 2; ++other)
       if (end_nodes_[e][own] == end_nodes_[nearest.element][other]) {
@@ -170,7 +170,7 @@ void InteriorEvaluator::integrate(int e, const Interval& interval, const Point& 
   const double half = 0.5 * ((mid - from).norm() + (to - mid).norm());
   const double ellipse = element.straight() ? ellipse_size(((x - from).norm() + (x - to).norm()) / half)
                                             : singularities_from(element, x).ellipse(interval);
-  // Stress kernels are singular to one order more and need one point more.
+  // Stress kernels are singular by one order more than displacement kernels and need one point more.
   const int needed =
       std::max(gauss_points_needed(ellipse, tolerance) + 1, shape_points_needed(element, interval, tolerance));
   constexpr int max_depth = 60;
@@ -210,7 +210,7 @@ InteriorEvaluator::Value InteriorEvaluator::from_boundary(const Point& x, const 
 InteriorEvaluator::Value InteriorEvaluator::evaluate(const Point& position, bool with_stress) const {
   const Point x = boundary_.scaled(position);
   const Nearest closest = nearest(x);
-  // Elements beside singular places are so short that the rounding of a place on them counts.
+  // Elements beside singular places can be so short that the rounding of places on them counts.
   const double of_place = rounding * std::max(1.0, boundary_.centre.lpNorm<Eigen::Infinity>() / boundary_.length);
   if (closest.distance <= std::max(of_place, on_boundary * boundary_.elements[closest.element].c1.norm())) {
     const Point displacement = displacement_[closest.element].at(closest.xi);

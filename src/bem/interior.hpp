@@ -15,10 +15,10 @@ namespace bempd::bem {
 
 // Displacement and stress inside a body from its boundary values, by Somigliana's identity. The linear field with the
 // displacement, tangential strain and traction of the nearest boundary point is subtracted first, and added back in
-// closed form. The integrand then vanishes where the kernels are singular, so points may lie arbitrarily close to the
-// boundary. On the boundary itself the stress follows from the traction and the tangential strain there, with the more
-// exact slopes of boundary_slopes.hpp. (Inside, these slopes would do harm: a Galerkin solution's displacements are
-// good on average, which the correction spoils.)
+// closed form. The integrand then vanishes where the kernels are singular, so that points may lie arbitrarily close to
+// the boundary. On the boundary the stress follows from the traction and the tangential strain, with the more exact
+// slopes of boundary_slopes.hpp. Inside the body these slopes are not used: the displacements of a Galerkin solution
+// are accurate on average, and the correction would spoil this average.
 class InteriorEvaluator {
  public:
   struct Value {
@@ -34,16 +34,17 @@ class InteriorEvaluator {
   // Sets the body's cracks with their openings, whose field is added to that of the boundary.
   void set_cracks(CrackField cracks) { cracks_ = std::move(cracks); }
 
-  // Chooses the face whose values are returned for points on a crack: the right one, or the left one (the default).
+  // Chooses the crack face whose values are returned for points on a crack: the right one, or the left one (the
+  // default).
   void choose_right_face(bool right) {
     if (cracks_) cracks_->choose_right_face(right);
   }
 
   // Displacement and stress at x. Throws Error (argument) at the tip of a crack, where the stress is infinite.
   Value at(const Point& x) const;
-  // Stress at x due to the boundary and all crack elements but number `crack_element`.
+  // Stress at x due to the boundary and all crack elements except number `crack_element`.
   Eigen::Vector3d stress_without(const Point& x, int crack_element) const;
-  // Stress on the boundary at the parameter xi (-1 to 1) of an element, from its traction and tangential strain there.
+  // Stress at the parameter xi (-1 to 1) of a boundary element, from the traction and the tangential strain there.
   Eigen::Vector3d stress_on(int element, double xi) const;
   Point displacement_at(const Point& x) const;
 
@@ -54,8 +55,9 @@ class InteriorEvaluator {
   struct LinearField;
   struct Sums;
 
-  // Correction of an element's displacement derivative by xi. It gives the derivative the more exact slopes at the ends
-  // and leaves the nodal displacements alone: the derivative of xi (xi^2 - 1) (odd + even xi).
+  // Correction of the derivative of an element's displacement by xi. It is the derivative of xi (xi^2 - 1) (odd + even
+  // xi), which vanishes at all nodes: the slopes at the ends become those of boundary_slopes.hpp, and nodal
+  // displacements stay.
   struct SlopeCorrection {
     Point odd = Point::Zero(), even = Point::Zero();
 
@@ -74,11 +76,11 @@ class InteriorEvaluator {
 
   ScaledBoundary boundary_;
   double nu_, shear_modulus_;
-  std::vector<ElementGeometry> displacement_, traction_;  // per element, scaled: values instead of places
+  std::vector<ElementGeometry> displacement_, traction_;  // per element: scaled values in place of positions
   std::vector<SlopeCorrection> correction_;
   std::vector<std::array<int, 2>> end_nodes_;
   std::optional<CrackField> cracks_;
-  mutable std::int64_t kernel_evaluations_ = 0;  // so far
+  mutable std::int64_t kernel_evaluations_ = 0;
 };
 
 }  // namespace bempd::bem

@@ -6,7 +6,7 @@ namespace bempd::bem {
 
 namespace {
 
-// Whether two elements are the same up to rounding, which differs where positions are computed in different ways.
+// Whether two elements are equal up to rounding, which differs if positions were computed in different ways.
 bool alike(const GalerkinElement& a, const GalerkinElement& b) {
   if (a.crack != b.crack || a.geometry.tip != b.geometry.tip) return false;
   const double slack = 1e-12 * a.geometry.c1.norm() + 1e-15;
@@ -15,8 +15,8 @@ bool alike(const GalerkinElement& a, const GalerkinElement& b) {
          coincide(a.geometry.at(1), b.geometry.at(1));
 }
 
-// Number of the same element in the list `before`, for every element; -1 if there is none. Both lists have similar
-// orders, which makes the search fast.
+// Number in the list `before` of the element that equals each of `elements`; -1 if there is none. Both lists have
+// similar orders, which makes the search fast.
 std::vector<int> same_elements(const std::vector<GalerkinElement>& before,
                                const std::vector<GalerkinElement>& elements) {
   const int count = static_cast<int>(before.size());
@@ -34,8 +34,8 @@ std::vector<int> same_elements(const std::vector<GalerkinElement>& before,
   return same;
 }
 
-// Number of the same node in the body before, for every node all of whose elements are the same in both bodies; else
-// -1. `nodes_of` returns the nodes of an element, -1 for none; `same` is the result of same_elements().
+// Number in the earlier body of every node whose elements are all the same in both bodies; -1 for other nodes.
+// `nodes_of` returns the nodes of an element, -1 for none; `same` is the result of same_elements().
 template <class NodesOf>
 std::vector<int> nodes_of_same(const std::vector<GalerkinElement>& before, const std::vector<GalerkinElement>& elements,
                                const std::vector<int>& same, int count, const NodesOf& nodes_of) {
@@ -115,7 +115,7 @@ void copy_kept_blocks(const std::vector<int>& kept, const Eigen::MatrixXd& from,
 }
 
 void copy_kept(const KnownBlocks& known, GalerkinMatrices& matrices) {
-  // Blocks between nodes of different pieces are not copied: such nodes no longer act on each other.
+  // Blocks between nodes of different pieces are not copied, because such nodes do not act on each other.
   const KeptNodes& kept = known.kept;
   const auto index = [](std::size_t n) { return 2 * static_cast<Eigen::Index>(n); };
   for (std::size_t b = 0; b < kept.nodes.size(); ++b)

@@ -1,6 +1,6 @@
 #include "bem/kernel_sums.hpp"
 
-// The disabled warning is about functions that are called with vectors; the ones here are always inlined.
+// The disabled warning concerns calls of functions with vector arguments; all such functions here are inlined.
 #pragma GCC diagnostic ignored "-Wpsabi"
 
 #include "bem/lanes.hpp"
@@ -12,7 +12,7 @@ namespace {
 enum Kernel { logarithm, cosine, sine, along, across, along_cosine, along_sine, kernel_count };
 constexpr int weak_count = 3, strong_count = 4;
 
-using Row = ElementPoints::Values;  // a value for every outer point
+using Row = ElementPoints::Values;  // one value per outer point
 
 // Values of all kernels at all pairs of points: for every inner point a row with the outer points.
 struct KernelTable {
@@ -95,7 +95,7 @@ class Sums {
     }
   }
 
-  // Adds the integrals if each radius has one outer point: values are summed over the angles first.
+  // Adds the integrals if each radius has a single outer point: values are first summed over the angles.
   [[gnu::always_inline]] static void add_by_rows(const SingularPoints& points, const SingularTable& table,
                                                  PairPart part, PairMoments& moments) {
     const SingularPoints::Side& outer = points.outer[0];
@@ -159,7 +159,7 @@ class Sums {
     }
   }
 
-  // Sums over all points the kernel times the outer functions times one function of the inner element (`own`: outer).
+  // Sums over all points kernel * outer functions * function `b` of the inner element (`own`: of the outer element).
   [[gnu::always_inline]] static void add_products(const SingularPoints& points, const SingularRow* kernel,
                                                   Functions of_outer, bool own, Functions of_other, int b,
                                                   PairMoments::Column& column) {
@@ -177,7 +177,7 @@ class Sums {
       for (int lane = 0; lane < lanes; ++lane) column[a] += sums[a][lane];
   }
 
-  // Sets middle row and column to minus the sum of the others: a constant has no slope. This helps slender bodies.
+  // Sets the middle row and column to minus the sum of the outer two, as constants have no slope: helps slender bodies.
   [[gnu::always_inline]] static void complete_block(PairMoments::Block& block) {
     for (int a = 0; a < padded_nodes; ++a) block[1][a] = -(block[0][a] + block[2][a]);
     for (PairMoments::Column& column : block) column[1] = -(column[0] + column[2]);
@@ -218,7 +218,7 @@ class Sums {
     }
   };
 
-  // Sums over the inner points the kernel times each of three functions `f`: one row of outer points per function.
+  // Sums the kernel times each of three functions `f` over the inner points: one row of outer points per function.
   [[gnu::always_inline]] static void sum_inner(int outer_count, int count, const Row (&kernel)[max_regular_points],
                                                const std::array<Row, 3>& f, Row* rows) {
     for (int p = 0; p < outer_count; p += 2 * lanes) {
@@ -236,8 +236,8 @@ class Sums {
     }
   }
 
-  // Appends the rows of the outer element's functions: minus the sum of the bare kernel times the outer shape
-  // functions. The bare sum is that of the three rows, because the inner shape functions add to one.
+  // Appends rows for the outer element's functions: minus the sum of the kernel alone times the outer shape functions.
+  // The sum of the kernel alone is that of the first three rows, because the inner shape functions add to one.
   [[gnu::always_inline]] static void append_own_nodes(const ElementPoints& outer, Row* rows) {
     for (int p = 0; p < outer.count; p += lanes) {
       const Values minus_bare = -(load<Values>(&rows[0][p]) + load<Values>(&rows[1][p]) + load<Values>(&rows[2][p]));
@@ -254,7 +254,7 @@ class Sums {
     }
   }
 
-  // Sums over the outer points each of three rows times the outer shape functions; adds a column for each row.
+  // Sums each of three rows times the outer shape functions over the outer points; adds one column per row.
   template <std::size_t points>
   [[gnu::always_inline]] static void sum_outer(int count, const std::array<double, points>* rows,
                                                const NodeWeights<points>& weights, PairMoments::Column* columns) {

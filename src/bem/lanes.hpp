@@ -6,8 +6,9 @@
 
 namespace bempd::bem {
 
-// Vectors of numbers that the vector unit handles together. Functions with vector arguments must always be inlined,
-// because the way of passing vectors depends on the instruction set that a function is compiled for.
+// Types of vectors with `count` numbers, on which the processor's vector unit works at once. Functions with vector
+// arguments must always be inlined, because the calling convention for vectors depends on the instruction set that a
+// function is compiled for.
 template <int count>
 struct Lanes;
 

@@ -9,19 +9,19 @@ namespace bempd::bem {
 
 namespace {
 
-// Smooth face: two elements at a node have one normal there if the cosine of the angle between theirs is at least this
-// (some 26 degrees).
+// Cosine of the angle between the normals of two elements at a node (some 26 degrees) from which the face counts as
+// smooth: the node then has one mean normal.
 constexpr double smooth_turn = 0.9;
 
-// Limit on 1 - cosine below which two gap functions at joints count as the same.
+// Limit on 1 - cosine of the angle between two gap functions at joints; below the limit they count as the same.
 constexpr double same_direction = 1e-10;
 
 }  // namespace
 
 namespace {
 
-// Adds a normal at a node to those known there, unless it hardly turns from the last one; then the mean replaces that
-// one.
+// Adds a normal to the `known` ones of a node. If it hardly turns from the last known normal, their mean replaces that
+// normal.
 void add_normal(const Point& normal, std::vector<Point>& known) {
   if (known.empty() || known.back().dot(normal) < smooth_turn) {
     known.push_back(normal);

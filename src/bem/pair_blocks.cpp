@@ -38,7 +38,8 @@ PairMoments PairBlocks::moments(int outer, int inner, PairPart part) const {
   if (outer == inner) return integrator_.integrate(outer, inner, Contact::same, part);
   const GalerkinElement &x = elements_[outer], &y = elements_[inner];
   if (y.crack && part == PairPart::everything) part = PairPart::without_mass;
-  // Pairs with openings are integrated as if they had no common node, because nothing is subtracted from openings.
+  // Pairs with crack elements are integrated as if they had no common node, because no constant is subtracted from
+  // openings.
   const Contact contact = x.crack || y.crack ? Contact::none : contact_of(x, y);
   if (contact == Contact::none)
     for (int i = 0; i < 2; ++i)

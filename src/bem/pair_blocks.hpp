@@ -10,15 +10,16 @@
 
 namespace bempd::bem {
 
-// Blocks of the Galerkin matrices from a pair of elements, outer (points x, nodes a) and inner (points y, nodes b). The
-// functions are in the header for inlining: calls would cost as much as the sums.
+// Blocks of the Galerkin matrices from a pair of elements: the outer one with points x and nodes a, the inner one with
+// points y and nodes b. The functions are in the header for inlining, because calls would cost as much as the sums.
 class PairBlocks {
  public:
   PairBlocks(const std::vector<GalerkinElement>& elements, double nu, double quadrature_tolerance);
 
   PairMoments moments(int outer, int inner, PairPart part) const;
 
-  // Block of the single layer. For an element with itself it is half the block, because the transpose is added later.
+  // Block of the single layer. For an element paired with itself it is half the block, because the transpose is added
+  // later.
   Eigen::Matrix2d single_layer(int outer, int inner, const PairMoments& m, int a, int b) const {
     const double single = (outer == inner ? 0.5 : 1.0) * single_;
     // The trace part 1/2 of e e^T gives a product of integrals. (In the hypersingular block it vanishes in the sum over
@@ -32,7 +33,8 @@ class PairBlocks {
     return hyper * symmetric_block(-m.derivative[0][b][a], m.derivative[1][b][a], m.derivative[2][b][a]);
   }
 
-  // Transposed block of the double layer; `b` numbers inner and then outer nodes, as in PairMoments::double_layer.
+  // Transposed block of the double layer; `b` numbers the nodes of the inner and then of the outer element, as in
+  // PairMoments::double_layer.
   Eigen::Matrix2d double_layer(const PairMoments& m, int a, int b) const {
     const auto& moment = m.double_layer;
     const double rotation = (1 - 2 * nu_) * moment[1][b][a];

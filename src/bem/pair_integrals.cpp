@@ -23,8 +23,8 @@ Distances distances_between(const std::array<Point, 3>& outer, const std::array<
 }
 
 constexpr int largest_rule = static_cast<int>(regular_point_counts.size()) - 1;
-// Largest number of pairs of intervals into which a pair of elements is split. A pair that would need more is left to
-// integrate_alongside(), at about the same cost.
+// Largest number of pairs of intervals into which a pair of elements is split. A pair of elements that would need more
+// goes to integrate_alongside(), which costs about as much.
 constexpr std::size_t most_short_pairs = 256;
 
 double closest_singularity(const ElementGeometry& element, const Interval& interval,
@@ -74,9 +74,9 @@ class PairIntegrator::ShortPairs {
   alignas(ShortPair) std::byte memory_[sizeof(ShortPair) * (most_short_pairs + 1)];
 };
 
-// Nearness of the singularity of the integrand on one stretch, seen from sample points of the other one, and the rule
-// that it needs. The kernels are analytic up to the complex parameter at which the distance r vanishes. On a straight
-// stretch the distances of that parameter from both ends are those of the other point from the ends, in the plane.
+// Nearness of the singularity on the stretch `own`, as seen from sample points of the stretch `other`. The kernels are
+// analytic up to the complex parameter at which the distance r vanishes. On a straight stretch this parameter is as far
+// from both ends as the sample point is in the plane.
 PairIntegrator::Nearness PairIntegrator::nearness(const Stretch& own, const std::array<double, 3>& sums,
                                                   const Stretch& other) const {
   const Side& side = own.side;
@@ -98,8 +98,8 @@ PairIntegrator::Closeness PairIntegrator::closeness(const Stretch& outer, const 
           nearness(inner, {d[0][0] + d[0][2], d[1][0] + d[1][2], d[2][0] + d[2][2]}, outer)};
 }
 
-// Halves two stretches until a rule is good enough for each pair of parts, collected in `pairs`. Returns false if this
-// takes more than most_short_pairs pairs.
+// Halves two stretches until each pair of their parts has rules that are good enough, and collects these pairs. Returns
+// false if there are more than most_short_pairs pairs.
 bool PairIntegrator::halve(const Stretch& outer, const Stretch& inner, int depth, ShortPairs& pairs) const {
   constexpr int max_depth = 60;
   const Closeness close = closeness(outer, inner);
@@ -146,7 +146,7 @@ PairMoments PairIntegrator::integrate(int outer, int inner, Contact contact, Pai
       integrate_touching({outer, {-1, 1}}, {inner, {1, -1}}, true, part, moments);
       break;
     case Contact::both_ends:
-      // Two elements form a loop: their halves with the same sign of the parameter are apart, opposite ones touch.
+      // Two elements form a loop: their halves with parameters of the same sign are separate, of opposite signs touch.
       integrate_touching({outer, {1, 0}}, {inner, {-1, 0}}, true, part, moments);
       integrate_touching({outer, {-1, 0}}, {inner, {1, 0}}, true, part, moments);
       integrate_separate(stretch({outer, {0, 1}}), stretch({inner, {0, 1}}), part, moments);

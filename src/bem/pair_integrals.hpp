@@ -34,7 +34,8 @@ struct PairMoments {
 // `derivative`.
 enum class PairPart { everything, without_mass, double_layer_only, derivative_only };
 
-// Points of one rule on a whole element, computed by the first thread that asks for them: few rules are ever used.
+// Points of one rule on a whole element, computed by the first thread that asks for them, because few rules are ever
+// used.
 class PointTable {
  public:
   PointTable() = default;
@@ -57,19 +58,20 @@ class PointTable {
 // Contact of two elements: which end of the outer one (named first) is which end of the inner one.
 enum class Contact { none, same, end_to_start, start_to_end, both_ends };
 
-// Integrates over pairs of elements, each with the relative error `tolerance`. Pairs apart use products of Gauss rules
-// on intervals that are halved until they are short enough for their distance. Pairs that lie along each other at a
-// small distance, as on the two sides of a slit, would need as many intervals as they are longer than this distance.
-// There the inner integral is split anew for every outer point, and the work grows with the square of a logarithm.
-// Touching pairs use polar-like coordinates around the common point, in which only a factor ln(radius) is singular.
+// Integrates over pairs of elements, each with the relative error `tolerance`. Separate pairs use products of Gauss
+// rules on intervals, which are halved until they are short enough for the distance. Pairs that lie along each other at
+// a small distance, as on both sides of a slit, would need too many intervals: their number grows with the ratio of
+// length to distance. For such pairs the inner integral is split anew for every outer point, and the work grows with
+// the square of the logarithm of this ratio. Touching pairs use polar-like coordinates around the common point, in
+// which only a factor ln(radius) is singular.
 class PairIntegrator {
  public:
   PairIntegrator(const std::vector<ElementGeometry>& elements, double tolerance);
 
   PairMoments integrate(int outer, int inner, Contact contact, PairPart part) const;
 
-  // Integrals over two elements whose ends (0: start, 1: end) meet but have a node each, as at the mouth of a crack.
-  // The terms of the double layer in N_b(y) and in N_b(x) are then integrable separately.
+  // Integrals over two elements whose ends (0: start, 1: end) are at one place but have different nodes, as at a crack
+  // mouth. The double layer's terms in N_b(y) and in N_b(x) can then be integrated separately.
   PairMoments integrate_meeting(int outer, int outer_end, int inner, int inner_end, PairPart part) const;
 
  private:
@@ -77,12 +79,12 @@ class PairIntegrator {
     int element;
     Interval interval;
   };
-  // Side (part of an element) with the quantities on which the choice of its rule depends.
+  // Part of an element with the quantities on which the choice of its rule depends.
   struct Stretch {
     Side side;
     std::array<Point, 3> sample;  // ends and middle
     double half_length;
-    int shape_rule;  // the least rule on account of the element's own functions
+    int shape_rule;  // smallest rule that integrates the element's own functions
     bool straight;
   };
   Stretch stretch(const Side& side) const;
@@ -98,8 +100,8 @@ class PairIntegrator {
     int rule;
   };
   void integrate_separate(const Stretch& outer, const Stretch& inner, PairPart part, PairMoments& moments) const;
-  // Sum of the distances of the nearest singularity from the side's ends (see ellipse_size()), and the index of the
-  // rule that it needs. The index exceeds that of the largest rule if none is enough, because the side is too long.
+  // Sum of distances from the nearest singularity to the ends of a part of an element (see ellipse_size()), and index
+  // of the rule that the part needs, larger than that of any rule if the part is too long.
   struct Nearness {
     double sum;
     int rule;

@@ -34,7 +34,7 @@ GaussRule make_rule(int n) {
     const auto p = legendre(n, x);
     const long double derivative = n * (x * p[n] - p[n - 1]) / (x * x - 1);
     const long double weight = 1 / ((1 - x * x) * derivative * derivative);
-    // Log weights come from the expansion of f in Legendre polynomials, times the integrals of P_k(2s - 1) ln(s) over
+    // Log weights follow from the expansion of f in Legendre polynomials and the integrals of P_k(2s - 1) ln(s) over
     // [0, 1].
     long double log_factor = -1;
     for (int k = 1; k < n; ++k) log_factor += (2 * k + 1) * p[k] * (k % 2 ? 1.0L : -1.0L) / (k * (k + 1.0L));

@@ -31,11 +31,12 @@ inline constexpr int max_regular_points = 16;
 // Index in `regular_point_counts` of the least count that is enough; its size() if none is.
 int regular_rule(int points_needed);
 
-// Choice of rules as by gauss_points_needed() and regular_rule(), but by tabulated limits instead of a logarithm.
+// Choice of a rule with the result of gauss_points_needed() and regular_rule(), but by tabulated limits instead of a
+// logarithm.
 class RegularRules {
  public:
   explicit RegularRules(double tolerance);
-  // Sum of a singularity's distances from the ends, as in rule(), for which the rule with most points is just enough.
+  // Smallest sum of a singularity's distances from the ends for which the rule with most points is enough.
   double least_sum() const { return least_sum_.back(); }
   // Index of the rule for a singularity with this sum of distances from the ends (as in ellipse_size()).
   int rule(double sum_of_distances) const {

@@ -1,7 +1,8 @@
 // Integrals over pairs of elements that share a point, or of an element with itself. Coordinates are chosen in which
 // the distance is r = radius * chord, where the chord is smooth and does not vanish: Duffy's coordinates around a
-// common end, the difference of the parameters on one element. ln r is then the smooth ln|chord| plus ln(radius), which
-// a product rule integrates. The 1 / r of the double layer cancels against N(y) - N(x), which vanishes with the radius.
+// common end, or the difference of two parameters on one element. The logarithm ln r is then the smooth ln|chord| plus
+// ln(radius), which a product rule integrates. The factor 1 / r of the double layer cancels against N(y) - N(x), which
+// vanishes with the radius.
 
 #include <cmath>
 #include <complex>
@@ -15,8 +16,8 @@ namespace bempd::bem {
 
 namespace {
 
-// Writes entry `p` of `side`: an element's normal, shape functions and their derivatives at a point, from `values`; and
-// what the element contributes to the quotient (N(y) - N(x)) / radius, which is `scale * difference`.
+// Writes entry `p` of `side`: an element's normal, shape functions and their derivatives at a point, from `values`, and
+// the element's part `scale * difference` of the quotient (N(y) - N(x)) / radius.
 void set(const ElementGeometry::Values& values, const std::array<double, 3>& difference, double scale, std::size_t p,
          SingularPoints::Side& side) {
   const Point normal = scaled_normal(values.derivative);
@@ -34,7 +35,7 @@ void set(const Point& chord, double weight, double log_weight, std::size_t p, Si
   pair.weight[p] = weight, pair.log_weight[p] = log_weight;
 }
 
-// Pads the arrays of `side` with zeros up to a whole vector: whole vectors are read behind the last radius.
+// Pads the arrays of `side` with zeros up to a whole vector, because whole vectors are read behind the last radius.
 void fill_up(std::size_t radii, SingularPoints::Side& side) {
   const ElementGeometry::Values nothing{Point(0, 0), {}, {}};
   for (std::size_t p = radii; p % 4 != 0; ++p) set(nothing, {}, 0, p, side);
@@ -45,8 +46,8 @@ void fill_up(std::size_t radii, SingularPoints::Pair& pair) {
 }
 
 // Numbers of quadrature points. On straight elements integrands are polynomials, of degree five in the radius and two
-// along the element. On curved ones they have sines, or Jacobians with square roots, and need more points; fewer of
-// them for a loose tolerance.
+// along the element. On curved elements integrands have sines, or Jacobians with square roots, and need more points,
+// fewer of them for a loose tolerance.
 struct PointCounts {
   int radial = 6, along = 3, extra_angular = 1;
 
@@ -58,8 +59,8 @@ struct PointCounts {
   }
 };
 
-// Rule for the angular variable w on [0, 1]. The chord vanishes at one complex w, `zero`, towards which intervals are
-// halved.
+// Rule for the angular variable w on [0, 1]. The chord vanishes at the complex value `zero` of w; intervals are halved
+// towards this value.
 struct AngularRule {
   std::vector<double> points, weights;
 
@@ -87,15 +88,15 @@ struct AngularRule {
   }
 };
 
-// Element as seen from one of its ends: sets quadrature points by their distance from this end.
+// Element with parameters that start at one of its ends: sets quadrature points by their distance from this end.
 class FromEnd {
  public:
   FromEnd(const ElementGeometry& element, const Interval& interval)
       : element_(element), from_(interval.from), length_(interval.to - from_), half_(element.basis.half(from_)) {}
 
-  // Sets point `p`, whose distance from the end is radius * times_radius of the interval. With a common node the
-  // difference part is N less its value at the end, over the radius, because the values there cancel; else it is N over
-  // the radius. `sign` is the sign of the difference part.
+  // Sets point `p` at the distance radius * times_radius from the end, in lengths of the interval. With a common node
+  // the part of the difference is N less its value at the end, over the radius; the values at the end cancel. Without a
+  // common node the part is N over the radius. `sign` is the sign of this part.
   void set_at(double radius, double times_radius, bool common_node, double sign, std::size_t p, Point& chord,
               SingularPoints::Side& side) const {
     const double way = length_ * times_radius;
@@ -118,9 +119,9 @@ class FromEnd {
 
 }  // namespace
 
-// Integrates over two elements that touch, with intervals that start at the common point. The parameters from + s (to -
-// from) of the two have s = radius, t = radius * w in one triangle of the unit square, and s = radius * w, t = radius
-// in the other one (M. G. Duffy, SIAM J. Numer. Anal. 19, 1982).
+// Integrates over two elements that touch; intervals start at the common point. With the parameters from + s (to -
+// from) on one element and from + t (to - from) on the other, s = radius and t = radius * w in one triangle of the unit
+// square, s = radius * w and t = radius in the other (M. G. Duffy, SIAM J. Numer. Anal. 19, 1982).
 void PairIntegrator::integrate_touching(const Side& outer, const Side& inner, bool common_node, PairPart part,
                                         PairMoments& moments) const {
   const ElementGeometry &a = elements_[outer.element], &b = elements_[inner.element];
@@ -163,8 +164,8 @@ void PairIntegrator::integrate_touching(const Side& outer, const Side& inner, bo
   }
 }
 
-// Integrates over an element with itself. The radius s is half the difference of the parameters, 2 s = |eta - xi|; the
-// lower parameter runs over -1 .. 1 - 2 s.
+// Integrates over an element paired with itself. The radius s is half the difference of the parameters, 2 s = |eta -
+// xi|; the lower parameter runs over -1 .. 1 - 2 s.
 void PairIntegrator::integrate_with_itself(int element, PairPart part, PairMoments& moments) const {
   const ElementGeometry& geometry = elements_[element];
   if (geometry.tip != TipEnd::none) return integrate_tip_with_itself(element, moments);
@@ -183,8 +184,8 @@ void PairIntegrator::integrate_with_itself(int element, PairPart part, PairMomen
       const ElementBasis::HalfAngle half_lower = geometry.basis.half(lower);
       const ElementGeometry::Values at_lower = geometry.values(lower, geometry.basis.at(lower, half_lower));
       const auto [at_upper, quotients] = geometry.values_and_quotients(lower, 2 * s, half_lower, half_way);
-      // The radius is taken with the sign of eta - xi: even kernels do not depend on it, and in the double layer it
-      // cancels.
+      // The radius is taken with the sign of eta - xi. Even kernels do not depend on this sign, and in the double layer
+      // it cancels.
       set(quotients.place, weight, log_weight, i, points.pairs[j]);
       set(at_lower, quotients.shape, 1, i, points.outer[j]);
       set(at_upper, quotients.shape, 1, i, points.inner[j]);
@@ -200,19 +201,19 @@ void PairIntegrator::integrate_with_itself(int element, PairPart part, PairMomen
   add_singular_sums(points, part, moments);
 }
 
-// Integrates over a tip element with itself; only derivatives are needed, because cracks have no traction unknowns.
-// With the parameters sigma and tau from the tip, r = length |sigma^2 - tau^2|, and the derivatives have the powers 0
-// and 2 of sigma and tau. All integrals follow from closed forms of those of  sigma^a tau^b ln|sigma^2 - tau^2|  over
-// the unit square.
+// Integrates over a tip element paired with itself: derivatives only, because cracks have no traction unknowns. With
+// the parameters sigma and tau from the tip, r = length |sigma^2 - tau^2|, and the derivatives have the powers 0 and 2
+// of sigma and tau. All integrals follow from closed forms for  sigma^a tau^b ln|sigma^2 - tau^2|  over the unit
+// square.
 void PairIntegrator::integrate_tip_with_itself(int element, PairMoments& moments) const {
   const ElementGeometry& geometry = elements_[element];
   const Point along = 2 * geometry.c1, unit = along.normalized();
   constexpr double ln2 = std::numbers::ln2;
-  constexpr double with_1 = 2 * ln2 - 2, with_square = 2 * ln2 / 3 - 8.0 / 9;  // of ln(1 - w^2), over 0 .. 1
+  constexpr double with_1 = 2 * ln2 - 2, with_square = 2 * ln2 / 3 - 8.0 / 9;  // of ln(1 - w^2) and w^2 ln(1 - w^2)
   constexpr double logarithm[2][2] = {{with_1 - 1, 0.25 * (with_1 + with_square) - 1.0 / 6},
                                       {0.25 * (with_1 + with_square) - 1.0 / 6, with_square / 3 - 1.0 / 27}};
-  // Shape functions of tip, mid node and far end: slope[k] has the coefficients of 1 and sigma^2 in dN_k / dsigma,
-  // difference[k] is the value of N_k at the far end less that at the tip.
+  // Coefficients of the shape functions of tip, mid node and far end: slope[k] has those of 1 and sigma^2 in dN_k /
+  // dsigma, difference[k] is the value of N_k at the far end less that at the tip.
   constexpr double slope[3][2] = {{-7.0 / 3, 4}, {8.0 / 3, -8}, {-1.0 / 3, 4}}, difference[3] = {-1, 0, 1};
   const double cosine = 0.5 * (unit.x() * unit.x() - unit.y() * unit.y()), sine = unit.x() * unit.y();
   const auto position = [&](int k) { return geometry.tip == TipEnd::start ? k : 2 - k; };

@@ -29,9 +29,9 @@ double Singularities::sum_of_distances(const Interval& interval) const {
   return 2 * closest / std::abs(interval.to - interval.from);
 }
 
-// Solves for the length h. If the singularity has the distance r from the start, u of it along the interval, its
-// distance from the end at h is sqrt(r^2 - 2 u h + h^2). The two distances add to sum h / 2 where h = 2 (k r - u) /
-// (k^2 - 1) with k = sum / 2.
+// Solves for the length h. Let the singularity have the distance r from the start of the interval and the coordinate u
+// along the interval. Its distance from the end is then sqrt(r^2 - 2 u h + h^2), and both distances add to sum h / 2
+// where h = 2 (k r - u) / (k^2 - 1) with k = sum / 2.
 double Singularities::longest_interval(double from, double sum) const {
   const double k = 0.5 * sum;
   double longest = std::numeric_limits<double>::infinity();
@@ -64,8 +64,8 @@ double ArcParameters::sum_of_distances(const Point& x, const Interval& interval)
   return 2 * std::min(sum(xi), sum(next_turn)) / std::abs(interval.to - interval.from);
 }
 
-// The bound follows from the parameters of two places, z and z' from the centre: they differ by |ln(z' / z)| / alpha <=
-// q / (1 - q) / alpha, where q = |z' - z| / |z|.
+// The bound follows from the parameters of two places at z and z' from the arc's centre: these parameters differ by
+// |ln(z' / z)| / alpha <= q / (1 - q) / alpha, where q = |z' - z| / |z|.
 double ArcParameters::largest_change(const std::array<Point, 3>& places, const Interval& interval) const {
   const double apart =
       std::sqrt(std::max((places[0] - places[1]).squaredNorm(), (places[2] - places[1]).squaredNorm()));
@@ -120,14 +120,14 @@ int shape_points_needed(const ElementGeometry& element, const Interval& interval
   // Shape functions of elements at a tip are polynomials of the parameter.
   if (element.tip != TipEnd::none) return 2;
   if (element.basis.powers()) {
-    // The Jacobian is singular where its square, dx/dxi . dx/dxi, vanishes: where c1 + 2 c2 xi = 0, read as complex
-    // numbers.
+    // The Jacobian is singular where its square dx/dxi . dx/dxi vanishes, that is where c1 + 2 c2 xi = 0 with c1 and c2
+    // read as complex numbers.
     Singularities s;
     s.add(-as_complex(element.c1) / (2.0 * as_complex(element.c2)));
     return gauss_points_needed(s.ellipse(interval), tolerance);
   }
-  // Integrands have sines and cosines of up to some four times the angle, so that the error of n points falls like (e
-  // angle / (4 n))^(2 n).
+  // Integrands have sines and cosines of up to four times the angle, so that the error of n points falls like (e angle
+  // / (4 n))^(2 n).
   const double angle = 4 * std::abs(element.basis.half_angle()) * 0.5 * std::abs(interval.to - interval.from);
   int points = 1;
   while (points < max_gauss_points && std::pow(std::numbers::e * angle / (4 * points), 2 * points) > tolerance)

@@ -34,13 +34,13 @@ class ArcParameters {
  public:
   explicit ArcParameters(const ElementGeometry& arc);
 
-  // Complex parameters at which the distance from x vanishes: the one within half a turn of the arc's middle, and the
-  // next one, a full turn away.
+  // Complex parameters at which the distance from x vanishes: the parameter within half a turn of the arc's middle, and
+  // the next parameter, a full turn away.
   std::array<std::complex<double>, 2> of(const Point& x) const;
-  // Sum of the distances from both ends of the interval, in units of half its length, for the nearer one of the two
-  // parameters that of() finds.
+  // Sum of the distances from a parameter to both ends of the interval, in units of half its length. Of the two
+  // parameters that of() finds for x, the nearer one counts.
   double sum_of_distances(const Point& x, const Interval& interval) const;
-  // Bound on the change of sum_of_distances() from places[1] to either of the other places.
+  // Bound on the change of sum_of_distances() between places[1] and either of the other two places.
   double largest_change(const std::array<Point, 3>& places, const Interval& interval) const;
 
  private:
@@ -53,8 +53,8 @@ Singularities singularities_from(const ElementGeometry& element, const Point& x)
 
 // Singularities of an integral over an interval of `inner`, with kernels of the distance, as a function of the place on
 // `outer`. They lie where the path of integration ends, and where the parameter of `inner` is not an analytic function
-// of the place (at the centre of an arc, the focus of a parabola). The rest of the path can be deformed away from the
-// place.
+// of the place (at the centre of an arc, the focus of a parabola). The path between its ends causes none, because it
+// can be deformed away from the place.
 std::vector<Singularities> singularities_of_integral(const ElementGeometry& outer, const ElementGeometry& inner,
                                                      const Interval& interval);
 
