@@ -5,8 +5,8 @@
 
 namespace bempd::coupling {
 
-// Stores the loads, and each different motion of supports once: edges and points move alike, so that thousands of
-// degrees of freedom have a few motions (pairs of constant and proportional part).
+// Stores the loads, and each different motion of supports (pair of constant and proportional part) once. The points of
+// an edge usually move alike, so that thousands of degrees of freedom have a few motions.
 void AppliedLoad::set(Affine force, Affine prescribed, const std::vector<DofKind>& kind, const NodeTies& ties) {
   force_ = std::move(force);
   prescribed_ = std::move(prescribed);

@@ -79,7 +79,7 @@ Affine Condensation::displacement(const Affine& kept) const {
   return all;
 }
 
-// Displacements of all nodes are computed if nodes are tied, because tied nodes follow others; and if the load has a
+// All displacements are computed if nodes are tied, because tied nodes follow other nodes, and if the load has a
 // constant part, because one full solution for both parts is as fast as a partial solution for each.
 Affine Condensation::displacement_at(const std::vector<int>& nodes, const Affine& kept) const {
   const bool has_constant_part = !(kept.col(0).isZero(0) && eliminated_.col(0).isZero(0));

@@ -8,18 +8,18 @@
 
 namespace bempd::coupling {
 
-// Linear function of all displacements, expressed by the kept ones: value = constant + weights . (kept displacements).
-// `constant` itself has a constant part and one that is proportional to the load factor.
+// Linear function of all displacements, expressed by the kept displacements: value = constant + weights . (kept
+// displacements). Column 0 of `constant` is fixed, column 1 is multiplied by the load factor.
 struct CondensedFunction {
   Eigen::VectorXd weights;
   Eigen::RowVector2d constant;
 };
 
-// Condensation of the whole body, under its present loads, onto the kept unknowns: those that its factorization
-// eliminates last. The object uses the system's factor, which must stay as it is.
+// Condensation of the whole body, under its present loads, onto the kept unknowns, which its factorization eliminates
+// last. The object uses the system's factor, which must not change meanwhile.
 class Condensation {
  public:
-  // Prepares the condensation; factorizes if there is no factor of the present matrix yet.
+  // Prepares the condensation. Factorizes the present matrix if there is no factor of it.
   explicit Condensation(EquilibriumSystem& system);
 
   // Kept degrees of freedom, in the order that all vectors and matrices of this class have.
@@ -36,24 +36,25 @@ class Condensation {
   std::vector<CondensedFunction> condense(const Eigen::MatrixXd& functions) const;
 
   // Computes states of the whole sparse system from their kept displacements, one column of `kept` per state. `part`
-  // tells for each state whether it belongs to the constant (0) or the proportional (1) part of the load. The result
-  // has one row per state and one column per degree of freedom; those inside dense operators are left to recover().
+  // has one number per state: 0 if the state belongs to the constant part of the load, 1 if it belongs to the
+  // proportional part. The result has one row per state and one column per degree of freedom; recover() adds degrees of
+  // freedom inside dense operators.
   Eigen::MatrixXd expand(const Eigen::MatrixXd& kept, const std::vector<int>& part) const;
 
-  // Adds the displacements that the sparse system does not contain: those inside dense operators, and of tied nodes.
+  // Adds the displacements that the sparse system does not contain: those inside dense operators and those of tied
+  // nodes.
   void recover(Affine& displacement) const;
 
-  // Displacements of all nodes from the kept ones. displacement_at() guarantees those of `nodes` only: others may be
-  // NaN.
+  // Displacements of all nodes from the kept displacements.
   Affine displacement(const Affine& kept) const;
-  Affine displacement_at(const std::vector<int>& nodes, const Affine& kept) const;
+  Affine displacement_at(const std::vector<int>& nodes, const Affine& kept) const;  // others than `nodes` may be NaN
 
  private:
   FactorizedSystem system_;
   std::vector<int> dofs_;
   Eigen::MatrixXd factor_;
   Affine eliminated_;          // load after SparseCholesky::solve_forward()
-  std::vector<int> place_of_;  // of a degree of freedom in the order of elimination; -1: it is no unknown
+  std::vector<int> place_of_;  // place of each degree of freedom in the order of elimination; -1: no unknown
 };
 
 }  // namespace bempd::coupling

@@ -10,18 +10,18 @@
 
 namespace bempd::coupling {
 
-// Unilateral constraint: the gap between the two faces of a crack at one place, which may not become negative. A closed
-// constraint presses the faces on each other: by a penalty energy k/2 gap^2, or, if it is exact, by the multiplier that
-// makes the gap zero.
+// Unilateral constraint: the gap between the two faces of a crack at one place must not become negative. A closed
+// constraint presses the faces on each other, either by a penalty energy k/2 gap^2 or, if it is exact, by a multiplier
+// (contact force) that makes the gap zero.
 struct Constraint {
   static constexpr double exact = std::numeric_limits<double>::infinity();
 
-  std::vector<TermEntry> pull;  // c of the gap c.u; empty if exact: the operator that the place lies in knows the gap
+  std::vector<TermEntry> pull;  // coefficients c of the gap c.u; empty if exact (the dense operator has them)
   double stiffness = exact;     // k of the penalty [N/m]
   bool operator==(const Constraint&) const = default;
 
   bool is_exact() const { return stiffness == exact; }
-  // Gap c.u, where `displacement` is a function that returns u of a degree of freedom, 2 * node + component.
+  // Gap c.u, where displacement(dof) returns the displacement u of degree of freedom 2 * node + component.
   template <class Displacement>
   double gap_at(const Displacement& displacement) const {
     double sum = 0;
@@ -31,7 +31,7 @@ struct Constraint {
   double gap(const double* displacement) const {
     return gap_at([&](int dof) { return displacement[dof]; });
   }
-  // Whether `is_known` holds for all degrees of freedom on which the gap depends; false for exact constraints.
+  // Whether is_known(dof) holds for all degrees of freedom on which the gap depends; false for exact constraints.
   template <class IsKnown>
   bool is_on(const IsKnown& is_known) const {
     return !is_exact() && std::all_of(pull.begin(), pull.end(), [&](const TermEntry& e) {
@@ -40,9 +40,9 @@ struct Constraint {
   }
 };
 
-// All constraints of a body, and which of them are closed: the active set. Exact ones come first and their number is
-// fixed; those with a penalty follow as they are added. The energy has the same slope with a penalty open and closed
-// where the gap is zero, so that it stays convex and equilibrium unique.
+// All constraints of a body, and the active set: which of them are closed. Exact constraints come first and their
+// number is fixed; constraints with a penalty follow as they are added. Where the gap is zero, the energy with a
+// penalty has the same slope open and closed, so that the energy stays convex and equilibrium unique.
 class Constraints {
  public:
   Constraints() = default;
@@ -74,20 +74,20 @@ class Constraints {
     closed_[i] = closed ? 1 : 0;
   }
 
-  // Whether a constraint is barred: it may not close, because it would only push a loose part away.
+  // Whether a constraint is barred from closing, because it would only push a loose fragment away.
   bool is_barred(std::size_t i) const {
     if (i < exact_count_) return i < barred_exact_.size() && barred_exact_[i] != 0;
     return i - exact_count_ < barred_.size() && barred_[i - exact_count_] != 0;
   }
-  // Flags of the barred constraints: those with a penalty, and exact ones. Constraints beyond the end are not barred.
+  // Flags of the barred constraints with a penalty. Constraints beyond the end of the list are not barred.
   const std::vector<char>& barred() const { return barred_; }
-  const std::vector<char>& barred_exact() const { return barred_exact_; }
+  const std::vector<char>& barred_exact() const { return barred_exact_; }  // flags of the exact ones
   void bar(std::vector<char> barred, std::vector<char> exact) {
     barred_ = std::move(barred);
     barred_exact_ = std::move(exact);
   }
 
-  // Calls visit(constraint) for the closed ones with a penalty.
+  // Calls visit(constraint) for the closed constraints with a penalty.
   template <class Visit>
   void for_each_closed_penalty(const Visit& visit) const {
     if (closed_penalties_ == 0) return;
@@ -96,7 +96,7 @@ class Constraints {
     }
   }
 
-  // Adds the forces k (c.u) c of the closed constraints with a penalty to `force`, 2 * node + component.
+  // Adds to `force` the forces k (c.u) c of the closed constraints with a penalty, numbered 2 * node + component.
   void add_penalty_forces(const double* displacement, double* force) const {
     for_each_closed_penalty([&](const Constraint& constraint) {
       const double tension = constraint.stiffness * constraint.gap(displacement);

@@ -2,7 +2,7 @@
 
 namespace bempd::coupling {
 
-// Passes the active set of the exact constraints on to the operators, and condenses the loads for it.
+// Passes the active set of the exact constraints on to the operators, and condenses the loads for this set.
 void ContactConstraints::eliminate_exact_ones() {
   parts_.operators.set_closed(parts_.constraints.closed_exact());
   factor_.forget();

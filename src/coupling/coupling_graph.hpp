@@ -9,8 +9,8 @@
 
 namespace bempd::coupling {
 
-// Graph of the nodes that have common entries in the matrix of a system: those of each term (for tied nodes, their
-// masters), and all nodes of each body.
+// Graph of the nodes that have common entries in the matrix of a system: the nodes of each energy term (bond or cell
+// square; for tied nodes, their masters), and all nodes of each body.
 linalg::NodeGraph coupling_graph(const std::vector<Point>& positions, const Terms& terms, const NodeTies& ties,
                                  const std::vector<std::vector<int>>& bodies);
 

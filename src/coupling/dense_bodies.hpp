@@ -7,7 +7,8 @@
 
 namespace bempd::coupling {
 
-// Bodies that cannot break: the nodes of each dense operator, or of each piece of one, and those tied to them.
+// Bodies that cannot break, as lists of nodes: the nodes of each dense operator (or of each piece of a body that cracks
+// have cut), and the nodes tied to them.
 class DenseBodies {
  public:
   DenseBodies(int node_count, const std::vector<DenseOperator>& operators, const NodeTies& ties);

@@ -7,32 +7,34 @@
 
 namespace bempd::coupling {
 
-// Forces and energies of a system's operators, terms and closed penalties (not of holding springs) at given
-// displacements, 2 * node + component. The load factor matters where rest elongations or rest displacements depend on
-// it. The operators must be condensed before.
+// Forces and energies of a system's operators, energy terms and closed penalties (not of holding springs) at given
+// displacements, numbered 2 * node + component. The load factor matters where rest elongations or rest displacements
+// depend on it. The operators must be condensed before.
 class ElasticResponse {
  public:
   explicit ElasticResponse(const SystemParts& parts) : parts_(parts) {}
 
-  // Whether there can be forces at zero displacement: by rest elongations or displacements, or closed exact
+  // Whether there can be forces at zero displacement, due to rest elongations, rest displacements or closed exact
   // constraints.
   bool has_offsets() const;
-  // Whether forces and gaps that belong to this displacement are proportional to the load factor.
+  // Whether the forces and gaps of this displacement are proportional to the load factor.
   bool is_proportional(const Affine& displacement) const;
 
-  // Nodal forces. Those on tied nodes are moved to their masters.
+  // Nodal forces; forces on tied nodes are moved to their masters.
   Eigen::VectorXd internal_force(const Eigen::VectorXd& displacement, double load_factor = 0) const;
-  // Nodal forces of the numbered terms alone; forces on tied nodes are not moved to their masters.
+  // Nodal forces of the terms with these numbers alone; forces on tied nodes are not moved to their masters.
   Eigen::VectorXd force_of_terms(std::span<const int> terms, const Eigen::VectorXd& displacement,
                                  double load_factor) const;
 
-  // Energy; then its derivative by the load factor at a fixed displacement, which the proportional parts of rest
-  // elongations and rest displacements cause.
+  // Energy at a displacement and a load factor.
   double energy(const Eigen::VectorXd& displacement, double load_factor = 0) const;
-  // Energy likewise, by the internal forces at these displacements, which saves most of the work.
+  // Energy as above, from the internal forces at this displacement, which saves most of the work.
   double energy(const Eigen::VectorXd& displacement, double load_factor, const Eigen::VectorXd& force) const;
+  // Derivative of the energy by the load factor at a fixed displacement, due to the proportional parts of rest
+  // elongations and rest displacements.
   double energy_slope(const Eigen::VectorXd& displacement, double load_factor) const;
-  // Strain energy of the proportional part of a displacement, with the proportional parts of rest elongations.
+  // Strain energy of the proportional part of a displacement, with the proportional parts of rest elongations and rest
+  // displacements.
   double unit_energy(const Eigen::VectorXd& proportional) const;
 
  private:

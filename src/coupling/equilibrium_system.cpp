@@ -10,9 +10,9 @@ namespace bempd::coupling {
 
 namespace {
 
-// Limit on the columns of a change of a factor, over the root of the number n of unknowns: beyond it, a fresh factor
-// costs less. In two dimensions that takes some n^(3/2) operations, the change by a column some n. With n = 12,500 a
-// fresh factor takes the time of some 100 to 200 columns.
+// Number of columns in a change of the factor, over the square root of the number n of unknowns, above which a fresh
+// factor costs less. In two dimensions a fresh factor takes some n^(3/2) operations, the change by one column some n.
+// With n = 12,500 a fresh factor takes as long as 100 to 200 columns.
 constexpr double most_columns_over_root = 2;
 
 }  // namespace
@@ -64,8 +64,8 @@ Affine EquilibriumSystem::solve() {
     const Affine rhs = loads.sum();
     for (int column = 0; column < 2; ++column) {
       if (rhs.col(column).isZero(0)) continue;
-      // Loads are scaled to order 1, because scalar products of the iteration square them: squares can overflow or
-      // vanish.
+      // Loads are scaled to order 1, because scalar products of the iteration contain their squares, which can overflow
+      // or vanish.
       const double unit = std::exp2(std::ilogb(rhs.col(column).lpNorm<Eigen::Infinity>()));
       displacement.col(column)(unknowns.dof_of) = unit * factor_.solve(rhs.col(column) / unit);
     }

@@ -15,38 +15,39 @@
 
 namespace bempd::coupling {
 
-// View of a system with a factor. Its references into the system are valid as long as the system keeps this factor.
+// View of a system with a factor. Its references are valid as long as the system keeps this factor.
 struct FactorizedSystem {
   const linalg::SparseCholesky& cholesky;
   const std::vector<int>& dof_of;  // unknown -> dof
-  int kept;                        // unknowns eliminated last
+  int kept;                        // number of unknowns that are eliminated last
   const std::vector<OperatorSchurComplement>& operators;
   const NodeTies& ties;
   const Affine& prescribed;
-  Affine right_hand_side;  // of the unknowns
+  Affine right_hand_side;  // one row per unknown
   SolverCounters& counters;
 };
 
-// Equilibrium of all nodes as one sparse system: dense operators, condensed onto the unknowns they share, terms and
-// holding springs. The method that the operators name solves it. Nothing is condensed or factorized before the first
-// solve(). The system owns the parts below; callers ask the part that they need.
+// Equilibrium of all nodes as one sparse system: dense operators condensed onto the unknowns that they share, energy
+// terms (bonds and cell squares) and holding springs. It is solved by the method that the operators name. Nothing is
+// condensed or factorized before the first solve(). The system owns the parts below, and callers ask the part that they
+// need.
 class EquilibriumSystem {
  public:
-  // Creates the system. Masters of tied nodes belong to dense operators; tied nodes carry terms only and cannot be
-  // prescribed.
+  // Creates the system. Masters of tied nodes belong to dense operators. Tied nodes have energy terms only and cannot
+  // be prescribed.
   EquilibriumSystem(int node_count, std::vector<DenseOperator> operators, Terms terms,
                     const std::vector<char>& prescribed_dofs, NodeTies ties = {})
       : parts_(node_count, std::move(operators), std::move(terms), prescribed_dofs, std::move(ties)) {}
   EquilibriumSystem(const EquilibriumSystem&) = delete;
   EquilibriumSystem& operator=(const EquilibriumSystem&) = delete;
 
-  // Takes over what this system has in common with `before`, that of a scene with shorter cracks.
+  // Copies from `before`, the system of a scene with shorter cracks, the results for parts that are the same.
   void take_over(const EquilibriumSystem& before) {
     parts_.operators.take_over(before.parts_.operators);
     factor_.take_over(before.factor_);
   }
 
-  // Parts of the system, with their present state.
+  // Parts of the system in their present state.
   int node_count() const { return parts_.node_count; }
   const Terms& terms() const { return parts_.terms; }
   const TermStages& stages() const { return parts_.stages; }
@@ -72,24 +73,25 @@ class EquilibriumSystem {
   RepeatableFactor& factor() { return factor_; }
   MotionResistance& motions() { return motions_; }
 
-  // Sets the loads: forces on free degrees of freedom [N] and displacements of prescribed ones [m], 2 * node +
+  // Sets the loads: forces [N] on free degrees of freedom and displacements [m] of prescribed ones, numbered 2 * node +
   // component.
   void set_load(Affine force, Affine prescribed);
 
-  // Puts terms into other stages and adds springs, with the matrix and its factor (low-rank changes).
+  // Puts energy terms into other damage stages and adds holding springs. The matrix changes, and its factor follows by
+  // low-rank changes.
   void commit(std::span<const StageChange> changes, std::span<const HoldingSpring> springs);
-  // Replaces the stages of all terms and the holding springs; the next solve factorizes afresh.
+  // Replaces the damage stages of all energy terms and the holding springs; the next solve factorizes again.
   void restore(std::vector<std::uint8_t> stages, std::vector<HoldingSpring> springs);
 
-  // Condenses the operators if they are not yet condensed; forces and energies need it.
+  // Condenses the operators if they are not yet condensed; needed before forces and energies are computed.
   void condense() { parts_.condense(); }
   // Solves for the displacements in equilibrium. Throws Error (unsolvable) if some part of the body can move freely.
   Affine solve();
-  // Condenses and factorizes where necessary. The system must be symmetric. Throws Error (unsolvable).
+  // Condenses and factorizes if that has not been done. The system must be symmetric. Throws Error (unsolvable).
   FactorizedSystem factorized();
 
   const SolverCounters& counters() const { return parts_.counters; }
-  // Takes account of a reciprocal condition number that was found elsewhere: the least one is reported.
+  // Counts a reciprocal condition number of another matrix of the same body: the counters report the smallest of all.
   void note_condition(double reciprocal) {
     parts_.counters.reciprocal_condition = std::min(parts_.counters.reciprocal_condition, reciprocal);
   }

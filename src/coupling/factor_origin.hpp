@@ -11,36 +11,36 @@
 
 namespace bempd::coupling {
 
-// Change of a matrix by the sum of c c^T over its columns c, added or subtracted. The columns are stored sparsely.
+// Change of a matrix by the sum of c c^T over sparse columns c, which is added or subtracted.
 struct FactorChange {
   bool adds = false;
-  std::vector<int> end;      // of every column, in the arrays below
-  std::vector<int> unknown;  // rows of the matrix
+  std::vector<int> end;      // end of each column in the arrays below
+  std::vector<int> unknown;  // row (unknown) of each entry
   std::vector<double> weight;
   bool operator==(const FactorChange&) const = default;
 };
 
-// Nodes between which constraints with a penalty need entries of the matrix, one list per constraint.
+// Nodes between which constraints with a penalty need entries of the matrix: one list of nodes per constraint.
 using PlacesMet = std::vector<std::vector<int>>;
 
 // Record of how a factor was made, from which it can be made again with the same digits. (A factor that was changed
-// differs in rounding from a fresh one of the same matrix.)
+// differs by rounding from a fresh factor of the same matrix.)
 struct FactorOrigin {
-  std::vector<StageChange> stages;    // stages at that time of terms that have other ones now
-  std::size_t springs = 0;            // number of the present springs that existed then
+  std::vector<StageChange> stages;    // stages of terms at that time, if different now
+  std::size_t springs = 0;            // number of the present springs that already existed
   std::vector<Constraint> closed;     // constraints with a penalty that were closed
-  PlacesMet places;                   // entries that the matrix had room for
-  std::vector<FactorChange> changes;  // since
+  PlacesMet places;                   // entries for constraints in the matrix
+  std::vector<FactorChange> changes;  // changes of the factor since it was made
 };
 
 // State of a system from which its factor was made.
 struct FactorSource {
-  std::vector<std::uint8_t> stages;  // of all terms
+  std::vector<std::uint8_t> stages;  // stages of all terms
   std::vector<HoldingSpring> springs;
-  std::vector<Constraint> closed;           // constraints with a penalty
-  std::vector<char> closed_exact;           // which of the exact ones
+  std::vector<Constraint> closed;           // closed constraints with a penalty
+  std::vector<char> closed_exact;           // flags of the exact constraints
   std::shared_ptr<const PlacesMet> places;  // null: none
-  bool is_awaited = false;                  // whether the factor is still to be made of this state, and then changed
+  bool is_awaited = false;                  // the factor is not yet made and changed by `to_repeat`
   std::vector<FactorChange> to_repeat;
 
   static FactorSource of(const std::vector<std::uint8_t>& stages, const std::vector<HoldingSpring>& springs,

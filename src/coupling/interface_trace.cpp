@@ -45,7 +45,7 @@ struct Entry {
 };
 
 // Row of lattice points 0 .. length along an interface. The first and the last point lie on boundary nodes, unless the
-// interface goes on for half a spacing beyond them.
+// interface goes on for half a spacing beyond the point (at the mouth of a crack).
 struct LatticeRow {
   explicit LatticeRow(const std::vector<double>& stations)
       : length(static_cast<int>(std::floor(stations.back() + 0.25))),
@@ -56,9 +56,9 @@ struct LatticeRow {
   bool starts_at_point, ends_at_point;
 
   bool is_end(int i) const { return (i == 0 && starts_at_point) || (i == length && ends_at_point); }
-  // Shares of the interface's length, in spacings, for each point; their sum and first moment are those of the whole
-  // interface. At the mouth of a crack the interface goes on half a spacing beyond the last point, so the share of that
-  // point does not suffice: the last two points make up for the moment.
+  // Shares of the interface's length, in spacings, for each lattice point; their sum and first moment are those of the
+  // whole interface. At the mouth of a crack the interface goes on half a spacing beyond the last point. The shares of
+  // the last two points are changed so that the moment is right, too.
   std::vector<double> shares() const {
     constexpr double lever = 0.125;
     std::vector<double> all(static_cast<std::size_t>(length) + 1, 1.0);
@@ -70,7 +70,8 @@ struct LatticeRow {
   }
 };
 
-// Places of N's entries that may differ from zero: a point depends on the nodes of all elements within a spacing of it.
+// Places of the entries of N that may differ from zero: each lattice point depends on the nodes of all elements within
+// one spacing of the point.
 std::vector<Entry> pattern(const Elements& elements, const LatticeRow& row) {
   std::vector<Entry> entries;
   for (int i = 0; i <= row.length; ++i) {
@@ -95,8 +96,8 @@ std::optional<Eigen::SparseMatrix<double, Eigen::RowMajor>> interface_trace(cons
   const std::vector<Entry> entries = pattern(elements, row);
   const auto count = static_cast<Eigen::Index>(entries.size());
 
-  // Equations for the entries N: per lattice point i, sum N = 1 and sum N (x_a - x_i) = 0 over the nodes a; per node,
-  // that a constant traction gives the forces of the boundary elements.
+  // Equations for the entries N. Each lattice point i has two: sum N = 1 and sum N (x_a - x_i) = 0 over the nodes a.
+  // Each node has one: a constant traction gives the forces of the boundary elements.
   linalg::LeastChange problem;
   problem.lower = -std::numeric_limits<double>::infinity();
   problem.start.resize(count);

@@ -6,7 +6,7 @@
 
 namespace bempd::coupling {
 
-// Lower triangle of a symmetric matrix, column by column: half the memory.
+// Lower triangle of a symmetric matrix, stored column by column in half the memory of the full matrix.
 struct PackedLower {
   std::vector<double> entries;
 
@@ -18,14 +18,15 @@ struct PackedLower {
   }
 };
 
-// Lower triangle of a symmetric sum in three blocks: of the eliminated unknowns, of both kinds, of the others.
+// Lower triangle of a symmetric sum in three blocks: of the unknowns to be eliminated, of the remaining unknowns, and
+// the coupling block between them.
 struct LowerBlocks {
   Eigen::MatrixXd eliminated, coupling, remaining;
 
   LowerBlocks(Eigen::Index first, Eigen::Index rest)
       : eliminated(zero_below(first)), coupling(Eigen::MatrixXd::Zero(rest, first)), remaining(zero_below(rest)) {}
 
-  // Adds the lower triangle of a symmetric matrix, whose unknowns have these places in the sum.
+  // Adds the lower triangle of a symmetric matrix; `places` are the places of its unknowns in the sum.
   void add(const Eigen::MatrixXd& matrix, const std::vector<int>& places) {
     for (std::size_t j = 0; j < places.size(); ++j) add_column(matrix.data() + j * (places.size() + 1), j, places);
   }
@@ -38,13 +39,13 @@ struct LowerBlocks {
   }
 
  private:
-  // Square matrix whose lower triangle is zero; no page of memory is touched above it.
+  // Square matrix whose lower triangle is zero; memory above the diagonal is not touched.
   static Eigen::MatrixXd zero_below(Eigen::Index size) {
     Eigen::MatrixXd matrix(size, size);
     for (Eigen::Index j = 0; j < size; ++j) matrix.col(j).tail(size - j).setZero();
     return matrix;
   }
-  // Adds the entries of column j from the diagonal on.
+  // Adds the entries of column j, from the diagonal downwards.
   void add_column(const double* entries, std::size_t j, const std::vector<int>& places) {
     const Eigen::Index first = eliminated.cols(), column = places[j];
     for (std::size_t i = j; i < places.size(); ++i) {

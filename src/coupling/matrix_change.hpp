@@ -12,8 +12,8 @@
 
 namespace bempd::coupling {
 
-// Change of a system's matrix by stiffnesses that are added and removed: each is a column c over the unknowns, and the
-// matrix gains or loses c c^T.
+// Change of a system's matrix by stiffnesses that are added or removed. Each stiffness is a column c over the unknowns,
+// by which the matrix gains or loses c c^T.
 class MatrixChange {
  public:
   struct Columns {
@@ -28,7 +28,7 @@ class MatrixChange {
     append(spring.node, spring.cosine, spring.sine, std::sqrt(spring.stiffness));
     put_into(added_);
   }
-  // Adds a stiffness of a term to the matrix, or removes it if negative.
+  // Adds a stiffness of an energy term (bond or cell square) to the matrix; a negative stiffness is removed.
   void add_term(const Terms& terms, int term, double stiffness) {
     const double size = std::sqrt(std::abs(stiffness));
     pull_.clear();
@@ -36,7 +36,7 @@ class MatrixChange {
                          [&](int node, double x, double y) { append(node, x, y, size); });
     put_into(stiffness > 0 ? added_ : removed_);
   }
-  // Adds the penalty of a constraint to the matrix if it closes, else removes it.
+  // Adds the penalty of a constraint to the matrix if the constraint closes, else removes the penalty.
   void switch_penalty(const Constraint& constraint, bool closes) {
     pull_.clear();
     for (const TermEntry& e : constraint.pull) append(e.node, e.x, e.y, std::sqrt(constraint.stiffness));

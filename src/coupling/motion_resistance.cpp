@@ -10,15 +10,15 @@ namespace bempd::coupling {
 
 namespace {
 
-// Limit on stiffness times elongation of a broken term when forces of order 1 pull along the broken terms in the body
-// without them. It would be 1 if a spring of the term's stiffness alone resisted; beyond the limit hardly anything
-// resists, so a motion is free.
+// Limit on (stiffness * elongation) of a broken term, when forces of order 1 pull along the broken terms in the body
+// without them. The value would be 1 if a spring with the term's stiffness were the only resistance. Beyond the limit
+// hardly anything resists, so that a motion is free.
 constexpr double suspicious_response = 1e8;
 
-// Share of a motion's energy that other terms may carry if only the springs are to count as resisting it.
+// Share of a motion's energy that the rest of the body may carry if the motion is to count as resisted by springs only.
 constexpr double resisted_by_others = 1e-6;
 
-// Nodal forces that pull along all these terms at once. Their sizes are uneven, so that they hardly cancel in any
+// Nodal forces that pull along all these terms at once, with uneven sizes, so that the forces hardly cancel in any
 // motion.
 Eigen::VectorXd uneven_pull(const Terms& terms, const NodeTies& ties, int node_count, std::span<const int> along) {
   Eigen::VectorXd pull = Eigen::VectorXd::Zero(2 * node_count);
@@ -45,9 +45,9 @@ Eigen::VectorXd pull_of(const HoldingSpring& spring, const NodeTies& ties, int n
 bool MotionResistance::resists_all(std::span<const int> broken) {
   if (!factor_.exists()) return true;
   if (factor_.is_current()) return factor_.pivots_are_sound();
-  // A factor from before the breaks does not show a loss of resistance. A motion that only one of the broken terms
-  // resisted needs no test, because it grows without bound under the present load; one that several of them resisted
-  // shows under uneven pulls along them.
+  // A factor from before the breaks does not show a loss of resistance. A motion that was resisted by a single broken
+  // term needs no test, because it grows without bound under the present load. A motion that was resisted by several
+  // broken terms shows under uneven pulls along these terms.
   if (broken.size() < 2) return true;
   const Terms& terms = parts_.terms;
   const Eigen::VectorXd pull = uneven_pull(terms, parts_.ties, parts_.node_count, broken);
@@ -65,12 +65,12 @@ bool MotionResistance::resists_all(std::span<const int> broken) {
   return true;
 }
 
-// Finds the motions by an eigenvalue problem. K is the matrix with the springs, S has the pulls of the springs, scaled
-// by the roots of their stiffnesses. A motion m that nothing else resists has K m = S S^T m, so S^T K^-1 S y = y with y
-// = S^T m: the eigenvalue is 1. All other eigenvalues are less.
+// Finds the motions by an eigenvalue problem. K is the matrix with the springs; the columns of S are unit vectors along
+// the springs times the roots of their stiffnesses. A motion m that only the springs resist has K m = S S^T m, so that
+// S^T K^-1 S y = y with y = S^T m: the eigenvalue is 1. All other eigenvalues are less.
 std::vector<Eigen::VectorXd> MotionResistance::motions_held_by(std::span<const HoldingSpring> springs) {
   parts_.condense();
-  // The matrix is summed without constraints, so that parts that only the contact of crack faces holds are free in it.
+  // The matrix is summed without constraints, so that fragments held by contact of crack faces alone count as free.
   const SystemMatrix::Matrix& matrix = matrix_.assemble_without_constraints();
   const std::unique_ptr<SystemSolver> solver = shifted_solver(parts_.method, matrix, stiff_diagonal(matrix));
   Eigen::MatrixXd pulls = Eigen::MatrixXd::Zero(parts_.unknowns.count(), static_cast<Eigen::Index>(springs.size()));

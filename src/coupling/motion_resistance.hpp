@@ -9,27 +9,29 @@
 
 namespace bempd::coupling {
 
-// Motion with little resistance: displacements (2 * node + component, the largest 1), and the energy that they need
-// over that of the same displacements with the matrix's diagonal alone.
+// Motion with little resistance: displacements (2 * node + component, the largest 1). `resistance` is the energy of the
+// motion over its energy with the diagonal of the matrix alone.
 struct SoftMotion {
   Eigen::VectorXd motion;
   double resistance;
 };
 
-// Resistance of a system to motions of its parts, which broken terms and open cracks may have taken away.
+// Resistance of a system to motions of its parts. Broken terms and open cracks may have taken this resistance away.
 class MotionResistance {
  public:
   MotionResistance(SystemParts& parts, const SystemMatrix& matrix, RepeatableFactor& factor)
       : parts_(parts), matrix_(matrix), factor_(factor) {}
 
-  // Whether every motion still meets resistance after the terms `broken` have broken; if not, softest() finds one that
-  // does not. The loss need not show in elongations under the present load.
+  // Whether every motion meets resistance after the energy terms `broken` have broken; if not, softest() finds a motion
+  // that does not. The loss may not show in elongations under the present load.
   bool resists_all(std::span<const int> broken);
 
-  // Motions that nothing but these springs resists, with all constraints open. A motion need not belong to one spring.
+  // Motions that nothing but these springs resists, with all constraints open. A motion may be resisted by several
+  // springs.
   std::vector<Eigen::VectorXd> motions_held_by(std::span<const HoldingSpring> springs);
 
-  // Motion with the least resistance: the free one, after solve() has failed or displacements have grown without bound.
+  // Motion with the least resistance. It is a free motion after solve() has failed or displacements have grown without
+  // bound.
   SoftMotion softest();
 
  private:

@@ -5,9 +5,9 @@
 
 namespace bempd::coupling {
 
-// Tied nodes: their displacements are weighted sums of those of other nodes, their masters. Lattice points on an
-// interface follow the boundary elements there in this way. A force on a tied node acts on its masters with the same
-// weights, so that no work is lost. Masters are not tied themselves.
+// Tied nodes, whose displacements are weighted sums of those of other nodes, their masters. Lattice points on an
+// interface are tied to the nodes of the boundary elements there. A force on a tied node acts on its masters with the
+// same weights, so that no work is lost. Masters are not tied themselves.
 class NodeTies {
  public:
   struct Master {
@@ -28,7 +28,7 @@ class NodeTies {
 
   // Sets the displacements of tied nodes from those of their masters.
   void expand(Eigen::Ref<Eigen::MatrixXd> displacement) const;
-  void expand_rows(Eigen::Ref<Eigen::MatrixXd> displacements) const;  // one state a row
+  void expand_rows(Eigen::Ref<Eigen::MatrixXd> displacements) const;  // one state per row
 
   // Moves forces on tied nodes to their masters.
   void collect(Eigen::Ref<Eigen::MatrixXd> force) const;

@@ -5,8 +5,8 @@
 
 namespace bempd::coupling {
 
-// Finds the constraints that can close or open by themselves. The mouth of a crack between nodes that are prescribed or
-// shared with other operators is not among them: its gap follows from those nodes.
+// Finds the constraints that can close or open by themselves. At the mouth of a crack between nodes that are prescribed
+// or shared with other operators, the gap follows from those nodes, and the constraint cannot.
 void OperatorSchurComplement::find_switchable() {
   const Eigen::MatrixXd &alone = constraints_->of_forces, &of_displacements = constraints_->of_displacements;
   for (Eigen::Index i = 0; i < alone.rows(); ++i) {
@@ -15,9 +15,8 @@ void OperatorSchurComplement::find_switchable() {
   }
 }
 
-// Computes how the multipliers q act on the private unknowns u_p, and the gaps as functions of q and the shared
-// unknowns u_s. With G (columns G_p and G_s) the gaps per displacement, S the gaps per multiplier and X the transfer
-// matrix:
+// Computes the private unknowns u_p and the gaps as functions of the multipliers q and the shared unknowns u_s. With
+// the gaps per displacement G (columns G_p and G_s), the gaps per multiplier S and the transfer matrix X:
 //   u_p = p_0 - X u_s + P q,   gaps = g_0 + (G_s - G_p X) u_s + (S + G_p P) q,   P = K_pp^-1 G_p^T.
 void OperatorSchurComplement::eliminate_constraints() {
   if (gaps_by_forces_.size() > 0) return;

@@ -13,28 +13,28 @@
 
 namespace bempd::coupling {
 
-// Schur complements of this system and of another one, by their stiffness.
+// Schur complements of this and an earlier system, found by the stiffness matrix that they belong to.
 using KnownSchurComplements = std::multimap<const Eigen::MatrixXd*, std::shared_ptr<const SchurComplement>>;
 
 // Dense operator whose private unknowns are eliminated once, so that only the unknowns that it shares with other parts
 // enter the sparse system.
 class OperatorSchurComplement {
  public:
-  // Condenses `source`; `kind` classifies every global degree of freedom. The Schur complement is taken over from
-  // `known` if it is there, else added. Throws Error (unsolvable) if the private block is singular.
+  // Condenses `source`; `kind` classifies every global degree of freedom. A Schur complement that is in `known` is used
+  // again; a new one is added to `known`. Throws Error (unsolvable) if the private block is singular.
   OperatorSchurComplement(const DenseOperator& source, const std::vector<DofKind>& kind, KnownSchurComplements& known);
 
   const std::shared_ptr<const SchurComplement>& schur() const { return schur_; }
   const std::shared_ptr<const ExactConstraints>& constraints() const { return constraints_; }
-  const std::vector<Eigen::Index>& active() const { return active_; }  // closed constraints
+  const std::vector<Eigen::Index>& active() const { return active_; }  // numbers of the closed constraints
   const std::vector<int>& shared_dofs() const { return shared_; }
   const Eigen::MatrixXd& schur_complement() const { return active_.empty() ? schur_->matrix() : schur_with_active_; }
   const Eigen::MatrixXd& schur_complement_when_open() const { return schur_->matrix(); }
-  // Whether the operator is the one on these nodes, in this order.
+  // Whether the operator's nodes are exactly these, in this order.
   bool is_on(const std::vector<int>& nodes) const;
   const Affine& rest() const { return rest_; }
   void exchange_rest(Affine& other) noexcept { rest_.swap(other); }  // condense_load() has to follow
-  bool has_factorized() const { return has_factorized_; }            // itself, not one before
+  bool has_factorized() const { return has_factorized_; }            // a new Schur complement, not a known one
   double reciprocal_condition() const { return schur_->reciprocal_condition(); }
 
   // Condenses the loads: adds the effect of private forces and of prescribed displacements on the shared unknowns to
@@ -45,17 +45,17 @@ class OperatorSchurComplement {
   void recover(Affine& displacement) const;
 
   // Condenses a linear function of displacements: moves the `weights` of private displacements to the shared ones, and
-  // adds what the present loads contribute to `constant` (constant and proportional part).
+  // adds the contribution of the present loads to `constant` (constant and proportional part).
   void condense_function(Eigen::VectorXd& weights, Eigen::RowVector2d& constant) const;
 
-  // Adds stiffness * (displacement - rest) to the force, on all of the operator's nodes.
+  // Adds the operator's forces, stiffness * (displacement - rest) and those of multipliers, to `force` on all of its
+  // nodes.
   void add_internal_force(const Eigen::VectorXd& displacement, double load_factor, Eigen::VectorXd& force) const;
 
-  // Strain energy, half the stiffness times the square of (displacement - rest); its derivative by the load factor at a
-  // fixed displacement; and the energy of the proportional parts.
+  // Strain energy, half the stiffness times the square of (displacement - rest), and the energy of closed constraints.
   double energy(const Eigen::VectorXd& displacement, double load_factor) const;
-  double energy_slope(const Eigen::VectorXd& displacement, double load_factor) const;
-  double unit_energy(const Eigen::VectorXd& proportional) const;
+  double energy_slope(const Eigen::VectorXd& displacement, double load_factor) const;  // by the load factor, u fixed
+  double unit_energy(const Eigen::VectorXd& proportional) const;  // energy of the proportional parts
 
   // Number of exact unilateral constraints inside the operator (operator_constraints.cpp); all are open at first.
 
@@ -67,18 +67,18 @@ class OperatorSchurComplement {
   void set_closed(const std::vector<char>& closed);
   std::vector<char> closed() const;
   bool can_switch(Eigen::Index constraint) const { return can_switch_[static_cast<std::size_t>(constraint)] != 0; }
-  // Gaps of all constraints. For a closed one it is the gap that it would have without its multiplier: negative while
-  // its faces press.
+  // Gaps of all constraints. A closed constraint gets the gap that it would have without its multiplier, which is
+  // negative while its faces press.
   Affine gaps(const Affine& displacement) const;
-  // Gaps from displacements and loads if all multipliers were zero; then the multipliers, which are contact forces [N].
+  // Gaps from displacements and loads if all multipliers were zero.
   Eigen::VectorXd gaps_without_multipliers(const Eigen::VectorXd& displacement, double load_factor) const;
-  Eigen::VectorXd multipliers(const Eigen::VectorXd& displacement, double load_factor) const;
-  // Energy less half the work of displacements on the operator's forces; for operators without rest displacements.
+  Eigen::VectorXd multipliers(const Eigen::VectorXd& displacement, double load_factor) const;  // contact forces [N]
+  // Energy less half the product of displacements and operator forces; for operators without rest displacements.
   double energy_of_multipliers(const Eigen::VectorXd& displacement, double load_factor) const;
   // Work of loads inside the body on the displacements that the multipliers cause.
   double work_due_to_multipliers(const Eigen::VectorXd& displacement, double load_factor) const;
-  // Adds to `weights` the gap of a constraint as a linear function of displacements, 2 * node + component. The gap of
-  // an open constraint is this function plus the constraint's offset.
+  // Adds to `weights` the gap of a constraint as a linear function of displacements, numbered 2 * node + component. The
+  // gap of an open constraint is this function plus the constraint's offset.
   void add_gap_function(Eigen::Index constraint, Eigen::Ref<Eigen::VectorXd> weights) const;
 
  private:
@@ -92,24 +92,25 @@ class OperatorSchurComplement {
   Eigen::VectorXd elastic(const Eigen::VectorXd& displacement, double load_factor) const;  // displacement - rest
 
   std::shared_ptr<const SchurComplement> schur_;
-  Affine rest_;  // of all its degrees of freedom, or empty
+  Affine rest_;  // rest displacements of all its degrees of freedom, or empty
   bool has_factorized_ = false;
   std::vector<int> all_, private_, shared_;  // global degrees of freedom
   Affine private_load_;                      // private displacements with the shared unknowns held at 0
 
   std::shared_ptr<const ExactConstraints> constraints_;
-  Affine gap_offsets_;            // of all constraints
+  Affine gap_offsets_;            // gaps due to loads inside the body
   std::vector<char> can_switch_;  // whether private displacements or its own multiplier can close a constraint
-  // Active set: numbers of the closed constraints; then those among them whose gap opens by its own multiplier even
-  // where all displacements are held.
+  // Active set: numbers of the closed constraints. `compliant_` has those of them whose gap opens by their own
+  // multiplier even with all displacements held.
   std::vector<Eigen::Index> active_, compliant_;
-  // Private displacements and gaps per unit multiplier, then gaps per shared displacement; computed when first needed.
+  // Private displacements per unit multiplier, gaps per unit multiplier and gaps per shared displacement; computed when
+  // first needed.
   Eigen::MatrixXd private_by_forces_, gaps_by_forces_, gaps_by_shared_;
-  // Gaps of the active set per unit multiplier, factorized: with the private unknowns free, and with all displacements
-  // held.
+  // Factors of the gaps of the active set per unit multiplier: with the private unknowns free (`active_compliance_`),
+  // and with all displacements held (`own_compliance_`).
   Eigen::LDLT<Eigen::MatrixXd> active_compliance_, own_compliance_;
   Eigen::MatrixXd schur_with_active_;
-  Affine gaps_at_rest_;  // with the shared unknowns held at 0 and no multipliers
+  Affine gaps_at_rest_;  // gaps with the shared unknowns held at 0, without multipliers
 };
 
 }  // namespace bempd::coupling

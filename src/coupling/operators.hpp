@@ -13,21 +13,22 @@
 
 namespace bempd::coupling {
 
-// Data that regions contribute to the equilibrium of all nodes, and springs. Degrees of freedom are 2 * node +
-// component.
+// Data that regions contribute to the equilibrium of all nodes, and holding springs. Degrees of freedom are numbered 2
+// * node + component.
 
-// Piece of a body that cracks have cut into several. Holding springs can act at two of its nodes, which lie far apart.
+// Piece of a body that cracks have cut into several. `holdable` are two of its nodes that lie far apart, on which
+// holding springs can act.
 struct BodyPiece {
   std::vector<int> nodes;
   std::array<int, 2> holdable;
 };
 
 // Exact unilateral constraints inside a dense operator: gaps between crack faces at a number of places, none of which
-// may be negative. With the displacements u of the operator's nodes (2 * node of its list + component, less those at
-// rest) and the multipliers q, which are contact forces,
+// may be negative. With the displacements u of the operator's nodes (2 * node of its list + component, less the rest
+// displacements) and the multipliers q, which are contact forces,
 //   gaps = of_displacements u + of_forces q + gaps due to loads inside the body.
-// A closed constraint has the gap zero and q >= 0, an open one has q = 0. The operator's stiffness is that with all
-// constraints open.
+// A closed constraint has the gap zero and q >= 0, an open constraint has q = 0. The operator's stiffness is that with
+// all constraints open.
 struct ExactConstraints {
   Eigen::MatrixXd of_displacements, of_forces;
   std::vector<Point> places;  // of the gaps
@@ -44,13 +45,13 @@ struct ExactConstraints {
 // symmetric.
 struct DenseOperator {
   std::vector<int> nodes;
-  std::shared_ptr<const Eigen::MatrixXd> stiffness;  // operators that are alike have one
+  std::shared_ptr<const Eigen::MatrixXd> stiffness;  // equal operators share one matrix
   const SolutionMethod* method = &symmetric_solution();
-  // Rest displacement of the nodes (2 * node of the list + component), which needs no force, as of a body that swells:
+  // Rest displacement of the nodes (2 * node of the list + component), which needs no force, as in a body that swells:
   // the force is stiffness * (displacement - rest). Empty: 0.
   Affine rest = Affine(0, 2);
-  std::shared_ptr<const ExactConstraints> constraints = nullptr;  // null: without cracks that close
-  std::vector<BodyPiece> pieces = {};                             // pieces that nothing joins; empty: one piece
+  std::shared_ptr<const ExactConstraints> constraints = nullptr;  // null: no cracks that can close
+  std::vector<BodyPiece> pieces = {};                             // separate pieces of the body; empty: one piece
 };
 
 // Stress-free state of terms and operators: rest elongations of terms, constant and proportional parts, and the rest
@@ -66,8 +67,9 @@ struct Rests {
   }
 };
 
-// Spring from the ground along a direction at a node. It holds a motion that nothing else resists, so in equilibrium it
-// carries no force; `anchor` is the displacement along the direction at which it was attached [m].
+// Spring from the ground along a direction at a node. It holds a motion that nothing else resists, so that in
+// equilibrium it carries no force. `anchor` is the displacement along the direction at which the spring was attached
+// [m].
 struct HoldingSpring {
   int node;
   double cosine, sine;

@@ -87,7 +87,7 @@ void RepeatableFactor::make() {
 
 const linalg::SparseCholesky& RepeatableFactor::make_cholesky() {
   assert(parts_.is_symmetric());
-  if (substructures_.disable()) forget();  // a factor by substructures has no Cholesky factor of the whole matrix
+  if (substructures_.disable()) forget();  // substructures have no Cholesky factor of the whole matrix
   make();
   return factor_.cholesky();
 }
@@ -99,7 +99,7 @@ void RepeatableFactor::change(const MatrixChange::Columns& columns, linalg::Chan
   factor_.change(matrix, change);
 }
 
-// Stiffening changes come first, so that the matrix is positive definite in between, too.
+// Stiffnesses are added before others are removed, so that the matrix is positive definite in between, too.
 void RepeatableFactor::change(const MatrixChange& change) {
   this->change(change.added(), linalg::Change::add);
   this->change(change.removed(), linalg::Change::remove);
@@ -137,12 +137,12 @@ void RepeatableFactor::set_origin(FactorOrigin origin) {
   } else if (!origin.places.empty()) {
     source.places = std::make_shared<const PlacesMet>(std::move(origin.places));
   }
-  // Undoing a step usually leaves the factor as it was before the step, so it can be kept.
+  // Undoing a step usually restores the state from which the present factor was made; that factor is then kept.
   if (source.has_matrix_of(source_) && factor_.recall(source.to_repeat)) return;
   source_ = std::move(source);
 }
 
-// Makes the factor again from its record `source_`. If that fails, as on another kind of processor, no factor is left.
+// Makes the factor again from its record `source_`. If this fails, as on another kind of processor, there is no factor.
 void RepeatableFactor::repeat() {
   if (!source_.is_awaited) return;
   parts_.condense();

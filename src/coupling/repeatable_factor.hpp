@@ -13,44 +13,44 @@
 
 namespace bempd::coupling {
 
-// Factor of a system's matrix, with a record of how it was made, so that another run can make it again with the same
+// Factor of a system's matrix, with a record of how it was made, so that another run can make a factor with the same
 // digits. Nothing is factorized before make().
 class RepeatableFactor {
  public:
   RepeatableFactor(SystemParts& parts, const SystemMatrix& matrix)
       : parts_(parts), matrix_(matrix), factor_(parts.method, parts.unknowns, parts.counters) {}
 
-  // Sets the positions of the nodes. A symmetric system derives from them an order of elimination with less fill.
+  // Sets the positions of the nodes, from which a symmetric system derives an order of elimination with less fill.
   void place_nodes(const std::vector<Point>& positions);
-  // Takes over the substructures of the factor `before`, to use those again that are the same.
+  // Copies the substructures of the factor `before`, so that unchanged ones are used again.
   void take_over(const RepeatableFactor& before) { substructures_.take_over(before.substructures_); }
 
   // Makes the next factorization eliminate the unknowns of these nodes last, and drops the present factor.
   void keep_last(std::vector<int> nodes);
   bool keeps_last(const std::vector<int>& nodes) const { return factor_.kept_nodes() == nodes; }
   void forget();
-  void release() { factor_.release(); }  // and a forgotten factor, to which nothing refers any more
+  void release() { factor_.release(); }  // frees its memory
 
-  // How the factor was made, empty without one; set_origin() has it made so again when it is first needed.
+  // Record of how the factor was made; empty if there is no factor.
   std::optional<FactorOrigin> origin() const;
-  void set_origin(FactorOrigin origin);
+  void set_origin(FactorOrigin origin);  // the factor is made from this record when it is first needed
 
   bool exists();
-  // Whether the factor belongs to the present matrix: made from it, or changed along with it since.
+  // Whether the factor belongs to the present matrix, because it was made from this matrix or changed along with it.
   bool is_current();
-  // Whether the factor is a fresh one of the present matrix, not a changed one, with the unknowns of these nodes last.
+  // Whether the factor was made from the present matrix (not changed since), with the unknowns of these nodes last.
   bool keeps(const std::vector<int>& nodes);
-  // Whether all pivots are large enough to exclude that a motion has lost its resistance. The factor must be current.
+  // Whether all pivots are so large that no motion can have lost its resistance. The factor must be current.
   bool pivots_are_sound() const { return factor_.pivots_are_sound(); }
 
   // Makes the factor if there is none. Throws Error (unsolvable).
   void make();
   // Makes a Cholesky factor of the whole matrix if there is none. The system must be symmetric.
   const linalg::SparseCholesky& make_cholesky();
-  int kept() const { return factor_.kept(); }  // unknowns that the Cholesky factor eliminates last
+  int kept() const { return factor_.kept(); }  // number of unknowns that are eliminated last
   // Changes an existing factor.
   void change(const MatrixChange& change);
-  // Solves for the unknowns with the present matrix, by a factor that exists. Throws Error (unsolvable).
+  // Solves for the unknowns with the present matrix, by a factor that exists already. Throws Error (unsolvable).
   Eigen::VectorXd solve(const Eigen::VectorXd& rhs);
 
  private:

@@ -14,7 +14,7 @@ Affine RightHandSide::sum() const {
   return load(parts_.unknowns.dof_of, Eigen::all);
 }
 
-// Adds to `load` the forces of terms that end on prescribed displacements (`support`).
+// Adds to `load` the forces of terms that are attached to prescribed displacements (`support`).
 void RightHandSide::add_supports_of_terms(const Affine& support, Affine& load) const {
   const Terms& terms = parts_.terms;
   const std::vector<double>& stiffness = parts_.stages.stiffness();
@@ -60,7 +60,7 @@ void RightHandSide::add_supports_of_springs(const Affine& support, Affine& load)
   }
 }
 
-// Adds to `load` the forces of the terms' rest elongations e0: without displacements a term has the tension -k e0.
+// Adds to `load` the forces of the terms' rest elongations e0: at zero displacement a term has the tension -k e0.
 void RightHandSide::add_offsets(Affine& load) const {
   const Terms& terms = parts_.terms;
   for (std::size_t t = 0; t < terms.size(); ++t) {

@@ -5,13 +5,13 @@
 
 namespace bempd::coupling {
 
-// Right-hand side of a system under its present loads: forces on its unknowns by loads, by supports that move, and by
-// rest elongations. The loads must be condensed before.
+// Right-hand side of a system under its present loads: forces on its unknowns due to loads, to supports that move, and
+// to rest elongations. The loads must be condensed before.
 class RightHandSide {
  public:
   explicit RightHandSide(const SystemParts& parts) : parts_(parts) {}
 
-  // Whether anything but springs loads the body with a constant (0) or a proportional (1) part.
+  // Whether the body is loaded in the constant (0) or the proportional (1) part, holding springs aside.
   bool is_loaded(int part) const {
     return !parts_.load.is_zero(part) || parts_.terms.have_offsets(part) || parts_.operators.have_rest(part);
   }

@@ -11,8 +11,7 @@ namespace bempd::coupling {
 
 namespace {
 
-// Limit on the eigenvalues (squares) of held directions, as a share of the largest one: directions above it count as
-// held.
+// Ratio of an eigenvalue (square) of the held directions to the largest eigenvalue above which a motion counts as held.
 constexpr double rank_tolerance = 1e-12;
 
 Eigen::Matrix<double, 3, Eigen::Dynamic> null_space(const Eigen::Matrix3d& gram) {
@@ -86,7 +85,7 @@ std::vector<HeldDirection> RigidMotion::missing_supports(const std::vector<Point
     }
     if (!best) break;
     supports.push_back(*best);
-    // The motion that is now held is removed from the remaining ones.
+    // The motion that the chosen support holds is removed from the remaining ones.
     const Eigen::RowVectorXd held = row(positions[best->node], best->cosine, best->sine) * remaining;
     remaining = (remaining * basis_along(held).leftCols(remaining.cols() - 1)).eval();
   }
@@ -102,7 +101,7 @@ std::string RigidMotion::describe() const {
     if (std::abs(m.x()) < 1e-6) return "translate in y";
     return "translate along (" + std::to_string(m.x()) + ", " + std::to_string(m.y()) + ")";
   };
-  // Pure translations are named before the rotation, because a reader recognises them.
+  // Pure translations are named before the rotation, because readers recognise them more easily.
   const bool rotates = free_count() > 0 && free_.row(2).norm() > 1e-9;
   const Eigen::MatrixXd sorted = free_ * basis_along(free_.row(2));
   const int translations = free_count() - (rotates ? 1 : 0);

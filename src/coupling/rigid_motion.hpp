@@ -21,18 +21,19 @@ class RigidMotion {
 
   int free_count() const { return static_cast<int>(free_.cols()); }
 
-  // Displacement at a position in free motion number `motion`; motions are scaled to displacements of order 1.
+  // Displacement at a position in free motion number `motion`, scaled so that displacements are of order 1.
   Point displacement(int motion, const Point& position) const;
 
   // Work of nodal forces (2 * node + component) in free motion number `motion`.
   double work(int motion, const std::vector<Point>& positions, const std::vector<int>& nodes,
               const Eigen::Ref<const Eigen::VectorXd>& forces) const;
 
-  // Chooses from `candidates` one support per free motion that any of them can hold, each where that motion is largest.
+  // Chooses supports from `candidates`: one for each free motion that any candidate can hold, where this motion is
+  // largest.
   std::vector<HeldDirection> missing_supports(const std::vector<Point>& positions,
                                               const std::vector<HeldDirection>& candidates) const;
 
-  // Name of the free motions as a part of a sentence, such as "translate in x, and rotate".
+  // Name of the free motions for a sentence, such as "translate in x, and rotate".
   std::string describe() const;
 
  private:
@@ -45,9 +46,9 @@ class RigidMotion {
 
 // Small rigid motion that is nearest to the displacements of some nodes in the mean square.
 struct RigidFit {
-  Point centre = Point::Zero(), translation = Point::Zero();  // of the centre
+  Point centre = Point::Zero(), translation = Point::Zero();  // mean position, and its displacement
   double rotation = 0;                                        // counter-clockwise
-  double deviation = 0;                                       // the largest of a node
+  double deviation = 0;                                       // largest of a node from this motion
 };
 RigidFit nearest_rigid_motion(const std::vector<Point>& positions, const std::vector<int>& nodes,
                               const Eigen::VectorXd& displacement);

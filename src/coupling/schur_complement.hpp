@@ -10,7 +10,7 @@ namespace bempd::coupling {
 
 enum class DofKind : char { prescribed, private_free, shared_free, tied };
 
-// Schur complement of a dense stiffness on its shared unknowns. Its private unknowns, which are free and belong to no
+// Schur complement of a dense stiffness on its shared unknowns. The private unknowns, which are free and belong to no
 // other part, are eliminated. Degrees of freedom are numbered as in the stiffness.
 class SchurComplement {
  public:
@@ -25,7 +25,7 @@ class SchurComplement {
   const std::vector<int>& private_dofs() const { return private_; }
   const std::vector<int>& shared_dofs() const { return shared_; }
   const Eigen::MatrixXd& matrix() const { return matrix_; }
-  // Matrix X of the private displacements that follow the shared ones: u_private = -X u_shared where no forces act.
+  // Matrix X that gives the private displacements u_private = -X u_shared where no forces act on them.
   const Eigen::MatrixXd& transfer() const { return transfer_; }
   // Private displacements that private forces cause while the shared unknowns are held at 0.
   virtual Affine solve_private(const Affine& force) const = 0;

@@ -8,13 +8,13 @@
 
 namespace bempd::coupling {
 
-// Method of solving equations with the matrices of one kind of dense operator. Every operator names its method; a
-// system uses the one among them that demands least of the matrix.
+// Method of solving equations with the matrices of one kind of dense operator. Every operator names its method. A
+// system uses the least demanding method among them: one that needs no symmetry, if there is one.
 class SolutionMethod {
  public:
   virtual ~SolutionMethod() = default;
 
-  // Whether matrices must be symmetric and positive semidefinite; then one triangle is enough.
+  // Whether matrices must be symmetric and positive semidefinite; one triangle is then enough.
   virtual bool needs_symmetry() const = 0;
 
   // Eliminates the private unknowns of a stiffness. Throws Error (unsolvable) if the private block is singular.

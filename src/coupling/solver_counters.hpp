@@ -10,10 +10,10 @@ struct SolverCounters {
   std::int64_t dense_factorizations = 0;
   std::int64_t sparse_factorizations = 0;
   std::int64_t factor_updates = 0;
-  std::int64_t matrices = 0;  // rises whenever the factor may be that of another matrix from then on
+  std::int64_t matrices = 0;  // rises when the factor may belong to another matrix
   std::int64_t solves = 0;
   std::int64_t iterations = 0;
-  double reciprocal_condition = 1;  // smallest of all factorizations, a crude estimate
+  double reciprocal_condition = 1;  // smallest estimate of all factorizations
   double seconds_assembly = 0;
   double seconds_factorization = 0;
   double seconds_solve = 0;

@@ -139,7 +139,7 @@ int StiffnessAssembly::place(int row, int column) const {
 // both columns of a node have the same rows below the diagonal block.
 void StiffnessAssembly::find_block(int row_node, int column_node, int* places) const {
   const int row_x = unknown_of_[2 * row_node], row_y = unknown_of_[2 * row_node + 1];
-  int below = -1;  // entries from the block's to the end of a column
+  int below = -1;  // number of entries from the block's first row to the end of a column
   for (int c = 0; c < 2; ++c) {
     const int column = unknown_of_[2 * column_node + c];
     if (column < 0) continue;
@@ -201,7 +201,7 @@ void StiffnessAssembly::add_wide(std::span<const TermEntry> entries, double stif
 
 void StiffnessAssembly::add_bonds(const std::vector<double>& stiffness) {
   double* values = matrix_.valuePtr();
-  // Bonds of a node are summed up for its diagonal block; only blocks off the diagonal have places for each bond.
+  // Bonds of a node are summed for its diagonal block; only blocks off the diagonal have places for each bond.
   Eigen::Matrix3Xd diagonal = Eigen::Matrix3Xd::Zero(3, static_cast<Eigen::Index>(unknown_of_.size() / 2));
   const int entries = symmetric_ ? 4 : 8;
   std::size_t next_general = 0, next_wide = 0;

@@ -9,23 +9,24 @@
 
 namespace bempd::coupling {
 
-// Stress-free state of a body, which free swelling changes (by heat, for instance): rest elongations of its terms and
-// rest displacements of its operators, both of which must outlive the object.
+// Stress-free state of a body, which free swelling (by heat, for instance) changes: rest elongations of its energy
+// terms and rest displacements of its operators. Terms and operators must outlive the object.
 class StressFreeState {
  public:
   StressFreeState(Terms& terms, CondensedOperators& operators) : terms_(terms), operators_(operators) { measure(); }
 
   Rests rests() const { return {terms_.rest_elongation, operators_.rests()}; }
-  // Exchanges the rests with others of the same sizes; a system's set_load() has to follow.
+  // Exchanges the rest elongations and displacements with others of the same sizes; a system's set_load() has to
+  // follow.
   void exchange(Rests& others) noexcept {
     terms_.rest_elongation.swap(others.of_terms);
     operators_.exchange_rests(others.of_operators);
     measure();
   }
 
-  // Largest displacement that free swelling would cause [m]: of the proportional part; then |constant part| +
-  // |load factor * proportional part|.
+  // Largest displacement that free swelling would cause [m], in the proportional part.
   double largest_motion() const { return largest_of(1); }
+  // Sum of the largest displacement in the constant part and the largest in |load factor * proportional part| [m].
   double largest_motion(double load_factor) const { return largest_of(0) + std::abs(load_factor) * largest_of(1); }
 
  private:
@@ -40,7 +41,7 @@ class StressFreeState {
 
   Terms& terms_;
   CondensedOperators& operators_;
-  double largest_of_terms_[2] = {0, 0};  // rest elongations in each part
+  double largest_of_terms_[2] = {0, 0};  // largest rest elongation in each part
 };
 
 }  // namespace bempd::coupling

@@ -12,11 +12,11 @@
 
 namespace bempd::coupling {
 
-// What a substructure consists of, and its elimination: with the blocks A of eliminated and B of other unknowns,
-// `pivots` has the Cholesky factor L of A_aa, `below` is A_ba L^-T, and `rest` the Schur complement on b.
+// Substructure and its elimination. With the index a for eliminated and b for remaining unknowns, A_aa = L L^T:
+// `pivots` has L, `below` is A_ba L^-T, and `rest` is the Schur complement on b.
 struct Substructure {
-  // Components, which are halves or parts, with the places of their unknowns among those of this substructure; in
-  // `places` halves come first.
+  // Components of the substructure: two halves, or parts of the matrix. `places` has for each component (halves first)
+  // the places of its unknowns among those of the substructure.
   std::vector<std::shared_ptr<const Substructure>> halves;
   std::vector<MatrixPart> parts;
   std::vector<std::vector<int>> places;
@@ -25,10 +25,10 @@ struct Substructure {
   linalg::DenseCholesky pivots;
   Eigen::MatrixXd below;
   PackedLower rest;
-  Eigen::VectorXd diagonal;  // of the sum of all parts, for the unknowns that remain
+  Eigen::VectorXd diagonal;  // diagonal of the sum of all parts, for the remaining unknowns
   double smallest_pivot_ratio = 1;
 
-  // Last right-hand side, and what eliminate_from() made of it: the same is given in scenes with longer cracks.
+  // Last right-hand side and its result of eliminate_from(): scenes with longer cracks often give the same one.
   mutable Eigen::VectorXd rhs, eliminated_rhs;
 
   void eliminate_from(Eigen::MatrixXd& values) const;
@@ -47,11 +47,11 @@ struct Substructure {
 
 namespace {
 
-// A substructure of at most this many parts is not halved. Where parts have one centre, halving ends by its depth.
+// Number of parts up to which a substructure is not halved.
 constexpr std::size_t smallest_substructure = 3;
-constexpr int most_halvings = 60;
-// Largest number of unknowns in parts that are joined last, over the root of the number of all: about that of the last
-// substructure of others, which grows as this root.
+constexpr int most_halvings = 60;  // ends the halving of parts with one centre
+// Limit on the number of unknowns in changing parts, over the square root of the number of all unknowns, up to which
+// these parts are joined last. The last substructure of the other parts grows with the same root and is as large.
 constexpr double most_joined_last = 8;
 
 }  // namespace
@@ -92,7 +92,7 @@ bool Substructure::eliminate() {
   return smallest_pivot_ratio > linalg::singular_pivot_ratio;
 }
 
-// Forward elimination of a right-hand side of the substructure's unknowns.
+// Forward elimination of right-hand sides (one column each) of the substructure's unknowns.
 void Substructure::eliminate_from(Eigen::MatrixXd& values) const {
   const bool is_one = values.cols() == 1;
   const auto bytes = static_cast<std::size_t>(values.size()) * sizeof(double);
@@ -102,7 +102,7 @@ void Substructure::eliminate_from(Eigen::MatrixXd& values) const {
   }
   Eigen::VectorXd given;
   if (is_one) given = values;
-  rhs.resize(0);  // until the result is there, if memory ends
+  rhs.resize(0);  // empty until the result is stored, in case memory ends
   pivots.lower().triangularView<Eigen::Lower>().solveInPlace(values.topRows(eliminated));
   values.bottomRows(below.rows()).noalias() -= below * values.topRows(eliminated);
   if (!is_one) return;
@@ -110,7 +110,7 @@ void Substructure::eliminate_from(Eigen::MatrixXd& values) const {
   rhs.swap(given);
 }
 
-// Gathers parts into substructures and eliminates their unknowns.
+// Builder that gathers parts into substructures and eliminates their unknowns.
 class SubstructureFactor::Builder {
  public:
   Builder(std::vector<MatrixPart> parts, Eigen::Index unknowns, const SubstructureFactor* before)
@@ -146,8 +146,8 @@ class SubstructureFactor::Builder {
   }
 
  private:
-  // Appends the elimination steps of a substructure of these parts, those of its two halves first; false if the matrix
-  // is not positive definite.
+  // Appends the elimination steps of a substructure of the parts `members`, after the steps of its halves; false if the
+  // matrix is not positive definite.
   bool gather(std::vector<std::size_t> members, std::array<Point, 2> box, int depth) {
     if (members.size() <= smallest_substructure || depth == most_halvings) return finish({}, members);
     const int axis = (box[1] - box[0]).x() >= (box[1] - box[0]).y() ? 0 : 1;
@@ -169,8 +169,8 @@ class SubstructureFactor::Builder {
     return finish({end_of_first, made_->steps_.size() - 1}, {});
   }
 
-  // Makes a substructure of halves or of parts: numbers its unknowns, first those that nothing outside of it has, and
-  // eliminates these. Returns false if its matrix is not positive definite or nearly singular.
+  // Makes a substructure of two halves or of parts: numbers its unknowns, first those that nothing outside of it has,
+  // and eliminates these. Returns false if its matrix is not positive definite or nearly singular.
   bool finish(const std::vector<std::size_t>& halves, const std::vector<std::size_t>& members) {
     std::vector<const int*> begin, end;
     Substructure found;
@@ -209,8 +209,7 @@ class SubstructureFactor::Builder {
     return true;
   }
 
-  // Unknowns of the components in the order in which they appear, those to eliminate first; sets place_ and
-  // eliminated_.
+  // Unknowns in the order of the components, but those to eliminate come first; sets place_ and eliminated_.
   std::vector<int> numbered(const std::vector<const int*>& begin, const std::vector<const int*>& end) {
     std::vector<int> order, kept;
     for (std::size_t c = 0; c < begin.size(); ++c)
@@ -249,8 +248,9 @@ class SubstructureFactor::Builder {
   }
 
   std::vector<MatrixPart> parts_;
-  std::vector<int> uses_, uses_here_, place_;  // of each unknown: parts that have it, also in a substructure; its place
-  std::vector<std::vector<int>> uses_of_;      // of each step, for the unknowns that remain
+  std::vector<int> uses_, uses_here_,
+      place_;                              // per unknown: number of its parts, in all and in the substructure; place
+  std::vector<std::vector<int>> uses_of_;  // per step: number of parts with each remaining unknown
   const SubstructureFactor* before_;
   std::unique_ptr<SubstructureFactor> made_;
   Eigen::Index eliminated_ = 0;

@@ -13,16 +13,16 @@
 
 namespace bempd::coupling {
 
-// Part of a system's matrix: a condensed operator, or a spring that holds a node.
+// Part of a system's matrix: a condensed operator, or a holding spring at a node.
 struct MatrixPart {
-  std::shared_ptr<const void> source;                   // of the operator's matrix with all constraints open
-  std::shared_ptr<const ExactConstraints> constraints;  // null unless some are closed
-  std::vector<Eigen::Index> closed;
-  Eigen::MatrixXd own;            // matrix of a spring; empty for an operator
-  const Eigen::MatrixXd* matrix;  // null: `own`
+  std::shared_ptr<const void> source;                   // operator's Schur complement with all constraints open
+  std::shared_ptr<const ExactConstraints> constraints;  // null if all are open
+  std::vector<Eigen::Index> closed;                     // numbers of the closed constraints
+  Eigen::MatrixXd own;                                  // matrix of a spring; empty for an operator
+  const Eigen::MatrixXd* matrix;                        // null: `own`
   std::vector<int> unknowns;
   Point centre;
-  bool changes = false;  // while cracks grow
+  bool changes = false;  // whether the part changes while cracks grow
 
   const Eigen::MatrixXd& entries() const { return matrix ? *matrix : own; }
   // Whether both parts have the same source (or equal springs) and equal closed constraints, so that their matrices are
@@ -37,16 +37,17 @@ struct MatrixPart {
 
 struct Substructure;
 
-// Factor of a matrix that is a sum of parts, by nested substructures: parts are gathered into two halves by place,
-// these into halves again, and so on. From the smallest substructures on, unknowns are eliminated where nothing outside
-// has them, and what remains is a part of the next larger one (multifrontal method). Halves are those of a box. A few
-// parts that change are kept out of the halves and joined last, so that a crack that grows costs little more than the
-// elimination of their own unknowns; if they are many, it changes all substructures around it. What has not changed is
-// taken from an earlier factor. It equals what would be computed, bit by bit.
+// Factor of a matrix that is a sum of parts, by nested substructures (multifrontal method). The parts in a box are
+// divided into two halves by place, each half into halves again, and so on. From the smallest substructures on, each
+// substructure eliminates the unknowns that nothing outside of it has, and passes the Schur complement of its other
+// unknowns to the next larger substructure. A few parts that change are kept out of the halves and joined last, so that
+// a step of crack growth costs little more than the elimination of their own unknowns. If many parts change, they stay
+// in the halves, and all substructures around them are computed again. Unchanged substructures are copied from an
+// earlier factor; they are equal bit by bit to what would be computed.
 class SubstructureFactor final : public linalg::SparseFactorization {
  public:
-  // Factorizes the sum of `parts`, which lie in a box; substructures are taken from `before` (null: none) where it has
-  // the same. Null if the matrix is not positive definite or nearly singular.
+  // Factorizes the sum of `parts`, which lie in `box`. Substructures that are the same in `before` (null: none) are
+  // copied. Null if the matrix is not positive definite or nearly singular.
   static std::unique_ptr<SubstructureFactor> of(std::vector<MatrixPart> parts, const std::array<Point, 2>& box,
                                                 Eigen::Index unknowns, const SubstructureFactor* before);
 
@@ -60,15 +61,15 @@ class SubstructureFactor final : public linalg::SparseFactorization {
   std::size_t taken_over() const { return taken_over_; }
 
  private:
-  // Elimination in one substructure; those of its halves come before it.
+  // Elimination in one substructure. The steps of its halves come before it.
   struct Step {
     std::shared_ptr<const Substructure> result;
-    std::vector<int> unknowns;  // the eliminated ones first
+    std::vector<int> unknowns;  // unknowns of the substructure, the eliminated ones first
   };
   class Builder;
 
   std::vector<Step> steps_;
-  std::multimap<const void*, std::shared_ptr<const Substructure>> known_;  // by their first component
+  std::multimap<const void*, std::shared_ptr<const Substructure>> known_;  // substructures by their first component
   double smallest_pivot_ratio_ = 1;
   std::size_t taken_over_ = 0;
 };

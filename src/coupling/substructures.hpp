@@ -18,7 +18,7 @@ namespace bempd::coupling {
 
 class SubstructureFactor;
 
-// What a system's matrix is the sum of.
+// Sources of a system's matrix, which is the sum of their stiffnesses.
 struct MatrixSources {
   const CondensedOperators& operators;
   const Terms& terms;
@@ -28,19 +28,19 @@ struct MatrixSources {
   double largest_stiffness;
 };
 
-// Factors by nested substructures (SubstructureFactor) for systems of many operators and nothing else, as of large
-// regions that are cut into subdomains. Each factor takes over what the one before has, also that of a scene with
-// shorter cracks.
+// Factors by nested substructures (SubstructureFactor) for systems of many operators and nothing else, such as large
+// regions that are cut into subdomains. Each factor copies unchanged substructures from the one before, also from that
+// of a scene with shorter cracks.
 class Substructures {
  public:
-  void place(const std::vector<Point>& positions) { positions_ = positions; }  // of the nodes
+  void place(const std::vector<Point>& positions) { positions_ = positions; }  // positions of the nodes
   const std::vector<Point>& positions() const { return positions_; }
   void take_over(const Substructures& before) { last_ = before.last_; }
-  // Makes solver_of() return null from now on, for callers that need a Cholesky factor of the whole matrix; returns
-  // whether it has given a solver before.
+  // Makes solver_of() return null from this call on, for callers that need a Cholesky factor of the whole matrix.
+  // Returns whether solver_of() has returned a solver since the last call.
   bool disable();
-  // Solver with a factor of the matrix. Null if the system is of another kind, if another solver is wanted, or if the
-  // matrix is not positive definite.
+  // Solver with a factor of the matrix. Null if the system is of another kind, if disable() was called, if another
+  // solver was chosen, or if the matrix is not positive definite.
   std::unique_ptr<SystemSolver> solver_of(const MatrixSources& sources, const Unknowns& unknowns);
 
  private:

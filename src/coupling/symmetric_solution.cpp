@@ -35,7 +35,7 @@ class SymmetricSchurComplement final : public SchurComplement {
   double reciprocal_condition() const override { return reciprocal_condition_; }
 
  private:
-  linalg::DenseCholesky cholesky_;  // of the private block
+  linalg::DenseCholesky cholesky_;  // factor of the private block
   double reciprocal_condition_ = 1;
 };
 

@@ -13,24 +13,25 @@ namespace bempd::coupling {
 
 namespace {
 
-// Residual of the sparse system relative to its right-hand side: the iteration ends at the first one, which one
-// application of an up-to-date factor reaches. A solution that stays above the second one, by rounding or after too
-// many changes of the factor, calls for a fresh factor.
+// Residual of the sparse system over its right-hand side at which the iteration ends; one application of an up-to-date
+// factor reaches it.
 constexpr double solution_tolerance = 1e-13;
+// Relative residual above which a solution, due to rounding or too many changes of the factor, needs a fresh factor.
 constexpr double acceptable_residual = 1e-12;
-constexpr double acceptable_rounding = 1e-14;  // relative to the forces that the largest displacement causes
+// Residual that counts as rounding, over the forces that the largest displacement causes.
+constexpr double acceptable_rounding = 1e-14;
 
-// Pivot over the diagonal entry: below this, a motion may have lost its resistance.
+// Ratio of a pivot to the diagonal entry below which a motion may have lost its resistance.
 constexpr double suspicious_pivot_ratio = 1e-10;
 
-// Shifts of the matrix for inverse iteration, over its diagonal: the first is far below the stiffness of slender parts,
-// the second survives the rounding errors of any factorization.
+// Shifts of the matrix for inverse iteration, over its diagonal: `small_shift` is far below the stiffness of slender
+// parts, `safe_shift` survives the rounding errors of any factorization.
 constexpr double small_shift = 1e-12, safe_shift = 1e-9;
-// Share of the largest entry of the diagonal below which an entry is rounding, and may be negative: a node that a piece
-// cut off has left without a bond in some direction.
+// Ratio of a diagonal entry to the largest one below which the entry is rounding, and may be negative: a fragment that
+// was cut off has left the node without a bond in some direction.
 constexpr double rounding_of_diagonal = 1e-14;
 constexpr int inverse_iterations = 8;
-constexpr double no_stiffness = 1e-16;  // share of the largest entry that replaces a zero on the diagonal
+constexpr double no_stiffness = 1e-16;  // times the largest diagonal entry: replaces zeros on the diagonal
 
 FactorChange as_change(const Eigen::SparseMatrix<double>& columns, linalg::Change change) {
   const auto entries = columns.nonZeros();
@@ -136,8 +137,8 @@ void SystemFactor::change(const Matrix& columns, linalg::Change change) {
   const Stopwatch watch(counters_.seconds_update);
   const bool was_current = is_current();
   if (was_current) changes_.push_back(as_change(columns, change));
-  // A factor that cannot follow the change becomes stale; it still preconditions the iteration in solve(). After an
-  // error, such as a request to cancel, there is none.
+  // A factor that cannot follow the change becomes stale and only preconditions the iteration in solve(). After an
+  // error, such as a request to cancel, there is no factor.
   state_ = FactorState::none;
   ++counters_.matrices;
   const bool follows = solver_->factorization().update(columns, change);
@@ -168,7 +169,7 @@ Eigen::VectorXd SystemFactor::solve(const Eigen::VectorXd& rhs, const SystemSolv
     const linalg::KrylovResult result = solver_->iterate(apply, rhs, solution_tolerance, solution);
     counters_.iterations += result.iterations;
     if (result.relative_residual <= acceptable_residual) return solution;
-    // Residual forces below this limit are rounding: displacements near a mechanism are very large.
+    // Residual forces below this limit are rounding, because displacements near a mechanism are very large.
     const double rounding = acceptable_rounding * largest_diagonal_ * size(solution);
     if (fresh && result.relative_residual * size(rhs) <= rounding) return solution;
   }
@@ -186,7 +187,7 @@ std::unique_ptr<SystemSolver> shifted_solver(const SolutionMethod& method, const
                                              const Eigen::VectorXd& diagonal) {
   std::unique_ptr<SystemSolver> solver = method.make_solver();
   const auto factorize = [&](double shift, double floor) {
-    Eigen::SparseMatrix<double> shifted;  // assigned: Eigen's constructor keeps a part of its memory if the rest fails
+    Eigen::SparseMatrix<double> shifted;  // assigned, as Eigen's constructor leaks memory if a part is missing
     shifted = matrix;
     for (Eigen::Index i = 0; i < shifted.rows(); ++i) shifted.coeffRef(i, i) += shift * diagonal[i] + floor;
     return solver->factorization().factorize(shifted);
@@ -204,7 +205,7 @@ Eigen::VectorXd stiff_diagonal(const Eigen::SparseMatrix<double>& matrix) {
 Eigen::VectorXd softest_vector(const SolutionMethod& method, const Eigen::SparseMatrix<double>& matrix,
                                double& resistance) {
   const double unit = matrix.diagonal().maxCoeff();
-  Eigen::Index bare = 0;  // unknown of a node without a bond in that direction, which moves freely
+  Eigen::Index bare = 0;  // unknown without stiffness, which moves freely
   if (matrix.diagonal().minCoeff(&bare) < rounding_of_diagonal * unit) {
     resistance = 0;
     return Eigen::VectorXd::Unit(matrix.rows(), bare);

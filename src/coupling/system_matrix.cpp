@@ -57,7 +57,7 @@ Eigen::VectorXd SystemMatrix::multiply(const Eigen::VectorXd& unknowns) const {
   parts_.constraints.add_penalty_forces(displacement.data(), force.data());
   parts_.ties.collect(force);
   for (const OperatorSchurComplement& op : parts_.operators.list()) {
-    if (op.shared_dofs().empty()) continue;  // a BLAS complains on the terminal about a matrix without rows
+    if (op.shared_dofs().empty()) continue;  // some BLAS print a complaint about matrices without rows
     const Eigen::VectorXd local = op.schur_complement() * displacement(op.shared_dofs());
     force(op.shared_dofs()) += local;
   }

@@ -18,8 +18,8 @@ const SolutionMethod& least_demanding(const std::vector<DenseOperator>& operator
   return *method;
 }
 
-// Ratio of the least to the largest stiffness below which digits are lost: rounding in the stiffest part acts as a
-// force in the softest one.
+// Ratio of the smallest to the largest stiffness below which digits are lost, because rounding errors in the stiffest
+// part act as forces on the softest part.
 constexpr double ordinary_stiffness_ratio = 1e-6;
 
 }  // namespace
@@ -33,7 +33,7 @@ StiffnessRange::StiffnessRange(int node_count, const std::vector<DenseOperator>&
       diagonal[2 * node + 1] += terms.stiffness[t] * y * y;
     });
   }
-  double least_of_operators = smallest;  // largest stiffness in each
+  double least_of_operators = smallest;  // least of the operators' largest stiffnesses
   for (const DenseOperator& op : operators) {
     const Eigen::VectorXd own = op.stiffness->diagonal();
     for (std::size_t i = 0; i < op.nodes.size(); ++i)

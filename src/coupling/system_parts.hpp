@@ -16,8 +16,8 @@
 
 namespace bempd::coupling {
 
-// Stiffnesses of single degrees of freedom in the softest and the stiffest part of a body [N/m], with all terms in
-// their first stage.
+// Range of the stiffnesses of single degrees of freedom [N/m] in a body, with the virgin stiffness of all energy terms.
+// `smallest` is that of the softest degree of freedom, or the largest in the softest operator if that is smaller.
 struct StiffnessRange {
   StiffnessRange(int node_count, const std::vector<DenseOperator>& operators, const Terms& terms);
   double ratio() const { return largest > 0 ? smallest / largest : 1; }
@@ -25,17 +25,18 @@ struct StiffnessRange {
   double smallest, largest = 0;
 };
 
-// Data of a system: what its matrix and its right-hand side are made of. The classes that solve with it, change it or
-// evaluate it (RepeatableFactor, ContactConstraints, ElasticResponse and others) refer to one of these.
+// Data of a system, from which its matrix and its right-hand side follow. The classes that solve with these data,
+// change or evaluate them (RepeatableFactor, ContactConstraints, ElasticResponse and others) refer to one object of
+// this class.
 struct SystemParts {
   SystemParts(int nodes, std::vector<DenseOperator> dense_operators, Terms given_terms,
               const std::vector<char>& prescribed_dofs, NodeTies given_ties);
   SystemParts(const SystemParts&) = delete;
   SystemParts& operator=(const SystemParts&) = delete;
 
-  // Condenses the operators if they are not yet condensed; forces and energies need it.
+  // Condenses the operators if they are not yet condensed; needed before forces and energies are computed.
   void condense();
-  // Condenses the operators if they are not yet condensed, then the loads onto their shared unknowns.
+  // Condenses the operators if they are not yet condensed, then the loads onto the operators' shared unknowns.
   void condense_load();
   // Displacements of all nodes from the unknowns; prescribed displacements are set to 0.
   Eigen::VectorXd displacement_of(const Eigen::VectorXd& of_unknowns) const;

@@ -9,8 +9,8 @@
 
 namespace bempd::coupling {
 
-// Sparse direct factor and the iteration that it preconditions. With a factor of the present matrix one step is enough;
-// with a stale factor the iteration takes more.
+// Sparse direct factor and an iteration that it preconditions. The iteration takes one step with a factor of the
+// present matrix, and more steps with a stale factor.
 class SystemSolver {
  public:
   using Apply = std::function<void(const Eigen::VectorXd&, Eigen::VectorXd&)>;  // (x, y): y = A x
@@ -19,7 +19,7 @@ class SystemSolver {
 
   virtual linalg::SparseFactorization& factorization() = 0;
 
-  // Cholesky factorization, if the matrix is symmetric, so that its unknowns can be ordered and condensed; else null.
+  // Cholesky factorization if the matrix is symmetric, so that its unknowns can be ordered and condensed; else null.
   virtual linalg::SparseCholesky* cholesky() { return nullptr; }
 
   // Improves `x` until the largest residual is at most `tolerance` times the largest entry of `rhs`, or gives up.

@@ -10,7 +10,7 @@ namespace bempd::coupling {
 
 namespace {
 
-// Elongations of terms per displacement of the unknowns that they move: one row of `weights` per unknown, ascending,
+// Elongations of terms per displacement of the unknowns that they act on: one row of `weights` per unknown, ascending,
 // and one column per term.
 struct Pulls {
   std::vector<int> unknowns;

@@ -7,12 +7,13 @@
 
 namespace bempd::coupling {
 
-// Flexibility matrix F = B^T K^-1 B of terms [m/N]: F_ij is the elongation of term i in the present body under unit
-// pulls along term j. Uses the system's factor, or makes one if there is none of the present matrix.
+// Flexibility matrix F = B^T K^-1 B of energy terms (bonds or cell squares) [m/N]: F_ij is the elongation of term i in
+// the present body under unit pulls along term j. The system's factor is used; it is made first if there is none of the
+// present matrix.
 Eigen::MatrixXd flexibility_of(EquilibriumSystem& system, std::span<const int> terms);
 
-// Flexibility matrix of terms as by flexibility_of(), but by a temporary factor of the present stiffness matrix. The
-// system's own factor, which may belong to another matrix, stays as it is.
+// Flexibility matrix of terms as by flexibility_of(), but with a temporary factor of the present stiffness matrix. The
+// system's own factor, which may belong to another matrix, is not changed.
 Eigen::MatrixXd flexibility_by_temporary_factor(const EquilibriumSystem& system, std::span<const int> terms);
 
 }  // namespace bempd::coupling

@@ -6,8 +6,9 @@
 
 namespace bempd::coupling {
 
-// Law of a term: a list of stages. In each stage the term has a share of its virgin stiffness, and breaks into the next
-// stage at a share of its nominal critical elongation. After the last stage the term is broken.
+// Law of an energy term (bond or cell square): a list of damage stages. In each stage the term has a share of its
+// virgin stiffness. It goes on to the next stage at a share of its nominal critical elongation. After the last stage
+// the term is broken.
 class TermLaw {
  public:
   struct Stage {
@@ -24,7 +25,7 @@ class TermLaw {
   bool operator==(const TermLaw&) const = default;
 
   const std::vector<Stage>& stages() const { return stages_; }
-  // Stage after the last one of the list, in which a term is broken. Only this function decides what is broken.
+  // Stage after the last one of the list, in which a term is broken. Only this function decides which stage is broken.
   int broken_stage() const { return static_cast<int>(stages_.size()); }
   bool is_broken(int stage) const { return stage >= broken_stage(); }
   double stiffness_share(int stage) const { return is_broken(stage) ? 0 : stages_[stage].stiffness_share; }

@@ -28,7 +28,7 @@ std::vector<StageChange> TermStages::with_followers(std::vector<StageChange> cha
   if (followers_of_.value.empty()) return changes;
   for (const int broken : terms_.broken_by(changes)) {
     for (const int follower : followers_of_.of(broken)) {
-      // A follower without stiffness is broken already, although it may not have been marked yet.
+      // A follower without stiffness is already broken, even if mark() has not been called for it.
       if (stiffness_[follower] == 0) continue;
       changes.push_back(terms_.breaking(follower));
     }

@@ -11,8 +11,8 @@
 
 namespace bempd::coupling {
 
-// Stage of every term of a body in its law, and what follows from it: the present stiffness, and whether the term is
-// intact (not broken).
+// Damage stage of every energy term (bond or cell square) of a body, and what follows from the stage: the present
+// stiffness, and whether the term is intact (not broken).
 class TermStages {
  public:
   // All terms begin in their first stage. `terms` must outlive the object.
@@ -22,7 +22,7 @@ class TermStages {
 
   const std::vector<std::uint8_t>& numbers() const { return numbers_; }
   const std::vector<char>& intact() const { return intact_; }
-  const std::vector<double>& stiffness() const { return stiffness_; }  // present one of each term [N/m]
+  const std::vector<double>& stiffness() const { return stiffness_; }  // present stiffness of each term [N/m]
   double stiffness_after(const StageChange& change) const {
     return terms_.law_of(static_cast<std::size_t>(change.term)).stiffness_share(change.stage) *
            terms_.stiffness[change.term];
@@ -36,27 +36,28 @@ class TermStages {
   StageChange after_critical(int term) const {
     return {term, terms_.law_of(static_cast<std::size_t>(term)).after_critical(numbers_[term])};
   }
-  // Completes `changes` with the breaks of all terms that follow broken ones; sorted by terms, each once.
+  // Adds to `changes` the breaks of all terms that follow broken ones; the result is sorted by terms, each of them
+  // once.
   std::vector<StageChange> with_followers(std::vector<StageChange> changes) const;
   // Changes that break `terms` and all terms that follow them.
   std::vector<StageChange> breaking(std::span<const int> terms) const;
-  // Number of terms that the changes break, without those that merely follow others.
+  // Number of terms that the changes break, not counting terms that merely follow others.
   std::int64_t count_broken(std::span<const StageChange> changes) const;
 
-  // Writes down the new stages of terms but not their stiffness, so that fragments can be found before a system loses
-  // their resistance.
+  // Sets the stages of terms without changing their stiffness, so that fragments can be found before a system loses
+  // resistance.
   void mark(std::span<const StageChange> changes);
   // Puts terms into other stages. A system's factor then belongs to another matrix; EquilibriumSystem::commit() changes
-  // the factor, too.
+  // the factor as well.
   void enter(std::span<const StageChange> changes);
-  void enter_all(std::span<const std::uint8_t> numbers);  // one for each term
+  void enter_all(std::span<const std::uint8_t> numbers);  // one stage for each term
 
  private:
   const Terms& terms_;
   std::vector<std::uint8_t> numbers_;
   std::vector<char> intact_;
   std::vector<double> stiffness_;
-  linalg::Adjacency followers_of_;  // of every term; empty if none follows
+  linalg::Adjacency followers_of_;  // followers of every term; empty if no term follows another
 };
 
 }  // namespace bempd::coupling

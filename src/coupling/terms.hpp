@@ -17,14 +17,14 @@ namespace bempd::coupling {
 
 struct Terms;
 
-// Factors that turn elastic elongations of terms into shares of their critical values. The directions of bonds are
+// Factors that turn elastic elongations of terms into shares of their critical elongations. The directions of bonds are
 // stored with these factors included, so that the product with a difference of displacements is such a share.
 struct CriticalScales {
   std::vector<double> per_elongation;  // [1/m]
   std::vector<double> cosine, sine;
 
   explicit CriticalScales(std::size_t count = 0) : per_elongation(count), cosine(count), sine(count) {}
-  // Sets the factor number `place` for a term; an infinite critical stretch makes it 0.
+  // Sets factor number `place` to that of a term; an infinite critical stretch makes it 0.
   void set(std::size_t place, const Terms& terms, std::size_t term, double critical_stretch);
 };
 
@@ -35,35 +35,36 @@ struct TermEntry {
   bool operator==(const TermEntry&) const = default;
 };
 
-// Terms of the energy, which are squares of the displacements u: each is k/2 (c.u - e0)^2, with c its coefficients, c.u
-// its elongation [m], k its stiffness [N/m] and e0 its rest elongation [m], which has a constant part and one that is
-// proportional to the load factor.
+// Energy terms, which are squares of the displacements u: each is k/2 (c.u - e0)^2 with its coefficients c, elongation
+// c.u [m], stiffness k [N/m] and rest elongation e0 [m], which has a constant part and a part that is proportional to
+// the load factor.
 //
-// A bond is the term of two nodes whose coefficients are -n and n, where n is the unit vector from the first to the
-// second; stepping sweeps over all of them at every event, hence the structure of arrays. Terms of any other shape
-// (`wide`) are numbered with them: their `first` and `second` are the same node and the direction is 0, so that sweeps
-// over the arrays of bonds pass over them without a test.
+// A bond is the term of two nodes with the coefficients -n and n, where n is the unit vector from the first to the
+// second node. Stepping sweeps over all bonds at every event, hence the structure of arrays. Terms of any other shape
+// are called wide, such as a cell square (term of a lattice cell that corrects Poisson's ratio). They are numbered
+// together with the bonds: their `first` and `second` are the same node and their direction is 0, so that sweeps over
+// the arrays of bonds add nothing for them.
 struct Terms {
   std::vector<int> first, second;    // nodes
   std::vector<double> cosine, sine;  // unit vector from first to second
   std::vector<double> length;        // [m]; makes a strain of the elongation
   std::vector<double> stiffness;     // force per elongation [N/m]
 
-  // Rest elongations [m]: constant parts, proportional parts. Terms beyond the end of an array have 0; the arrays are
-  // empty where nothing uses them.
+  // Rest elongations [m]: constant parts, then proportional parts. Terms beyond the end of an array have the rest
+  // elongation 0; the arrays are empty if all have.
   std::array<std::vector<double>, 2> rest_elongation;  // [m]
 
-  // Poisson's ratio of bonds whose stretch counts the effect of compression across them. Other bonds, and terms beyond
-  // the end, have 0.
+  // Poisson's ratio of bonds whose stretch counts the effect of compression across them; 0 for other bonds, and for
+  // terms beyond the end.
   std::vector<double> contraction;
 
-  // Law of each term, an index into `laws`; terms beyond the end are brittle.
+  // Law of each term as an index into `laws`; terms beyond the end are brittle.
   std::vector<std::uint8_t> law;
   std::vector<TermLaw> laws{TermLaw::brittle()};
 
   // Coefficients of the wide terms, those that are not bonds.
   struct Wide {
-    std::vector<int> term;  // their numbers, ascending
+    std::vector<int> term;  // numbers of the wide terms, ascending
     std::vector<std::size_t> start{0};
     std::vector<TermEntry> entry;
 
@@ -80,7 +81,7 @@ struct Terms {
     auto operator<=>(const Following&) const = default;
   };
   std::vector<Following> following;
-  std::vector<int> followers;  // each once, ascending
+  std::vector<int> followers;  // numbers of all followers, ascending
   std::size_t wide_followers = 0;
 
   std::size_t size() const { return first.size(); }
@@ -91,7 +92,7 @@ struct Terms {
   int add_bond(int from, int to, const Eigen::Vector2d& direction, double length_between, double its_stiffness);
   int add_wide(std::span<const TermEntry> entries_of_different_nodes, double its_length, double its_stiffness);
 
-  // Makes a term, the follower, break as soon as any of its leaders breaks. Leaders must have smaller numbers. Called
+  // Makes the term `follower` break as soon as any of its leaders breaks. Leaders must have smaller numbers. Called
   // once for every follower, in the order of their numbers.
   void add_follower(int follower, std::span<const int> leaders);
   bool follows(int term) const { return std::binary_search(followers.begin(), followers.end(), term); }
@@ -102,7 +103,7 @@ struct Terms {
   void set_contraction(int term, double ratio);
   double contraction_of(std::size_t term) const { return term < contraction.size() ? contraction[term] : 0; }
 
-  int add_law(const TermLaw& its_law);  // returns its index, that of an equal one if there is one
+  int add_law(const TermLaw& its_law);  // returns the index of the law in `laws`
   void set_law(int term, int its_law);
   const TermLaw& law_of(std::size_t term) const { return term < law.size() ? laws[law[term]] : laws.front(); }
 
@@ -112,7 +113,7 @@ struct Terms {
   // Numbers of the terms that `changes` break.
   std::vector<int> broken_by(std::span<const StageChange> changes) const;
 
-  // Whether some term has a rest elongation, that is a force without elongation.
+  // Whether some term has a rest elongation, and so a force without elongation.
   bool have_offsets() const { return have_offsets(0) || have_offsets(1); }
   bool have_offsets(int part) const { return !rest_elongation[part].empty(); }
 
@@ -142,21 +143,22 @@ struct Terms {
     return is_wide(term) ? wide_elongation(place_of_wide(term), displacement) : bond_elongation(term, displacement);
   }
 
-  // Elastic elongation c.u - e0 of a term, on which its stiffness acts: of the constant (0) or proportional (1) part of
-  // a displacement, then of a displacement at a load factor.
+  // Elastic elongation c.u - e0 of a term, on which its stiffness acts, in the constant (0) or proportional (1) part of
+  // a displacement.
   double elastic_elongation_part(std::size_t term, const double* displacement, int part) const {
     return elongation(term, displacement) - rest(term, part);
   }
+  // Elastic elongation of a term for a displacement at a load factor.
   double elastic_elongation(std::size_t term, const double* displacement, double load_factor) const {
     return elongation(term, displacement) - (rest(term, 0) + load_factor * rest(term, 1));
   }
 
-  // Force k (c.u - e0) of a term with the stiffness k given, which may be less than the virgin one.
+  // Force k (c.u - e0) of a term with the given stiffness k, which may be less than the virgin stiffness.
   double tension(std::size_t term, double present_stiffness, const double* displacement, double load_factor) const {
     return present_stiffness * elastic_elongation(term, displacement, load_factor);
   }
 
-  // Energy k/2 (c.u - e0)^2 of a term with the stiffness k given, which may be less than the virgin one.
+  // Energy k/2 (c.u - e0)^2 of a term with the given stiffness k, which may be less than the virgin stiffness.
   double energy(std::size_t term, double present_stiffness, const double* displacement, double load_factor) const {
     const double elastic = elastic_elongation(term, displacement, load_factor);
     return 0.5 * present_stiffness * elastic * elastic;
@@ -164,12 +166,12 @@ struct Terms {
 
   CriticalScales critical_scales(const std::vector<double>& critical_stretch) const;
 
-  // Elastic elongations of all terms as shares of their critical ones, for the constant and proportional part of a
-  // displacement separately.
+  // Elastic elongations of all terms as shares of their critical elongations, separately for the constant and the
+  // proportional part of a displacement.
   void critical_shares(const Affine& displacement, const CriticalScales& scales, std::vector<double>& constant_part,
                        std::vector<double>& proportional_part) const;
 
-  // Adds the forces k (c.u) c of all terms to `force`, with the stiffnesses k given; rest elongations are left out.
+  // Adds to `force` the forces k (c.u) c of all terms with the given stiffnesses k; rest elongations are left out.
   void add_forces(const std::vector<double>& present_stiffness, const double* displacement, double* force) const;
 
  private:

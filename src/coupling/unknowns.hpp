@@ -8,8 +8,8 @@
 
 namespace bempd::coupling {
 
-// Classification of all degrees of freedom (2 * node + component), and the numbering of those that are unknowns of the
-// sparse system.
+// Kind of every degree of freedom (2 * node + component), and the numbering of those that are unknowns of the sparse
+// system.
 struct Unknowns {
   std::vector<DofKind> kind;
   std::vector<int> unknown_of;  // dof -> unknown of the sparse system, or -1
