@@ -248,9 +248,8 @@ class SubstructureFactor::Builder {
   }
 
   std::vector<MatrixPart> parts_;
-  std::vector<int> uses_, uses_here_,
-      place_;                              // per unknown: number of its parts, in all and in the substructure; place
-  std::vector<std::vector<int>> uses_of_;  // per step: number of parts with each remaining unknown
+  std::vector<int> uses_, uses_here_, place_;  // per unknown: parts with it, in all and here; its place
+  std::vector<std::vector<int>> uses_of_;      // per step: number of parts with each remaining unknown
   const SubstructureFactor* before_;
   std::unique_ptr<SubstructureFactor> made_;
   Eigen::Index eliminated_ = 0;

@@ -20,8 +20,8 @@ struct Adjacency {
   }
 };
 
-// Makes the lists of `items` items. each(add) must call add(item, value) for every entry; it is called twice and must
-// do so in the same order. A list keeps the order of its entries.
+// Makes the lists of `items` items. each(add) must call add(item, value) for every entry. It is called twice and must
+// give the entries in the same order both times. A list keeps the order of its entries.
 template <class Each>
 Adjacency make_adjacency(std::size_t items, const Each& each) {
   Adjacency lists;

@@ -17,8 +17,8 @@ struct Box {
   Complex middle() const { return {0.5 * (left + right), 0.5 * (low + high)}; }
 };
 
-// Value of a function and magnitude of its slope over its value, which tells how near roots are: a root at the distance
-// d adds 1 / d.
+// Value of a function, and magnitude of its slope over its value. A root at the distance d adds 1 / d to this ratio,
+// which thus tells how near roots are.
 struct Sample {
   Complex place, value;
   double slope;
@@ -40,7 +40,7 @@ double argument_change(const AnalyticFunction& f, const Sample& from, const Samp
   return argument_change(f, from, middle, depth + 1) + argument_change(f, middle, to, depth + 1);
 }
 
-// Number of roots in a box: how often the function turns around zero along the box's sides.
+// Number of roots in a box: the number of turns of the function's value around zero along the sides of the box.
 int count_roots(const AnalyticFunction& f, const Box& box) {
   const std::array<Sample, 4> corners{Sample(f, {box.left, box.low}), Sample(f, {box.right, box.low}),
                                       Sample(f, {box.right, box.high}), Sample(f, {box.left, box.high})};
@@ -49,7 +49,8 @@ int count_roots(const AnalyticFunction& f, const Box& box) {
   return static_cast<int>(std::lround(sum / (2 * std::numbers::pi)));
 }
 
-// Left one of two roots that are close together or equal, near `start`: roots of the parabola through three values.
+// Left one of two roots that are close together or equal, near `start`. The two are roots of the parabola through three
+// values.
 Complex left_of_two(const AnalyticFunction& f, const Complex& start, double reach) {
   Complex z = start;
   for (const double step : {reach, 0.3 * reach, 0.1 * reach, 0.1 * reach}) {
@@ -83,7 +84,7 @@ Complex refined(const AnalyticFunction& f, const Complex& start, double reach) {
 }  // namespace
 
 std::optional<Complex> leftmost_root(const AnalyticFunction& f, RealRange range, double most_imaginary) {
-  // Boxes are divided at an odd share, because roots often lie half way, where no side of a box must be.
+  // Boxes are divided at an uneven ratio, because roots often lie half way, where no side of a box must be.
   constexpr double share = 0.4871, precise = 1e-4;
   Box box{range.from, range.to, -0.9713 * most_imaginary, most_imaginary};
   if (count_roots(f, box) <= 0) return std::nullopt;
@@ -95,7 +96,7 @@ std::optional<Complex> leftmost_root(const AnalyticFunction& f, RealRange range,
     else
       box.left = first.right;
   }
-  // The upper half of the box is taken if it has a root, so that of a conjugate pair the upper one is found.
+  // The upper half of the box is taken if it has a root, so that the upper one of two conjugate roots is found.
   Box upper = box;
   upper.low = -0.37 * precise;
   if (count_roots(f, upper) > 0) box = upper;

@@ -12,9 +12,10 @@ struct RealRange {
   double from, to;
 };
 
-// Root with the least real part in a range, and an imaginary part up to a bound; empty if there is none. At conjugate
-// places the function must have conjugate values up to a factor; of two conjugate roots, the upper one is returned. No
-// root is missed, because it is found by the argument principle. The function must not vanish on the ends of the range.
+// Root with the least real part in a range and an imaginary part between -most_imaginary and most_imaginary; empty if
+// there is none. At conjugate places the function must have conjugate values up to a constant factor; of two conjugate
+// roots, the upper one is returned. The argument principle is used, so that no root is missed. The function must not
+// vanish at the ends of the range.
 std::optional<std::complex<double>> leftmost_root(const AnalyticFunction& function, RealRange range,
                                                   double most_imaginary);
 

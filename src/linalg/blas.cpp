@@ -17,8 +17,8 @@ namespace bempd::linalg {
 
 namespace {
 
-// Calls a function that only some BLAS have, or returns `unknown`. It is looked up by name at run time, so that the
-// library can be used with any BLAS.
+// Calls a function that only some BLAS have; returns `unknown` if the function is missing. The function is looked up by
+// name at run time, so that the library works with any BLAS.
 template <class Result>
 Result ask(const char* function, Result unknown) {
   void* const found = dlsym(RTLD_DEFAULT, function);
@@ -72,7 +72,7 @@ void require_blas_buffer() {
 
 int threads_with_blas_buffers(int threads) {
   const int wanted = threads > 0 ? threads : static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
-  // Each further thread also needs a stack and a heap of its own, less than another buffer.
+  // Each further thread also needs a stack and a heap of its own, together less than another buffer.
   const bool are_given = wanted == 1 || running_blas().name.rfind("OpenBLAS", 0) != 0 ||
                          system_gives(2 * openblas_buffer * static_cast<std::size_t>(wanted - 1));
   return are_given ? wanted : 1;
@@ -90,7 +90,7 @@ std::string describe(const Blas& blas) {
 }
 
 bool is_before_avx2(std::string_view core) {
-  const auto same = [](char a, char b) { return (a | 0x20) == (b | 0x20); };  // in either case
+  const auto same = [](char a, char b) { return (a | 0x20) == (b | 0x20); };  // ignores upper and lower case
   return std::any_of(older_cores.begin(), older_cores.end(), [&](std::string_view older) {
     return std::equal(core.begin(), core.end(), older.begin(), older.end(), same);
   });

@@ -13,8 +13,8 @@ using Get = int (*)();
 using Set = void (*)(int);
 using Exchange = int (*)(int);
 
-// Functions of the BLAS in use that get and set its number of threads; null if it has none. They are looked up by name,
-// so that the library can be used with any BLAS.
+// Functions of the BLAS in use that get and set its number of threads; null if the BLAS has none. They are looked up by
+// name, so that the library works with any BLAS.
 struct ThreadControl {
   Get get = nullptr;
   Set set = nullptr;
@@ -54,8 +54,8 @@ const ThreadControl& control() {
   return found;
 }
 
-// State of all scopes of the process: their number, the number of BLAS threads before the first one, and the one in
-// force.
+// State of all scopes of the process: number of scopes, number of BLAS threads before the first scope, and present
+// number of BLAS threads.
 struct ScopeState {
   std::mutex mutex;
   int scopes = 0, before = 0, now = 0;

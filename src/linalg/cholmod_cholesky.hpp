@@ -81,8 +81,8 @@ class CholmodCholesky final : public SparseCholesky {
       factor.solve_lower(ordered);
       factor.solve_upper(ordered);
     } else {
-      // Long solutions are done in two halves, with a check for cancellation between, and have the same digits as in
-      // one call.
+      // Long solutions are done in two halves with a check for cancellation between them; the digits are those of a
+      // single call.
       triangular_solve(CHOLMOD_L, ordered);
       check_cancelled();
       ordered = solution();
@@ -137,7 +137,7 @@ class CholmodCholesky final : public SparseCholesky {
     assert(has_factor_ && columns.rows() == diagonal_.size());
     if (columns.nonZeros() == 0) return true;
     has_factor_ = false;  // until this call succeeds
-    // The factor becomes simplicial only at its first change; runs without changes keep the faster supernodal
+    // The factor becomes simplicial only at its first change, so that runs without changes keep the faster supernodal
     // solutions.
     if (factor_->is_super) {
       Cholmod<Index>::change_factor(CHOLMOD_REAL, 0, 0, 0, 1, factor_.get(), common_.get());
@@ -181,9 +181,9 @@ class CholmodCholesky final : public SparseCholesky {
       order_.assign(found, found + lower.cols());
       position_.resize(order_.size());
       for (std::size_t k = 0; k < order_.size(); ++k) position_[order_[k]] = static_cast<int>(k);
-      pattern_.assign(lower);  // assigned last, so that all is done anew if memory is missing before
+      pattern_.assign(lower);  // last, so that a failure before leads to a new analysis
     }
-    // A changed factor is simplicial, so the next one is made from the analysis again.
+    // A changed factor is simplicial, so the next factor is made from a copy of the analysis.
     if (!factor_ || !factor_->is_super) {
       factor_.reset(Cholmod<Index>::copy_factor(analysis_.get(), common_.get()));
       common_.check();
@@ -247,7 +247,7 @@ class CholmodCholesky final : public SparseCholesky {
   mutable CholmodDense<Index> solution_{common_}, work_y_{common_}, work_e_{common_};
   Eigen::VectorXd diagonal_;       // of the matrix last factorized
   SparsityPattern<int> pattern_;   // pattern of `analysis_`
-  std::vector<int> wanted_order_;  // empty: CHOLMOD's own
+  std::vector<int> wanted_order_;  // empty: CHOLMOD chooses
   int kept_last_ = 0;
   std::vector<int> order_, position_;  // unknown eliminated k-th, and the inverse
   bool has_factor_ = false;

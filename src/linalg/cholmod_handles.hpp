@@ -8,15 +8,15 @@
 
 namespace bempd::linalg {
 
-// Throws std::runtime_error if the CHOLMOD that is loaded has another main version than the one compiled with, because
-// its settings then lie elsewhere in memory.
+// Throws std::runtime_error if the loaded CHOLMOD has another main version than the one compiled with, because its
+// settings then lie elsewhere in memory.
 inline void require_cholmod(int running) {
   if (running == CHOLMOD_MAIN_VERSION) return;
   throw std::runtime_error("CHOLMOD " + std::to_string(running) + " runs, but bempd was compiled with CHOLMOD " +
                            std::to_string(CHOLMOD_MAIN_VERSION) + "; install that one or compile bempd again");
 }
 
-// CHOLMOD's functions by the integers of its indices: of 32 bits, which hold factors of up to 2^31 entries, or of 64.
+// CHOLMOD's functions for its two kinds of indices: 32 bits, for factors of up to 2^31 entries, and 64 bits.
 template <class Index>
 struct Cholmod;
 

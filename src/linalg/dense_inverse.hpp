@@ -4,9 +4,10 @@
 
 namespace bempd::linalg {
 
-// In-place operations on lower triangles: L <- L^-1, and L <- the lower triangle of L^T L. They work by halves, so that
-// most of the work is products of large blocks.
+// Inverse of a lower triangle in place: L <- L^-1. It works by halves, so that most of the work is products of large
+// blocks.
 void invert_lower(Eigen::Ref<Eigen::MatrixXd> lower);
+// Product of a lower triangle with its transpose in place: L <- the lower triangle of L^T L, computed by halves.
 void multiply_by_transpose(Eigen::Ref<Eigen::MatrixXd> lower);
 
 // Replaces L by the lower triangle of (L L^T)^-1.

@@ -7,7 +7,7 @@ namespace bempd::linalg {
 
 namespace {
 
-constexpr Eigen::Index width = 256;  // of the panels
+constexpr Eigen::Index width = 256;  // columns of a panel
 
 using Matrix = Eigen::Ref<Eigen::MatrixXd>;
 using Lower = Eigen::Ref<const Eigen::MatrixXd>;
@@ -39,7 +39,7 @@ void add_product(Matrix c, const Operand& a, const Operand& b, double factor) {
 }
 
 void add_square(Matrix c, const Operand& a, double factor) {
-  if (a.cols() == 0) return;  // Eigen divides by their number
+  if (a.cols() == 0) return;  // Eigen divides by the number of columns
   const auto n = static_cast<double>(c.rows());
   const bool in_parts = is_long(n * n * static_cast<double>(a.cols()));
   const Eigen::Index across = in_parts ? width : c.rows();
@@ -101,7 +101,7 @@ void solve_upper_from_right(const Lower& lower, Matrix x) {
 
 bool factorize_in_parts(Matrix lower) {
   const Eigen::Index n = lower.rows();
-  const auto done = [n](Eigen::Index j) {  // columns cost more the more there are before and below them
+  const auto done = [n](Eigen::Index j) {  // share of the work done after j columns
     const double part = static_cast<double>(j) / static_cast<double>(n);
     return part * part * (3 - 2 * part);
   };
@@ -115,7 +115,7 @@ bool factorize_in_parts(Matrix lower) {
     if (j > 0) own.selfadjointView<Eigen::Lower>().rankUpdate(lower.block(j, 0, columns, j), -1);
     const Eigen::LLT<Eigen::Ref<Eigen::MatrixXd>> factor(own);
     if (factor.info() != Eigen::Success) return false;
-    if (below == 0) break;  // the BLAS complains of empty matrices
+    if (below == 0) break;  // some BLAS print a complaint about empty matrices
     add_product(lower.block(j + columns, j, below, columns), lower.block(j + columns, 0, below, j),
                 lower.block(j, 0, columns, j).transpose(), -1);
     solve_upper_from_right(own, lower.block(j + columns, j, below, columns));
@@ -141,7 +141,7 @@ void DenseCholesky::compute(Eigen::MatrixXd matrix) {
   m_isInitialized = true;
 }
 
-// Factorizes by blocked elimination as Eigen's own method does (its PartialPivLU.h), with long products done in parts.
+// Factorizes by blocked elimination as Eigen's own method does (its PartialPivLU.h), but does long products in parts.
 void DenseLU::compute(Eigen::MatrixXd matrix) {
   const Eigen::Index n = matrix.rows();
   if (!is_long(operations(matrix, n) * 2 / 3)) {

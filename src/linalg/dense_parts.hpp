@@ -10,15 +10,15 @@
 namespace bempd::linalg {
 
 // Dense algebra that can be cancelled: long operations are done in parts, with a check for cancellation between them.
-// Short ones are a single call of Eigen.
+// Short operations are a single call of Eigen.
 
 // Number of floating-point operations in one part, which takes some 30 ms.
 constexpr double operations_at_once = 5e8;
 
 inline bool is_long(double operations) { return operations > operations_at_once; }
 
-// Matrix in memory, or the transpose of one. Products are compiled for these types alone, because each takes seconds to
-// compile.
+// Matrix in memory, or the transpose of a matrix in memory. Products are compiled for these two cases only, because
+// each further type takes seconds to compile.
 class Operand {
  public:
   template <class Derived>
@@ -64,9 +64,10 @@ void add_product(Eigen::Ref<Eigen::MatrixXd> c, const Operand& a, const Operand&
 // Computes c += factor * a * a^T, the lower triangle only.
 void add_square(Eigen::Ref<Eigen::MatrixXd> c, const Operand& a, double factor = 1);
 
-// Solve with the lower triangle L of a matrix: x <- L^-1 x, x <- L^-T x and x <- x L^-T.
+// Solution with the lower triangle L of a matrix: x <- L^-1 x.
 void solve_lower(const Eigen::Ref<const Eigen::MatrixXd>& lower, Eigen::Ref<Eigen::MatrixXd> x);
-void solve_upper(const Eigen::Ref<const Eigen::MatrixXd>& lower, Eigen::Ref<Eigen::MatrixXd> x);
+void solve_upper(const Eigen::Ref<const Eigen::MatrixXd>& lower, Eigen::Ref<Eigen::MatrixXd> x);  // x <- L^-T x
+// Solution x <- x L^-T with the lower triangle L of a matrix.
 void solve_upper_from_right(const Eigen::Ref<const Eigen::MatrixXd>& lower, Eigen::Ref<Eigen::MatrixXd> x);
 
 // Replaces the lower triangle of a symmetric matrix by its Cholesky factor; false if the matrix is not positive
@@ -77,7 +78,7 @@ bool factorize_in_parts(Eigen::Ref<Eigen::MatrixXd> lower);
 class DenseCholesky : public Eigen::LLT<Eigen::MatrixXd> {
  public:
   void compute(Eigen::MatrixXd matrix);
-  const Eigen::MatrixXd& lower() const { return m_matrix; }  // its other triangle is anything
+  const Eigen::MatrixXd& lower() const { return m_matrix; }  // the upper triangle has arbitrary values
 };
 
 // LU factors of any matrix, with partial pivoting.

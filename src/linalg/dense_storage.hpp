@@ -2,9 +2,10 @@
 
 #include <Eigen/Core>
 
-// Safe resizing for Eigen 3.4: if there is no memory for a new size, Eigen's matrices keep a pointer to freed memory,
-// and their next use or destructor damages the heap. With these functions such a matrix is empty. They replace Eigen's
-// own for the types that this library resizes; the header comes first in every source file (src/CMakeLists.txt).
+// Safe resizing for Eigen 3.4. If there is no memory for a new size, Eigen's matrices keep a pointer to freed memory,
+// and their next use or destructor damages the heap. With the functions below such a matrix is empty. They replace
+// Eigen's own functions for the types that this library resizes; this header comes first in every source file
+// (src/CMakeLists.txt).
 namespace Eigen {
 
 template <>
@@ -63,7 +64,7 @@ inline void DenseStorage<double, Dynamic, 3, Dynamic, ColMajor>::resize(Index si
   m_cols = cols;
 }
 
-// Resizing of arrays of integers, in which permutations are stored.
+// Resizing of arrays of integers, in which Eigen stores permutations.
 template <>
 inline void DenseStorage<int, Dynamic, Dynamic, 1, ColMajor>::resize(Index size, Index rows, Index cols) {
   if (size != m_rows) {

@@ -130,9 +130,9 @@ class EigenCholesky final : public SparseCholesky {
   }
 
   UpLookingLDLT factor_;
-  std::vector<int> wanted_order_, order_;  // unknown eliminated k-th
+  std::vector<int> wanted_order_, order_;  // entry k: unknown that is eliminated as the k-th
   int kept_last_ = 0;
-  Eigen::VectorXd diagonal_;      // of the matrix last factorized
+  Eigen::VectorXd diagonal_;      // diagonal of the matrix last factorized
   SparsityPattern<int> pattern_;  // pattern that was analysed
   bool has_factor_ = false;
 };

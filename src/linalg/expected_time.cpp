@@ -11,10 +11,10 @@ namespace bempd::linalg {
 
 namespace {
 
-// Operations above which work is long enough to be foretold: 20 to 100 ms.
+// Number of operations above which work is long enough for an estimate: it takes 20 to 100 ms.
 constexpr double worth_foretelling = 1e9;
 
-// Least number of seconds that a call of `work` takes.
+// Least seconds of three calls of work().
 template <class Work>
 double least_seconds(const Work& work) {
   using Clock = std::chrono::steady_clock;

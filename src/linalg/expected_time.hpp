@@ -2,9 +2,9 @@
 
 namespace bempd::linalg {
 
-// Seconds that long work will take on this machine, for a host that waits for its end: an estimate within a factor of
-// two where no other program takes the processor. It is 0 where nobody hears of phases or the work is short. The rate
-// of the machine is that of a small product or loop, which takes a millisecond at most and is measured each time.
+// Expected seconds of long work on this machine, for a host that waits for its end: an estimate within a factor of two
+// if no other program takes the processor. The value is 0 if nobody listens to phases or the work is short. The speed
+// of the machine is measured each time with a small product or loop, which takes a millisecond at most.
 
 // Time of a factorization by dense products, sparse (supernodal) or dense.
 double expected_time_of_products(double operations);

@@ -21,15 +21,15 @@ namespace {
 
 using SparseMatrix = Eigen::SparseMatrix<double>;
 
-constexpr Eigen::Index most_sides_at_once = 64;  // right-hand sides of one task, each as long as the matrix
+constexpr Eigen::Index most_sides_at_once = 64;  // right-hand sides given to the solver at once
 
 std::int64_t next_number() {
   static std::atomic<std::int64_t> last{0};
   return ++last;
 }
 
-// The solver gets the matrix D A D, where D makes the diagonal entries lie between 1/2 and 2, so that a pivot is its
-// share of the diagonal entry within a factor of two. D consists of powers of two: scaling rounds nothing.
+// Factor by an outside solver, which gets the matrix D A D. D makes the diagonal entries lie between 1/2 and 2, so that
+// pivots are their ratios to these entries within a factor of two. D has powers of two, so that scaling rounds nothing.
 class ExternalCholesky final : public SparseCholesky {
  public:
   ExternalCholesky(std::shared_ptr<ExternalSolver> solver, std::string scratch) : solver_(std::move(solver)) {
@@ -73,8 +73,8 @@ class ExternalCholesky final : public SparseCholesky {
     change_.correct(rhs);
   }
 
-  // The first entries of the result are those of the right-hand side: what elimination makes of them stays in the
-  // solver. The last ones are L^-1 of the reduced right-hand side.
+  // The result has the given right-hand sides of the eliminated unknowns (the solver keeps their reduced values),
+  // followed by L^-1 times the reduced right-hand side of the kept unknowns.
   void solve_forward(Eigen::Ref<Eigen::MatrixXd> rhs) const override {
     assert(has_factor_);
     for (Eigen::Index first = 0; first < rhs.cols(); first += most_sides_at_once) {
@@ -147,7 +147,7 @@ class ExternalCholesky final : public SparseCholesky {
     return (unscaled.asDiagonal() * lower).bottomRightCorner(size, size);
   }
 
-  // The solver cannot change its factor, so the change is carried beside it.
+  // The solver cannot change its factor, so the change is stored beside the factor.
   bool update(const SparseMatrix& columns, Change change) override {
     if (columns.nonZeros() == 0) return true;
     if (!has_factor_ || !change_.has_room_for(columns.cols(), scale_.size(), entries_)) return false;
@@ -224,7 +224,7 @@ class ExternalCholesky final : public SparseCholesky {
     return true;
   }
 
-  // Block of A^-1 if all its unknowns are kept: then it is one of the Schur complement's inverse.
+  // Block of A^-1 if all of `unknowns` are kept; it is then a block of the inverse of the Schur complement.
   std::optional<Eigen::MatrixXd> inverse_block_of_kept(const std::vector<int>& unknowns) const {
     std::vector<int> place(order_.size(), -1), places;
     for (int k = 0; k < plan_.kept; ++k) place[order_[static_cast<std::size_t>(eliminated_count() + k)]] = k;
@@ -238,7 +238,7 @@ class ExternalCholesky final : public SparseCholesky {
     return half.transpose() * half;
   }
 
-  // Columns of the kept unknowns, in the rows of the others.
+  // Columns of the kept unknowns, in the rows of the eliminated unknowns.
   void collect_coupling(const SparseMatrix& scaled) {
     std::vector<int> column_of(order_.size(), -1);
     for (int k = 0; k < plan_.kept; ++k) column_of[order_[static_cast<std::size_t>(eliminated_count() + k)]] = k;
@@ -266,7 +266,7 @@ class ExternalCholesky final : public SparseCholesky {
     values(kept_unknowns(), Eigen::all) = kept;
   }
 
-  // Completes the kept unknowns, of which the last `known` are given, from L^-1 of their right-hand sides.
+  // Completes the kept unknowns, the last `known` of which are given, from L^-1 of their right-hand sides.
   void finish_kept(Eigen::Ref<Eigen::MatrixXd> transposed, int known) const {
     const Eigen::MatrixXd factor = trailing_factor(plan_.kept);
     const Eigen::Index open = plan_.kept - known;
@@ -282,10 +282,10 @@ class ExternalCholesky final : public SparseCholesky {
   ExternalSolver::Plan plan_;
   std::vector<int> order_;
   Eigen::VectorXd scale_;         // D
-  SparsityPattern<int> pattern_;  // that was analysed
-  SparseMatrix coupling_;         // scaled, of all unknowns with the kept ones
-  DenseCholesky schur_;           // scaled
-  LowRankChange change_;          // since the factorization
+  SparsityPattern<int> pattern_;  // pattern that was analysed
+  SparseMatrix coupling_;         // block of D A D between eliminated (rows) and kept unknowns
+  DenseCholesky schur_;           // factor of the Schur complement of D A D
+  LowRankChange change_;          // change since the factorization
   double smallest_pivot_ = 1;
   std::int64_t entries_ = 0;
   bool has_factor_ = false;

@@ -8,8 +8,9 @@
 
 namespace bempd::linalg {
 
-// Cholesky factor by a solver from outside the library. The solver eliminates all unknowns but the kept ones; the Schur
-// complement on these is factorized here, and changes of low rank are carried beside the factor (low_rank_change.hpp).
+// Cholesky factor by a solver from outside the library. The solver eliminates all unknowns but the kept ones. The Schur
+// complement on the kept unknowns is factorized here, and low-rank changes are stored beside the factor
+// (low_rank_change.hpp).
 std::unique_ptr<SparseCholesky> external_cholesky(std::shared_ptr<ExternalSolver> solver, std::string scratch);
 
 }  // namespace bempd::linalg

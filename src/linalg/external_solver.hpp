@@ -9,8 +9,8 @@
 
 namespace bempd::linalg {
 
-// Sparse direct solver from outside the library, which keeps factors under numbers. It eliminates all unknowns of a
-// symmetric positive definite matrix but the last `kept` ones of an order; without an order it may choose one. All
+// Sparse direct solver from outside the library, which stores factors under numbers. It eliminates all unknowns of a
+// symmetric positive definite matrix except the last `kept` ones of an order; without an order it may choose one. All
 // functions throw Error or std::bad_alloc.
 class ExternalSolver {
  public:
@@ -18,13 +18,13 @@ class ExternalSolver {
 
   // Settings of a factor, given when the pattern of its matrix is analysed.
   struct Plan {
-    std::vector<int> order;  // unknown eliminated k-th; empty: the solver chooses
+    std::vector<int> order;  // entry k: unknown eliminated as the k-th; empty: the solver chooses
     int kept = 0;
     std::string scratch;  // folder for the factor; empty: in memory
   };
   // Results of a factorization.
   struct Outcome {
-    Eigen::MatrixXd schur;  // complement on the kept unknowns, both triangles
+    Eigen::MatrixXd schur;  // Schur complement on the kept unknowns, both triangles
     double smallest_pivot = 1;
     std::int64_t entries = 0;
   };
@@ -36,23 +36,23 @@ class ExternalSolver {
   virtual bool factorize(std::int64_t factor, const Matrix& lower, int kept, Outcome& outcome) = 0;
   // Solves for the eliminated unknowns while the kept ones are 0; entries of kept unknowns are neither read nor set.
   virtual void solve(std::int64_t factor, Eigen::MatrixXd& values) = 0;
-  // First half of a solution: reduces right-hand sides to the kept unknowns.
+  // First half of a solution: reduces the right-hand sides `values` to those of the kept unknowns.
   virtual void reduce(std::int64_t factor, Eigen::MatrixXd& values, Eigen::MatrixXd& kept) = 0;
   // Second half of a solution, right after reduce(): finds all unknowns from the kept ones.
   virtual void expand(std::int64_t factor, const Eigen::MatrixXd& kept, Eigen::MatrixXd& values) = 0;
   virtual void forget(std::int64_t factor) noexcept = 0;
-  // Ends the solver: later requests throw, whoever still refers to it.
+  // Ends the solver. Later requests of objects that refer to it throw.
   virtual void end() noexcept = 0;
 };
 
-// Solver that a call uses for its sparse systems, and settings of the library's own one.
+// Sparse solver of the present call, and settings of the library's own solver.
 struct SolverChoice {
-  std::shared_ptr<ExternalSolver> external;  // null: the library's own
+  std::shared_ptr<ExternalSolver> external;  // null: the library's own solver
   std::string scratch;                       // folder for factors; empty: in memory
-  bool wide_indices = false;                 // of 64 bits also where 32 are enough
+  bool wide_indices = false;                 // whether indices have 64 bits even where 32 bits are enough
 };
 
-// Scope in which make_sparse_cholesky() of the same thread follows a choice.
+// Scope in which make_sparse_cholesky() follows a choice, in the same thread.
 class SolverScope {
  public:
   explicit SolverScope(const SolverChoice& choice) : before_(current()) { current() = &choice; }

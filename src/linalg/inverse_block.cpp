@@ -9,7 +9,7 @@ namespace bempd::linalg {
 
 namespace {
 
-// Columns of the factor, the diagonal entry first: of L in L L^T, or of L in L D L^T with D on the diagonal.
+// Columns of the factor L, each from its diagonal entry down. In a factor L D L^T the entries of D are on the diagonal.
 template <class Index>
 class FactorColumns {
  public:
@@ -76,7 +76,7 @@ Eigen::MatrixXd inverse_block(const cholmod_factor& factor, const std::vector<in
   Rows y = Rows::Zero(static_cast<Eigen::Index>(way.size()), static_cast<Eigen::Index>(places.size()));
   for (std::size_t k = 0; k < places.size(); ++k)
     y(row_of[static_cast<std::size_t>(places[k])], static_cast<Eigen::Index>(k)) = 1;
-  Eigen::VectorXd roots(y.rows());  // of D
+  Eigen::VectorXd roots(y.rows());  // square roots of the entries of D
   for (Eigen::Index k = 0; k < y.rows(); ++k) {
     if (k % 64 == 0) check_cancelled();
     columns.for_each(way[static_cast<std::size_t>(k)], [&](int row, double value) {

@@ -8,8 +8,8 @@
 namespace bempd::linalg {
 
 // Block of A^-1 for some unknowns, given by their places in the order of elimination, from CHOLMOD's factor of A
-// (changed or not). Only those columns of the factor are read that lie on the paths from these places to the root of
-// the elimination tree: a small part of all if the places lie close together.
+// (changed or not). Only the columns of the factor on the paths from these places to the root of the elimination tree
+// are read: few columns if the places lie close together.
 template <class Index>
 Eigen::MatrixXd inverse_block(const cholmod_factor& factor, const std::vector<int>& places);
 

@@ -6,14 +6,14 @@ namespace bempd::linalg {
 
 enum class KrylovEnd {
   converged,
-  stagnated,  // a start gained less than a factor of two: rounding allows no smaller residual, or too short a memory
+  stagnated,  // a restart gained less than a factor of two, mostly due to rounding
   iteration_limit,
   breakdown  // matrix or preconditioner is not what the method needs, or a number is not finite
 };
 
 struct KrylovResult {
   KrylovEnd end = KrylovEnd::converged;
-  int iterations = 0;            // = applications of the preconditioner
+  int iterations = 0;            // number of applications of the preconditioner
   double relative_residual = 0;  // |b - A x|_inf / |b|_inf of the returned x, computed from x itself
 };
 
@@ -23,14 +23,15 @@ enum class SweepEnd { finished, iteration_limit, breakdown };
 
 struct Sweep {
   SweepEnd end;
-  bool residual_is_true = false;  // the residual it updated is as good as b - A x
+  bool residual_is_true = false;  // whether the updated residual is as good as b - A x
 };
 
 // Solves A x = b by sweeps of an iteration. sweep(target, max_iterations, x, r, iterations) iterates from x with r = b
-// - A x, until the residual it updates has at most the largest entry `target`, or until it has to restart.
+// - A x, until the largest entry of its updated residual is at most `target`, or until it has to restart.
 //
-// Updated residuals drift from the true one, so only b - A x decides about convergence. If it is still too large, the
-// iteration restarts from it, which refines the solution, until a restart gains less than a factor of two.
+// Updated residuals drift from the true residual, so only b - A x decides about convergence. If it is too large, the
+// iteration restarts from the true residual, which refines the solution, until a restart gains less than a factor of
+// two.
 template <class Apply, class SweepFunction>
 KrylovResult iterate_with_refinement(const Apply& apply, const SweepFunction& sweep, const Eigen::VectorXd& b,
                                      Eigen::VectorXd& x, double tolerance, int max_iterations) {

@@ -18,7 +18,7 @@ namespace {
 using Eigen::VectorXd;
 using Sparse = Eigen::SparseMatrix<double>;
 
-// Residual that no further round can reduce, because values and equations are of order one.
+// Residual that no further round can reduce: the rounding error of values and equations of order one.
 constexpr double rounding = 5e-16;
 
 // Solver for the shortest x with B x = r, which has the form x = B^T lambda, for consistent r.
@@ -110,7 +110,7 @@ Candidate solve_with_held(const LeastChange& problem, const std::vector<char>& h
   return c;
 }
 
-// Flags of the values that the multipliers of a candidate would take below the bound. `held` are those held so far.
+// Flags of the values that the multipliers of a candidate would take below the bound; `held` are the flags so far.
 std::vector<char> held_by(const LeastChange& problem, const Candidate& c, const std::vector<char>& held) {
   const VectorXd pull = problem.constraints.transpose() * c.lambda;
   const bool bounded = std::isfinite(problem.lower);
@@ -144,8 +144,8 @@ LeastChangeResult solve_least_change(const LeastChange& problem) {
   return result;
 }
 
-// Solves the long problem by active sets. A rough solution usually tells which values are held, so exact solutions wait
-// until the set of these no longer changes, or until some rounds have passed.
+// Solves the long problem by active sets. A rough solution usually tells which values are held at the bound. Exact
+// solutions are computed once the set of held values stays the same, or after some rounds.
 LeastChangeResult solve_long_least_change(const LeastChange& problem) {
   if (problem.target.size() <= 80) return solve_least_change(problem);
   constexpr double shift = 3e-15;
@@ -153,7 +153,7 @@ LeastChangeResult solve_long_least_change(const LeastChange& problem) {
   SparseMinimumNorm solver(shift);
   Candidate c;
   std::vector<char> held(problem.start.size(), 0);
-  std::vector<std::vector<char>> seen;  // after rough rounds, when one follows from the other
+  std::vector<std::vector<char>> seen;  // sets after the rough rounds, where each follows from the last
   for (int round = 0; round <= last_round; ++round) {
     check_cancelled();
     if (round >= rough_rounds) {

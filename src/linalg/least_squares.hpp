@@ -5,12 +5,12 @@
 
 namespace bempd::linalg {
 
-// Least-squares solver of dense equations, by a complete orthogonal decomposition; of several solutions it returns the
-// shortest. Eigen's class is compiled for one (dynamic) size only, because each size takes seconds.
+// Least-squares solver of dense equations, by a complete orthogonal decomposition; if there are several solutions, it
+// returns the shortest. Eigen's class is compiled for one (dynamic) size only, because each size takes seconds.
 class LeastSquares {
  public:
   explicit LeastSquares(const Eigen::MatrixXd& equations);
-  // Decomposes the matrix; pivots below the threshold, relative to the largest one, count as zero.
+  // Decomposes the matrix; pivots whose ratio to the largest pivot is below `threshold` count as zero.
   LeastSquares(const Eigen::MatrixXd& equations, double threshold);
   ~LeastSquares();
 

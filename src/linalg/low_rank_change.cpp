@@ -11,10 +11,10 @@ namespace {
 
 constexpr double singular_resistance_ratio = 1e-9;
 
-// Room for the stored solutions A^-1 U: this number of entries, or this share of the factor's entries if that is more.
-// More than `most_columns` columns cost more than they save.
+// Room for the stored solutions A^-1 U: `always_room_for` entries, or `share_of_factor` times the factor's entries if
+// that is more.
 constexpr double always_room_for = 8e6, share_of_factor = 0.25;
-constexpr Eigen::Index most_columns = 256;
+constexpr Eigen::Index most_columns = 256;  // more columns cost more than they save
 
 Eigen::SparseMatrix<double> side_by_side(const Eigen::SparseMatrix<double>& left,
                                          const Eigen::SparseMatrix<double>& right) {
@@ -57,7 +57,8 @@ bool LowRankChange::add(const Eigen::SparseMatrix<double>& columns, Change chang
   return true;
 }
 
-// Removed columns R leave motions the shares that are eigenvalues of 1 - R^T B^-1 R, where B is A with the added ones.
+// Ratio by an eigenvalue problem: the resistances that removed columns R leave to motions, over those of B (A with the
+// added columns), are the eigenvalues of 1 - R^T B^-1 R.
 double LowRankChange::least_resistance_ratio_of(const Eigen::MatrixXd& middle) const {
   std::vector<Eigen::Index> added, removed;
   for (Eigen::Index k = 0; k < size(); ++k)

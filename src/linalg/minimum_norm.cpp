@@ -10,8 +10,8 @@ namespace bempd::linalg {
 using Eigen::VectorXd;
 using Sparse = Eigen::SparseMatrix<double>;
 
-// Sparse matrices are assigned rather than constructed in this file: Eigen's constructors leak memory if a part of it
-// cannot be allocated.
+// Sparse matrices are assigned rather than constructed in this file, because Eigen's constructors leak memory if a part
+// of it cannot be allocated.
 void SparseMinimumNorm::factorize(const Sparse& b) {
   constexpr double largest_shift = 1e-12;
   b_ = b;
@@ -40,8 +40,7 @@ SparseMinimumNorm::Step SparseMinimumNorm::solve(VectorXd r, double least_residu
   Step s{VectorXd::Zero(b_.rows()), VectorXd::Zero(b_.cols())};
   VectorXd z = precondition(r), p = z;
   double rz = r.dot(z);
-  // The goal of a round is rough: the next round starts from the residual recomputed from the values, and cannot be
-  // more exact than that.
+  // The goal of a round is rough, because the next round starts from a residual that is recomputed from the values.
   const double goal = std::max(1e-5 * r.lpNorm<Eigen::Infinity>(), 0.5 * least_residual);
   for (int step = 0; step < 100 && rz > 0; ++step) {
     check_cancelled();

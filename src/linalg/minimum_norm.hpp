@@ -8,13 +8,14 @@
 namespace bempd::linalg {
 
 // Solver for the shortest x = B^T lambda with B x = r, for consistent r, by conjugate gradients on N lambda = r with N
-// = B B^T. N is singular, so the Cholesky factor F of the slightly shifted N serves as preconditioner, in the form F^-1
-// N F^-1. F^-1 alone would amplify the rounding of r in the kernel of N by the inverse of the shift, until it exceeds
-// the rest.
+// = B B^T. N is singular, so the Cholesky factor F of a slightly shifted N serves as preconditioner, in the form F^-1 N
+// F^-1. F^-1 alone would amplify rounding errors of r in the kernel of N by the inverse of the shift, until they exceed
+// all else.
 class SparseMinimumNorm {
  public:
-  // Prepares the solver with a shift of N's diagonal, over its largest entry. Eigenvalues below the shift take many
-  // steps. With a shift near rounding the matrix may not be positive definite; the shift is then raised.
+  // Prepares the solver with a shift of N's diagonal, given as a multiple of its largest entry. Eigenvalues below the
+  // shift take many steps. With a shift near rounding the matrix may not be positive definite; the shift is then
+  // raised.
   explicit SparseMinimumNorm(double shift) : shift_(shift) {}
 
   // Factorizes N = B B^T for the matrix B. All matrices given to one object must have the same pattern. Can be

@@ -10,7 +10,7 @@ namespace bempd::linalg {
 
 namespace {
 
-// Number of nodes in parts that are not divided further: their part of the factor is full anyway.
+// Number of nodes up to which a part is not divided further, because its part of the factor is full anyway.
 constexpr std::ptrdiff_t leaf_size = 24;
 
 class Dissection {
@@ -98,7 +98,7 @@ class Dissection {
     return std::any_of(partners.begin(), partners.end(), [&](int n) { return side_[n] == side; });
   }
 
-  // Whether a group of the node has nodes on a side. What is found out about a group is kept until boundary() ends.
+  // Whether a group of the node has nodes on a side. The state of each group is stored until boundary() ends.
   bool shares_group_with_side(int node, Side side) {
     const std::span<const int> groups = groups_of_.of(node);
     return std::any_of(groups.begin(), groups.end(), [&](int g) {

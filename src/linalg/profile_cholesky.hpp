@@ -11,12 +11,13 @@ class ProfileCholesky {
  public:
   static constexpr int group = 4;
 
-  // Prepares storage. `first_coupled` has for each group the first group that it is coupled to, at most itself.
+  // Prepares storage. `first_coupled` has for each group the first group that it is coupled to (itself, or an earlier
+  // one).
   explicit ProfileCholesky(const std::vector<int>& first_coupled);
 
   void clear();
-  // Block of the matrix with the rows of group `row` and the columns of group `column` <= row. Of diagonal blocks all
-  // 16 entries must be set.
+  // Block of the matrix with the rows of group `row` and the columns of group `column` <= row. All 16 entries of
+  // diagonal blocks must be set.
   Eigen::Block<Eigen::MatrixXd, group, group> at(int row, int column);
   double largest_diagonal() const;
   // Factorizes the matrix plus `shift` on its diagonal; false if the sum is not positive definite.
@@ -25,18 +26,18 @@ class ProfileCholesky {
   void solve_in_place(Eigen::Ref<Eigen::VectorXd> x) const;
 
  private:
-  static constexpr int groups = 6, rows = group * groups;  // of a panel
+  static constexpr int groups = 6, rows = group * groups;  // groups and rows of a panel
 
   Eigen::Index column_of(std::size_t panel, std::size_t of) const {
     return static_cast<Eigen::Index>(of - first_[panel]) * rows;
   }
 
   int size_;
-  std::vector<std::size_t> first_;       // per panel, the first that it is coupled to
-  std::vector<Eigen::MatrixXd> panels_;  // from that up to itself
+  std::vector<std::size_t> first_;       // per panel: the first panel that it is coupled to
+  std::vector<Eigen::MatrixXd> panels_;  // per panel: blocks with panels first_[panel] .. panel
 };
 
-// Order of nodes in which coupled ones are near each other (Cuthill and McKee 1969), one connected part after the
+// Order of nodes in which coupled nodes are near each other (Cuthill and McKee 1969), one connected part after the
 // other. The neighbours of node n are `neighbours` from start[n] to start[n + 1].
 std::vector<int> close_order(const std::vector<int>& start, const std::vector<int>& neighbours);
 

@@ -10,7 +10,7 @@ namespace bempd::linalg {
 // Cholesky factor of a sparse symmetric positive definite matrix. factorize() reads the lower triangle and returns
 // false if the matrix is not positive definite. Pivot ratios are relative to the diagonal entries.
 //
-// After a removal that makes the matrix singular the factor stays finite. The lost pivots are kept at
+// After a removal that makes the matrix singular the factor stays finite: the lost pivots are kept at
 // singular_pivot_ratio times the largest diagonal entry, which smallest_pivot_ratio() shows.
 class SparseCholesky : public SparseFactorization {
  public:
@@ -21,14 +21,14 @@ class SparseCholesky : public SparseFactorization {
   // Order of elimination of the present factor: entry k is the unknown that is eliminated as the k-th.
   virtual const std::vector<int>& elimination_order() const = 0;
 
-  // Halves of solve_in_place() with a factor A = L L^T that no update() has changed. solve_forward() replaces
-  // right-hand sides by L^-1 of them, in the order of elimination; a solver from outside (external_cholesky.hpp) has
-  // such values of the kept unknowns only and leaves the others as they are. solve_backward() takes these values,
-  // transposed (one row per set), and replaces them by the unknowns in the same order; the last `known` unknowns are
-  // given and stay. solve_backward_at() computes only the unknowns at `places` and what they depend on; other entries
-  // may stay unchanged.
+  // First half of solve_in_place(), with a factor A = L L^T that no update() has changed: replaces right-hand sides by
+  // L^-1 times them, in the order of elimination. A solver from outside (external_cholesky.hpp) computes only the
+  // values of the kept unknowns and leaves the others as they are.
   virtual void solve_forward(Eigen::Ref<Eigen::MatrixXd> rhs) const = 0;
+  // Second half of solve_in_place(): replaces values of solve_forward(), transposed (one row per set), by the unknowns
+  // in the same order. The last `known` unknowns are given and stay.
   virtual void solve_backward(Eigen::Ref<Eigen::MatrixXd> transposed, int known) const = 0;
+  // Second half of a solution for the unknowns at `places` and those that they depend on; other entries may stay.
   virtual void solve_backward_at(const std::vector<int>& places, Eigen::Ref<Eigen::MatrixXd> transposed,
                                  int known) const = 0;
 
@@ -39,8 +39,8 @@ class SparseCholesky : public SparseFactorization {
   virtual Eigen::MatrixXd trailing_factor(int size) const = 0;
 
   using TwoColumns = Eigen::Matrix<double, Eigen::Dynamic, 2>;
-  // Products p^T A^-1 q of right-hand sides p and q, where the last `known` unknowns are held at 0. `a` and `b` are
-  // what solve_forward() has made of p and q.
+  // Products p^T A^-1 q of right-hand sides p and q, where the last `known` unknowns are held at 0. `a` and `b` are the
+  // results of solve_forward() for p and q.
   virtual Eigen::MatrixXd eliminated_products(const Eigen::MatrixXd& a, const TwoColumns& b, int known) const;
 };
 

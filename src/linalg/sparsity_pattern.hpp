@@ -26,8 +26,8 @@ class SparsityPattern {
            std::equal(rows_.begin(), rows_.end(), matrix.innerIndexPtr());
   }
 
-  // Stored pattern in compressed columns: the entries of column j are `rows` from column_start[j] to column_start[j +
-  // 1].
+  // Stored pattern in compressed columns: column j has the entries of rows() from column_start()[j] to column_start()[j
+  // + 1].
   const std::vector<Index>& column_start() const { return start_; }
   const std::vector<Index>& rows() const { return rows_; }
 

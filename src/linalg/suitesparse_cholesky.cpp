@@ -8,8 +8,8 @@ namespace bempd::linalg {
 
 namespace {
 
-// Factorization with indices of 32 bits, until a factor has more entries than these can count: then with 64 bits, which
-// need more memory and time for changes.
+// Factorization with indices of 32 bits. Once a factor has more entries than these indices can count, indices have 64
+// bits, which need more memory, and more time for changes.
 class SuiteSparseCholesky final : public SparseCholesky {
  public:
   explicit SuiteSparseCholesky(bool wide) {

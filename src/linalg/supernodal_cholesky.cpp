@@ -98,7 +98,7 @@ class Factorization {
   double* panel(int s) { return values_ + values_begin_[s]; }
 
   // Work of a supernode, proportional to its floating-point operations: its own elimination and its updates of later
-  // ones.
+  // supernodes.
   double operations_of(int s) const { return static_cast<double>(columns(s)) * rows(s) * rows(s); }
   double operations(int count) const {
     double sum = 0;
@@ -172,7 +172,7 @@ class Factorization {
     return true;
   }
 
-  // Adds supernode d to the list of the supernode that it updates next: the one that contains its next row.
+  // Adds supernode d to the list of the next supernode that it updates, which contains the next row of d.
   void queue_at_ancestor(int d) {
     if (done_[d] >= rows(d)) return;
     const int ancestor = supernode_of_[row_[rows_begin_[d] + done_[d]]];
@@ -184,10 +184,10 @@ class Factorization {
   const Index *first_column_, *rows_begin_, *values_begin_, *row_;
   double* values_;
   int count_;
-  std::vector<int> supernode_of_;  // per column
-  std::vector<int> place_;         // of a row in the present supernode
-  std::vector<int> done_;          // number of a supernode's rows that later ones have taken
-  std::vector<int> head_, next_;   // linked list of the supernodes that a supernode takes updates from
+  std::vector<int> supernode_of_;  // supernode of each column
+  std::vector<int> place_;         // place of each row in the present supernode
+  std::vector<int> done_;          // number of rows of each supernode that are finished
+  std::vector<int> head_, next_;   // linked list of the supernodes that update a supernode
   std::vector<double> product_;
   std::vector<int> target_;
 };

@@ -55,7 +55,7 @@ void SupernodalFactor<Index>::solve_lower(Eigen::Ref<Eigen::MatrixXd> x) {
     const int columns = columns_of(s), rows = rows_of(s), below = rows - columns;
     const double* const panel = values_ + values_begin_[s];
     double* const own = x.data() + first_column_[s];
-    if (x.middleRows(first_column_[s], columns).isZero(0)) continue;  // as where few unknowns have loads
+    if (x.middleRows(first_column_[s], columns).isZero(0)) continue;  // often the case where few unknowns have loads
     if (sides == 1)
       dtrsv_("L", "N", "N", &columns, panel, &rows, own, &one);
     else
@@ -118,7 +118,7 @@ template <class Index>
 void SupernodalFactor<Index>::solve_backward(Eigen::Ref<Eigen::MatrixXd> transposed, int known,
                                              const std::vector<char>* marked) const {
   const int unknown = size_ - known;
-  Eigen::MatrixXd later;  // rows of unknowns that a supernode's columns depend on
+  Eigen::MatrixXd later;  // values of the unknowns that a supernode's columns depend on
   for (std::ptrdiff_t s = supernodes_ - 1; s >= 0; --s) {
     const int first = static_cast<int>(first_column_[s]);
     const int columns = std::min(first + columns_of(s), unknown) - first;

@@ -38,17 +38,17 @@ class SupernodalFactor {
   // Last `size` rows and columns of L, a lower triangle.
   Eigen::MatrixXd trailing_block(int size) const;
 
-  // Solve with L: x <- L^-1 x and x <- L^-T x, by the BLAS calls of CHOLMOD's own function, which cannot be cancelled
-  // and does not report all cases of missing memory.
+  // Solution with L: x <- L^-1 x, by the BLAS calls of CHOLMOD's own function, which cannot be cancelled and does not
+  // report all cases of missing memory.
   void solve_lower(Eigen::Ref<Eigen::MatrixXd> x);
-  void solve_upper(Eigen::Ref<Eigen::MatrixXd> x);
+  void solve_upper(Eigen::Ref<Eigen::MatrixXd> x);  // x <- L^-T x, in the same way
 
-  // Solves L^T x = b, where each row of `transposed` is a right-hand side whose last `known` entries are solutions
-  // already. Only the supernodes in `marked` are computed (null: all).
+  // Solves L^T x = b, where each row of `transposed` is a right-hand side whose last `known` entries are already
+  // solutions. Only the supernodes flagged in `marked` are computed (null: all).
   void solve_backward(Eigen::Ref<Eigen::MatrixXd> transposed, int known,
                       const std::vector<char>* marked = nullptr) const;
-  // Flags of the supernodes on which solutions at `places` depend: those of the places and all on their paths to the
-  // root.
+  // Flags of the supernodes on which solutions at `places` depend: those of the places and all on the paths from them
+  // to the root of the elimination tree.
   std::vector<char> supernodes_needed_for(const std::vector<int>& places) const;
 
  private:
@@ -59,9 +59,9 @@ class SupernodalFactor {
   std::ptrdiff_t supernodes_;
   int size_;
   const double* values_;
-  const Index *first_column_, *rows_begin_, *values_begin_, *row_;  // of a supernode; of an entry of its panel's rows
+  const Index *first_column_, *rows_begin_, *values_begin_, *row_;  // begin of each supernode; row of each panel row
   Eigen::Index most_rows_below_;
-  Eigen::MatrixXd below_;  // of a supernode's triangle, in right-hand sides
+  Eigen::MatrixXd below_;  // entries of right-hand sides below a supernode's triangle
 };
 
 }  // namespace bempd::linalg

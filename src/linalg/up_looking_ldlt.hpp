@@ -38,8 +38,8 @@ class UpLookingLDLT {
 
   Matrix unit_lower_;
   Eigen::VectorXd pivots_;
-  std::vector<int> parent_;  // the first entry below the diagonal in a column of L; -1: there is none
-  std::vector<int> length_;  // of the columns of L as far as they are known
+  std::vector<int> parent_;  // row of the first entry below the diagonal in each column of L; -1: none
+  std::vector<int> length_;  // present number of entries in each column of L
   std::vector<int> seen_, pattern_;
 };
 
