@@ -10,8 +10,8 @@ namespace bempd {
 
 namespace {
 
-// Fraction of the arc's length at which its circle is closest to `p`; below 0 or above 1 beyond the ends of the arc.
-// The fractions of the circle reach half a turn to either side of the arc's middle.
+// Fraction of the arc's length at which its circle is closest to `p`, below 0 or above 1 beyond the ends of the arc.
+// The fractions reach half a turn of the circle to either side of the arc's middle.
 double fraction_on_circle(const Arc& arc, const Point& p) {
   const Point centre = arc.centre(), middle = arc.at(0.5) - centre, r = p - centre;
   return 0.5 + std::atan2(cross(middle, r), middle.dot(r)) / arc.sweep;
@@ -26,8 +26,8 @@ double fraction_beyond_ends(const Arc& arc, const Point& p) {
   return arc.straight() ? fraction_on_line(arc, p) : fraction_on_circle(arc, p);
 }
 
-// Points that the circle of `arc` has in common with the line or circle of `other`: the foot on the line of symmetry
-// plus and minus half the common chord. Circles that miss each other by rounding only count as touching.
+// Points that the circle of `arc` has in common with the line or circle of `other`: the foot on the line of symmetry,
+// plus and minus half the common chord. Circles that miss each other by rounding errors count as touching.
 std::vector<Point> common_points(const Arc& arc, const Arc& other) {
   const Point centre = arc.centre();
   const double radius = (arc.start - centre).norm();
@@ -51,7 +51,8 @@ std::vector<Point> common_points(const Arc& arc, const Arc& other) {
   return {foot - half * along, foot + half * along};
 }
 
-// Piece of an arc. Two pieces are at least as far apart as their chords are, less the heights (reach) of both arcs.
+// Piece of an arc. The distance of two pieces is at least that of their chords less reach() (the height over the chord)
+// of both.
 struct Piece {
   Arc arc;
   double reach() const { return std::abs(arc.sagitta()); }
@@ -83,7 +84,7 @@ double Arc::length() const {
 
 Point Arc::at(double fraction) const {
   if (straight()) return chord().at(fraction);
-  // The point is computed from the nearer end, so that both ends are reproduced exactly.
+  // The point is computed from the nearer end, so that both ends are exact.
   const auto from = [](const Point& origin, const Point& towards, double turning, double part) -> Point {
     const double ratio = std::sin(0.5 * part * turning) / std::sin(0.5 * turning);
     return origin + ratio * turned(towards - origin, -0.5 * (1 - part) * turning);
@@ -105,7 +106,7 @@ Point Arc::centre() const {
 std::optional<Arc> arc_through(const Point& start, const Point& between, const Point& end) {
   const Point a = between - start, b = end - between;
   const double turning = cross(a, b), along = a.dot(b);
-  // Half the arc's sweep is the angle by which the polyline through the three places turns at the middle one.
+  // Half the arc's sweep is the angle by which the polyline through the three places turns at `between`.
   const double half = std::atan2(turning, along);
   constexpr double straight_enough = 1e-12;
   if (!(a.squaredNorm() > 0 && b.squaredNorm() > 0)) return std::nullopt;
@@ -113,8 +114,8 @@ std::optional<Arc> arc_through(const Point& start, const Point& between, const P
   return Arc{start, end, std::abs(half) < straight_enough ? 0.0 : 2 * half};
 }
 
-// The arc lies in a circle around the middle of its chord: through both ends, or through its far point if it is larger
-// than half a circle.
+// Lower bound from a circle around the middle of the chord that contains the arc. The circle goes through both ends, or
+// through the arc's far point if the arc is larger than half a circle.
 double least_distance(const Arc& arc, const Point& p) {
   const Point half = 0.5 * (arc.end - arc.start);
   double radius = half.norm();
@@ -149,7 +150,7 @@ bool in_circular_segment(const Arc& arc, const Point& p) {
   const Point d = arc.end - arc.start;
   const double left = cross(d, p - arc.start);
   if ((arc.sweep > 0) == (left > 0)) return false;
-  // The inscribed angle tells whether the point lies within the circle; the circle's centre is not needed.
+  // The inscribed angle tells whether the point lies within the circle, without the circle's centre.
   return (p - arc.start).dot(p - arc.end) < left / std::tan(0.5 * arc.sweep);
 }
 
@@ -172,8 +173,8 @@ std::optional<Point> find_contact(const Arc& a, const Arc& b, double tolerance) 
 }
 
 std::array<Arc, 2> biarc(const Point& start, const Point& start_tangent, const Point& end, const Point& end_tangent) {
-  // The joint is start + d t0 + d times the unit vector from there to end - d t1, so that |end - start - d (t0 + t1)| =
-  // 2 d.
+  // The joint is start + d t0 + d e, where e is the unit vector from start + d t0 to end - d t1, so that |end - start -
+  // d (t0 + t1)| = 2 d.
   const Point v = end - start, t = start_tangent + end_tangent;
   const double a = 2 * (1 - start_tangent.dot(end_tangent)), b = 2 * v.dot(t), c = -v.squaredNorm();
   const double d = -2 * c / (b + std::sqrt(b * b - 4 * a * c));

@@ -14,8 +14,8 @@ namespace {
 
 using Fractions = std::vector<double>;
 
-// Fraction, made exactly 0 or 1 where the place is an end of the edge. Twice the tolerance is allowed, because two
-// places that were each matched to a third one may be that far apart.
+// Fraction of a place on an edge, made exactly 0 or 1 at the ends of the edge. Twice the tolerance is allowed, because
+// two places that were each matched to a third place may be that far apart.
 double snap_to_ends(const Edge& edge, double fraction, double tolerance) {
   const double reach = 2 * tolerance / edge.length();
   if (fraction <= reach) return 0;
@@ -69,7 +69,7 @@ class Arranger {
   }
 
   void compare(int a, int b) {
-    // Edges far from the other body's box are left out: they cannot lie in the other body or on it.
+    // Edges far from the other body's box are left out, because they cannot lie in the other body or on its boundary.
     const std::vector<int> near_a = bodies_[a].tree.meeting(widened(boxes_[b]));
     const std::vector<int> near_b = bodies_[b].tree.meeting(widened(boxes_[a]));
     std::map<int, Fractions> splits_a, splits_b;
@@ -96,11 +96,12 @@ class Arranger {
     touch(a, b.end, on_a);
     touch(b, a.start, on_b);
     touch(b, a.end, on_b);
-    // Crossings are not computed for straight edges that touch: the crossing would be the touching vertex, or rounding
-    // on a shared piece.
+    // Crossings are not computed for straight edges that touch: such a crossing would be the touching vertex, or
+    // rounding on a shared piece.
     if (touching && a.straight() && b.straight()) return;
     for (const Crossing& c : meeting_points(a, b)) {
-      // Crossings with the same tangent are left out: circles that are the same up to rounding seem to cross anywhere.
+      // Crossings with the same tangent are left out, because circles that are equal up to rounding seem to cross
+      // anywhere.
       constexpr double same_direction = 1e-6;
       if (touching && std::abs(cross(a.tangent(c.fraction_a), b.tangent(c.fraction_b))) < same_direction) continue;
       on_a.push_back(snap_to_ends(a, c.fraction_a, tolerance_));
@@ -108,9 +109,9 @@ class Arranger {
     }
   }
 
-  // Classifies the pieces between splits of the edges of body `a` by their middles: all of a piece has one relation to
-  // `b`. Shared pieces are found from one side only (`enter_contacts`) and entered for both, so that the two cannot
-  // disagree.
+  // Classifies the pieces between splits of the edges of body `a` by their middles, because a whole piece lies inside,
+  // outside or on `b`. Shared pieces are found from one body only (`enter_contacts`) and listed for both, so that the
+  // two lists agree.
   void classify(int a, int b, const std::map<int, Fractions>& splits, bool enter_contacts) {
     for (const auto& [k, fractions] : splits) {
       const Edge& edge = bodies_[a].edges[k];
@@ -142,7 +143,8 @@ class Arranger {
     if (other_from > other_to) result_.contacts.push_back({a, edge, from, to, b, partner, other_from, other_to});
   }
 
-  // Number of the edge of `body` on which the piece lies, or -1; next to a corner, the edge more parallel to the piece.
+  // Number of the edge of `body` on which the piece lies, or -1; next to a corner, the edge that is more parallel to
+  // the piece.
   int coincident_edge(const Segment& piece, const Point& middle, const Point& direction, const EdgeTree& body) const {
     int best = -1;
     double best_alignment = 0;

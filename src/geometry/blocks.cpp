@@ -15,7 +15,7 @@ Block beside(const Block& block, const Block& step, int count = 1) {
   return {block[0] + count * step[0], block[1] + count * step[1]};
 }
 
-// Blocks that `blocks` enclose.
+// Missing blocks that `blocks` enclose.
 Blocks enclosed(const Blocks& blocks) {
   if (blocks.empty()) return {};
   Block low = *blocks.begin(), high = low;
@@ -39,7 +39,7 @@ Blocks enclosed(const Blocks& blocks) {
   return found;
 }
 
-// Blocks that close gaps of one block in a row or a column.
+// Missing blocks that close gaps of one block in a row or a column.
 Blocks between(const Blocks& blocks) {
   Blocks found;
   for (const Block& block : blocks)
@@ -48,7 +48,7 @@ Blocks between(const Blocks& blocks) {
   return found;
 }
 
-// Pairs of blocks, either of which would join two that meet at a corner only.
+// Pairs of missing blocks, one of which would join two blocks that meet at a corner only.
 std::vector<std::array<Block, 2>> hinges(const Blocks& blocks) {
   std::vector<std::array<Block, 2>> found;
   for (const Block& block : blocks)
@@ -117,14 +117,14 @@ std::vector<Blocks> connected_parts(const Blocks& blocks) {
 }
 
 std::vector<Point> loop_around(const Blocks& blocks, const BlockGrid& grid) {
-  std::map<Block, Block> next;  // corners of the grid
+  std::map<Block, Block> next;  // next corner of the grid along the outline
   for (const Block& block : blocks) {
     const auto [i, j] = block;
     const std::array<Block, 4> corners{{{i + 1, j}, {i + 1, j + 1}, {i, j + 1}, {i, j}}};
     for (std::size_t k = 0; k < 4; ++k)
       if (!blocks.count(beside(block, sides[k]))) next[corners[k]] = corners[(k + 1) % 4];
   }
-  const Block first = next.begin()->first;  // the lowest of the leftmost, a corner of the outline
+  const Block first = next.begin()->first;  // lowest one of the leftmost corners, where the outline turns
   std::vector<Point> loop;
   Block before = first, at = first;
   do {

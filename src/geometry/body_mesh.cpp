@@ -12,7 +12,7 @@ namespace bempd {
 
 namespace {
 
-constexpr double largest_turn = std::numbers::pi / 18;  // of the outline along one side
+constexpr double largest_turn = std::numbers::pi / 18;  // largest angle by which the outline turns along one side [rad]
 
 double turning_of(const Edge& edge) {
   double sum = 0;
@@ -20,8 +20,8 @@ double turning_of(const Edge& edge) {
   return sum;
 }
 
-// Fractions of an edge at which sides of triangles end: at `places` on the edge, and as many between as the size
-// requires.
+// Fractions of an edge at which sides of triangles end: those of the `places` on the edge, and as many between them as
+// the size requires.
 std::vector<double> side_ends(const Edge& edge, const std::vector<Point>& places, double size, double tolerance) {
   std::vector<double> fixed{0, 1};
   for (const Point& place : places)
@@ -45,8 +45,9 @@ Point centre_of_circle(const Point& a, const Point& b, const Point& c) {
   return a + across / (2 * cross(ab, ac));
 }
 
-// Mesh by Ruppert's refinement (J. Algorithms 18, 1995). Circles over sides are kept free of points, so that the sides
-// are sides of triangles. The circumcentres of triangles that are too large or too thin are added as points.
+// Mesh by Ruppert's refinement (J. Algorithms 18, 1995). Circles that have a side as diameter are kept free of points,
+// so that the sides are sides of triangles. The circumcentres of triangles that are too large or too thin are added as
+// points.
 class BodyMesher {
  public:
   BodyMesher(const std::vector<Edge>& boundary, double size)
@@ -62,7 +63,7 @@ class BodyMesher {
  private:
   struct Side {
     int from, to;
-    const Edge* edge;  // null: of a crack
+    const Edge* edge;  // null: side of a crack
   };
 
   static Box box_of(const std::vector<Edge>& edges) {
@@ -88,7 +89,7 @@ class BodyMesher {
   Delaunay delaunay_;
   std::vector<Point> points_;
   std::vector<Side> sides_;
-  double smallest_ = 0;  // side that may still be made
+  double smallest_ = 0;  // length of the shortest side allowed
   std::vector<int> waiting_;
 };
 
@@ -127,7 +128,7 @@ bool BodyMesher::has_points_in_circle(const Side& side) const {
   return std::any_of(points_.begin(), points_.end(), [&](const Point& p) { return in_circle_over(side, p); });
 }
 
-// Splits a side at its middle, which is moved to the true outline; false if the side is already as short as allowed.
+// Splits a side at its middle, which is moved onto the true outline; false if the halves would be too short.
 bool BodyMesher::split(std::size_t number) {
   const Side side = sides_[number];
   if (length(side) < 2 * smallest_) return false;
@@ -149,8 +150,7 @@ void BodyMesher::split_crowded() {
 }
 
 bool BodyMesher::split_crowded_by(const Point& place) {
-  // The place is copied, because it may be one of those that splitting moves.
-  // NOLINTNEXTLINE(performance-unnecessary-copy-initialization)
+  // The place is copied, because it may refer to a point of `points_`, which splitting moves in memory.
   const Point p = place;
   bool any = false;
   for (std::size_t k = 0, count = sides_.size(); k < count; ++k)
@@ -158,7 +158,8 @@ bool BodyMesher::split_crowded_by(const Point& place) {
   return any;
 }
 
-// Point to be added because a triangle of the body is too large or too thin: its circumcentre; empty if it is good.
+// Circumcentre of a triangle of the body that is too large or too thin, to be added as a point; empty if the triangle
+// is good.
 std::optional<Point> BodyMesher::missing_in(const Delaunay::Triangle& triangle) const {
   if (!triangle.exists || *std::min_element(triangle.points.begin(), triangle.points.end()) < 0) return std::nullopt;
   const Point &a = point(triangle.points[0]), &b = point(triangle.points[1]), &c = point(triangle.points[2]);
@@ -166,7 +167,7 @@ std::optional<Point> BodyMesher::missing_in(const Delaunay::Triangle& triangle) 
   const double shortest = std::min({(b - a).norm(), (c - b).norm(), (a - c).norm()});
   const Point centre = centre_of_circle(a, b, c);
   const double radius = (centre - a).norm();
-  constexpr double widest = 0.75, thinnest = 1.5;  // radius over size, over the shortest side
+  constexpr double widest = 0.75, thinnest = 1.5;  // limits on radius / size, radius / shortest side
   const bool good = radius < widest * size_ && (radius < thinnest * shortest || shortest < smallest_);
   if (good || !inside((a + b + c) / 3)) return std::nullopt;
   return centre;
@@ -200,7 +201,7 @@ BodyMesh BodyMesher::result() const {
     if (!triangle.exists || *std::min_element(triangle.points.begin(), triangle.points.end()) < 0) continue;
     const Point &a = point(triangle.points[0]), &b = point(triangle.points[1]), &c = point(triangle.points[2]);
     const double longest = std::max({(b - a).squaredNorm(), (c - b).squaredNorm(), (a - c).squaredNorm()});
-    // Flat triangles are left out: they lie between an edge and points on it that have been rounded.
+    // Flat triangles are left out; they lie between an edge and points on this edge whose places were rounded.
     if (cross(b - a, c - a) > 1e-6 * longest && inside((a + b + c) / 3)) mesh.triangles.push_back(triangle.points);
   }
   for (const Side& side : sides_)

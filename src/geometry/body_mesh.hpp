@@ -8,7 +8,7 @@
 
 namespace bempd {
 
-// Triangulation of the inside of a body, for pictures. Triangles have about one size, smaller where the outline or
+// Triangulation of the inside of a body, for pictures. Triangles have about the same size, smaller where the outline or
 // cracks require it. Cracks run along sides of triangles.
 struct BodyMesh {
   std::vector<Point> points;
@@ -16,7 +16,8 @@ struct BodyMesh {
   std::vector<std::array<int, 2>> crack_sides;
 };
 
-// Triangulates the inside of `boundary`, all edges of all loops in order; `size` is the length of a triangle's side.
+// Triangulates the inside of a body. `boundary` has all edges of all loops in order; `size` is the length of a
+// triangle's side.
 BodyMesh mesh_body(const std::vector<Edge>& boundary, const CrackLines& cracks, double size);
 
 }  // namespace bempd

@@ -73,7 +73,7 @@ bool differ_by_translation(const BoundaryMesh& a, const BoundaryMesh& b) {
 }
 
 std::vector<double> element_stations(double length, double target, double grading, double sweep) {
-  // The count is reduced by 1e-9, so that a count that is whole up to rounding gains no element.
+  // The count is reduced by 1e-9, so that a count that is whole up to rounding is not increased.
   const double turns = std::abs(sweep) / largest_element_sweep;
   const int count = std::max(1, static_cast<int>(std::ceil(std::max(length / target, turns) * (1 - 1e-9))));
   std::vector<double> stations(count + 1, 0.0);

@@ -10,25 +10,25 @@ namespace bempd {
 // Boundary element with three nodes (start, mid, end), directed so that the body lies on its left.
 struct BoundaryElement {
   std::array<int, 3> nodes;           // displacement nodes
-  std::array<int, 3> traction_nodes;  // traction nodes; neighbours share one inside a panel
-  int panel = 0;                      // index of the panel it came from
-  double sweep = 0;                   // angle by which the tangent turns along it; 0 if it is straight
+  std::array<int, 3> traction_nodes;  // traction nodes; neighbouring elements of a panel share one
+  int panel = 0;                      // number of its panel
+  double sweep = 0;                   // angle by which the tangent turns along the element; 0: straight
 };
 
 // Panel: a straight piece or circular arc of a boundary between two places where the traction may jump, such as corners
-// and ends of loads, supports and interfaces. `stations` are the ends of its elements, as fractions of the length, 0 =
-// first < ... < last = 1.
+// and ends of loads, supports and interfaces. `stations` are the ends of the panel's elements, as fractions of its
+// length, 0 = first < ... < last = 1.
 struct Panel {
   Point start, end;
   std::vector<double> stations;
-  double sweep = 0;  // angle by which the tangent turns along it, counter-clockwise positive
+  double sweep = 0;  // angle by which the tangent turns along the panel, counter-clockwise positive
 
   Arc arc() const { return {start, end, sweep}; }
 };
 
-// Mesh of the closed boundary of one body: the outer loop counter-clockwise, holes clockwise, each panel beginning
-// where the one before ends. Neighbouring elements of a loop share displacement nodes. Tractions are continuous inside
-// a panel and have nodes of their own at its ends, so that they may jump there.
+// Mesh of the closed boundary of one body: the outer loop counter-clockwise, holes clockwise; each panel begins where
+// the previous panel ends. Neighbouring elements of a loop share displacement nodes. Tractions are continuous inside a
+// panel and have traction nodes of their own at its ends, so that they may jump there.
 struct BoundaryMesh {
   std::vector<Point> nodes;
   std::vector<BoundaryElement> elements;
@@ -45,8 +45,8 @@ bool differ_by_translation(const BoundaryMesh& a, const BoundaryMesh& b);
 inline constexpr double largest_element_sweep = 0.7853981633974483;  // pi / 4
 
 // Ends of elements, as fractions, for a piece of the given length and sweep, with elements no longer than about
-// `target`. They are equal if `grading` is 1; otherwise the lengths of neighbours differ by the factor `grading` >= 1
-// and grow from both ends.
+// `target`. The elements are equal if `grading` is 1; otherwise their lengths grow from both ends, each by the factor
+// `grading` >= 1.
 std::vector<double> element_stations(double length, double target, double grading = 1.0, double sweep = 0.0);
 
 }  // namespace bempd

@@ -6,14 +6,14 @@
 
 namespace bempd {
 
-// Tree of bounding boxes, halved along their longer side, to find those of many items that lie near something.
+// Tree of the bounding boxes of many items, to find items near something. Each node is halved along its longer side.
 class BoxTree {
  public:
   BoxTree() = default;
   explicit BoxTree(const std::vector<Box>& boxes);
 
-  // Calls visit(number) for the items whose boxes, and all boxes around these, satisfy is_near(box), in any order,
-  // until it returns true. Returns whether it did.
+  // Calls visit(number), in any order, for the items for which is_near(box) is true for their own box and all boxes of
+  // the tree around it, until visit() returns true. Returns whether it did.
   template <class IsNear, class Visit>
   bool any(const IsNear& is_near, const Visit& visit) const {
     for (std::size_t n = 0; n < nodes_.size();) {
@@ -35,14 +35,14 @@ class BoxTree {
  private:
   struct Node {
     Box box;
-    int begin, end;    // its own things; none but in leaves
-    std::size_t next;  // the first node that is not below this one
+    int begin, end;    // range of its items; empty except in leaves
+    std::size_t next;  // first node that is not below this node
   };
   void add(const std::vector<Box>& boxes, int begin, int end);
 
-  std::vector<Node> nodes_;  // every node before those below it
+  std::vector<Node> nodes_;  // every node comes before the nodes below it
   std::vector<int> items_;
-  std::vector<Box> boxes_;  // of the items
+  std::vector<Box> boxes_;  // boxes of `items_`
 };
 
 }  // namespace bempd

@@ -12,14 +12,16 @@ namespace {
 // Longest element over the length of the outer loop.
 constexpr double share_of_outline = 1.0 / 8;
 
-// Longest element over its distance to a part of the boundary that it does not meet.
+// Longest element over its distance to a part of the boundary that its panel does not meet.
 constexpr double share_of_gap = 2;
 
-// Two panels with a common corner count as running beside each other, with a gap, where their distance is below this
-// share of the distance to the corner; the elements there are at least a sixteenth of the panel.
-constexpr double aside = 0.3, least_beside = 1.0 / 16;
+// Ratio for two panels with a common corner, below which they count as running beside each other with a gap: their
+// distance at a place over the distance of the place from the corner.
+constexpr double aside = 0.3;
+// Least length of elements in such a gap, over the length of their panel.
+constexpr double least_beside = 1.0 / 16;
 
-// Halvings of a panel's equal elements; parts of the boundary that touch would need any number of them.
+// Limit on the halvings of a panel's elements; parts of the boundary that touch would need any number of halvings.
 constexpr int most_halvings = 12;
 
 double distance(const Arc& arc, const Point& x) { return (arc.at(closest_fraction(arc, x)) - x).norm(); }

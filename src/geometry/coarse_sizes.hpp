@@ -11,9 +11,9 @@ namespace bempd {
 // Length of the coarsest useful elements of a body with this outline.
 double coarsest_element(const Outline& outline);
 
-// Coarsest useful elements on the boundary of a body. Their lengths follow from the body's shape alone: they are no
-// longer than a share of the outline, twice the distance to another part of the boundary, and the distance to a shorter
-// panel beside them. Halving all of them gives meshes of any accuracy.
+// Coarsest useful elements on the boundary of a body. Their lengths follow from the body's shape alone: an element is
+// no longer than a share of the outline, twice the distance to another part of the boundary, and the distance to a
+// shorter neighbouring panel. Meshes of any accuracy follow by halving all elements.
 class CoarseSizes {
  public:
   explicit CoarseSizes(const std::vector<std::vector<Panel>>& loops);
@@ -25,13 +25,13 @@ class CoarseSizes {
   struct Placed {
     Arc arc;
     double length;
-    int before, behind;  // neighbours in the loop
+    int before, behind;  // neighbouring panels in the loop
   };
   std::vector<int> near(int panel) const;
   double limit(int panel, const std::vector<int>& others, double fraction) const;
 
   std::vector<Placed> panels_;
-  std::vector<Box> boxes_;  // of the panels
+  std::vector<Box> boxes_;  // boxes around the panels
   BoxTree tree_;
   double longest_ = 0;
 };

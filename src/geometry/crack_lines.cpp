@@ -11,7 +11,7 @@ namespace bempd {
 
 namespace {
 
-// Place on a path where a crack line has to end; `way` is its distance along the path.
+// Place on a crack path where a crack line has to end; `way` is the distance of this place along the path.
 struct Mark {
   double way;
   Point place;
@@ -20,7 +20,7 @@ struct Mark {
 
 struct Path {
   const CrackPath& given;
-  std::vector<double> ways{0.0};  // of its points
+  std::vector<double> ways{0.0};  // distances of its points along the path
   std::vector<Mark> marks{};
 
   explicit Path(const CrackPath& path) : given(path) {
@@ -39,7 +39,7 @@ struct Path {
   }
 };
 
-// Places where two segments cross or touch: none, one, or the two ends of a common piece.
+// Places where two segments cross or touch: none, one, or the two ends of a piece that they have in common.
 std::vector<Point> common_places(const Segment& a, const Segment& b, double tolerance) {
   if (const auto crossing = proper_crossing(a, b)) return {a.at(crossing->fraction_a)};
   std::vector<Point> places;
@@ -54,7 +54,7 @@ std::vector<Point> common_places(const Segment& a, const Segment& b, double tole
 }
 
 void mark_meetings(Path& a, int i, Path& b, int j, double tolerance) {
-  // Segments of one path that follow each other, or that lie no farther apart along it than places that count as one.
+  // Segments of one path that follow each other, or between which the path is too short for two different places.
   const bool follows = &a == &b && (j == i + 1 || a.ways[j] - a.ways[i + 1] <= 4 * tolerance);
   const std::vector<Point> places = common_places(a.segment(i), b.segment(j), tolerance);
   require(places.size() <= 1, "crack ", a.given.id, " runs along ",
@@ -82,7 +82,7 @@ void mark_mouths(Path& path, const std::vector<Edge>& boundary, double tolerance
   }
 }
 
-// Merges marks that lie at one place; a place on the boundary that is also one of another crack becomes a mouth.
+// Merges marks at the same place; the merged mark is a mouth if one of them is.
 void merge_marks(Path& path, double tolerance) {
   std::sort(path.marks.begin(), path.marks.end(), [](const Mark& a, const Mark& b) { return a.way < b.way; });
   std::vector<Mark> merged;

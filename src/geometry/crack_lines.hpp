@@ -7,13 +7,13 @@
 
 namespace bempd {
 
-// Polyline of a crack; `id` is used in messages. grown_at_start and grown_at_end are the numbers of segments that
+// Polyline of a crack; `id` is used in messages. `grown_at_start` and `grown_at_end` are the numbers of segments that
 // growth has added at its ends.
 struct CrackPath {
   int id;
   std::vector<Point> points;
   int grown_at_start = 0, grown_at_end = 0;
-  double given_elsewhere = 0;  // length of what the crack was before it grew, if parts of it lie in other bodies [m]
+  double given_elsewhere = 0;  // length before growth if parts of the crack lie in other bodies [m]
 
   int segments() const { return static_cast<int>(points.size()) - 1; }
   bool grown(int segment) const { return segment < grown_at_start || segment >= segments() - grown_at_end; }
@@ -21,11 +21,11 @@ struct CrackPath {
 
 // Crack line: the piece of a crack between two places at which it ends, meets another crack or reaches the boundary.
 struct CrackLine {
-  int crack;  // position of the path
+  int crack;  // number of its crack path
   std::vector<Point> points;
-  double start;                // its way along the path
-  std::array<int, 2> joints;   // at its start and end; -1: a tip
-  std::vector<char> grown;     // by segment
+  double start;                // distance along the crack path at which the line starts
+  std::array<int, 2> joints;   // joints at its start and end; -1: a tip
+  std::vector<char> grown;     // flag of each segment
   double given_elsewhere = 0;  // CrackPath::given_elsewhere
 
   double length() const;
@@ -42,9 +42,9 @@ struct CrackLines {
   std::vector<CrackJoint> joints;
 };
 
-// Divides the cracks inside a body into lines at the places where they meet; `boundary` has all edges of the body.
-// Throws Error (argument) for cracks that leave the body, run along its boundary or along each other, or fold back on
-// themselves.
+// Divides the cracks inside a body into crack lines at the places where cracks meet; `boundary` has all edges of the
+// body. Throws Error (argument) for cracks that leave the body, run along its boundary or along each other, or fold
+// back on themselves.
 CrackLines crack_lines(const std::vector<CrackPath>& paths, const std::vector<Edge>& boundary, double tolerance);
 
 }  // namespace bempd

@@ -9,17 +9,17 @@
 
 namespace bempd {
 
-// Parts of a body between cuts that are given and keep off its cracks.
+// Body that the given cuts divide into parts, except the cuts too close to its cracks.
 struct CutBody {
   BoundaryMesh body;
-  std::vector<Stations> given;
-  std::vector<char> keep_off;  // of each given cut: whether it keeps off the cracks
+  std::vector<Stations> given;  // cuts given
+  std::vector<char> keep_off;   // flag of each given cut that keeps off the cracks
 
   std::vector<SubdomainLoops> parts;
-  std::vector<Point> positions;  // of the body's nodes and those on cuts
-  std::vector<Stations> made;
-  std::set<int> left_out;  // nodes at which cuts end that were not made
-  int panels;
+  std::vector<Point> positions;  // positions of the body's nodes, then of nodes on cuts
+  std::vector<Stations> made;    // cuts made
+  std::set<int> left_out;        // nodes at the ends of given cuts that were not made
+  int panels;                    // number of panels, with one for each cut
 
   bool is_of(const BoundaryMesh& other, const std::vector<Stations>& cuts, const std::vector<char>& flags) const {
     const auto same = [](const BoundaryElement& a, const BoundaryElement& b) {

@@ -38,10 +38,10 @@ bool Delaunay::circle_holds(const Triangle& triangle, const Place& p) const {
   return sum > 0;
 }
 
-// Number of the triangle that contains the place, found by walking from triangle to triangle towards it. In a Delaunay
-// triangulation the walk ends.
+// Number of the triangle that contains the place, found by walking from triangle to triangle towards the place. In a
+// Delaunay triangulation this walk ends.
 int Delaunay::triangle_at(const Place& p) const {
-  int at = static_cast<int>(triangles_.size()) - 1;  // the newest one is there
+  int at = static_cast<int>(triangles_.size()) - 1;  // the newest triangle exists
   for (bool moved = true; moved;) {
     moved = false;
     const Triangle& triangle = triangles_[static_cast<std::size_t>(at)];
@@ -54,8 +54,8 @@ int Delaunay::triangle_at(const Place& p) const {
   return at;
 }
 
-// Removes the triangles whose circumcircles contain the place; they form a connected cavity around it, of which the rim
-// is returned. `first` is the triangle that contains the place.
+// Removes the triangles whose circumcircles contain the place, and returns the rim of the connected cavity that they
+// leave. `first` is the triangle that contains the place.
 std::vector<Delaunay::Rim> Delaunay::open_cavity(int first, const Place& p) {
   std::vector<Rim> rim;
   std::vector<int> waiting{first};
@@ -86,13 +86,14 @@ int Delaunay::insert(const Point& p) {
   fresh_.clear();
   const int first = triangle_at(at);
   for (const int point : triangles_[static_cast<std::size_t>(first)].points) {
-    // Neighbouring grid points count as one, because a place computed in two ways may be rounded to either.
+    // Neighbouring grid points count as one point, because rounding may move a place that is computed in two ways to
+    // either.
     if (std::abs(place(point).x - at.x) <= 1 && std::abs(place(point).y - at.y) <= 1) return point;
   }
   const std::vector<Rim> rim = open_cavity(first, at);
   const int number = point_count();
   places_.push_back(at);
-  std::map<int, int> beginning_at;  // the new triangle whose side on the rim begins at a point
+  std::map<int, int> beginning_at;  // new triangle whose side on the rim begins at a point
   for (const Rim& side : rim) {
     const int made = static_cast<int>(triangles_.size());
     triangles_.push_back({{side.points[0], side.points[1], number}, {-1, -1, side.beyond}});

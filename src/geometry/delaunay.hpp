@@ -14,15 +14,16 @@ class Delaunay {
  public:
   explicit Delaunay(const Box& box);
 
-  // Inserts a point and returns its number; if an earlier point has the same rounded place, the number of that one.
+  // Inserts a point and returns its number; if an earlier point has the same rounded place, returns the number of that
+  // point.
   int insert(const Point& p);
 
   struct Triangle {
-    std::array<int, 3> points;      // counter-clockwise; negative: of the frame around the box
-    std::array<int, 3> neighbours;  // across from the points; -1 outside the frame
+    std::array<int, 3> points;      // counter-clockwise; negative: points of the frame around the box
+    std::array<int, 3> neighbours;  // triangles across from the points; -1: outside the frame
     bool exists = true;
   };
-  // All triangles ever made. Those whose member `exists` is false have been removed.
+  // All triangles ever made. Triangles with `exists` = false have been removed.
   const std::vector<Triangle>& triangles() const { return triangles_; }
   // Numbers of the triangles that the last insertion made.
   const std::vector<int>& fresh() const { return fresh_; }
@@ -32,7 +33,7 @@ class Delaunay {
   struct Place {
     std::int64_t x, y;
   };
-  // Side on the rim of the cavity around a new point, with the triangle beyond it (-1: none).
+  // Side on the rim of the cavity around a new point, with the triangle on its other side (-1: none).
   struct Rim {
     std::array<int, 2> points;
     int beyond;

@@ -44,7 +44,7 @@ Box bounding_box(const Edge& edge) {
     box.extend(arc.end);
     if (arc.straight()) continue;
     for (const Point& direction : {Point(1, 0), Point(-1, 0), Point(0, 1), Point(0, -1)}) {
-      // The outermost point of the circle counts if the arc contains it. The radius of a flat arc may be huge.
+      // The outermost point of the circle counts if it lies on the arc. The radius of a flat arc may be huge.
       const Point centre = arc.centre();
       const Point outermost = centre + (arc.start - centre).norm() * direction;
       box.extend(arc.at(closest_fraction(arc, outermost)));
@@ -107,7 +107,7 @@ bool ray_crosses(const Edge& edge, const Point& p) {
     const Point d = arc.end - arc.start;
     const bool upward = arc.end.y() > p.y();
     if ((arc.start.y() > p.y()) != upward && (cross(d, p - arc.start) > 0) == upward) odd = !odd;
-    // A point between the arc and its chord lies on the other side of the arc than of the chord.
+    // A point between the arc and its chord lies on one side of the arc and on the other side of the chord.
     if (in_circular_segment(arc, p)) odd = !odd;
   }
   return odd;

@@ -11,8 +11,8 @@ namespace bempd {
 
 using Box = Eigen::AlignedBox2d;
 
-// Edge of an outline: a straight piece, a circular arc, or two arcs with a common tangent at their joint. Places on it
-// are given by fractions of its length.
+// Edge of an outline: a straight piece, a circular arc, or two arcs with a common tangent at their joint. Places on the
+// edge are given by fractions of its length.
 class Edge {
  public:
   Edge(const Point& from, const Point& to) : Edge(Arc{from, to, 0}) {}
@@ -22,7 +22,7 @@ class Edge {
   bool straight() const { return piece_count() == 1 && pieces_[0].straight(); }
   int piece_count() const { return joint_ < 1 ? 2 : 1; }
   const Arc& piece(int k) const { return pieces_[k]; }
-  // Fraction at which the two arcs join; 1 if the edge has one piece only.
+  // Fraction of the edge at which its two arcs join; 1 if the edge has one piece only.
   double joint() const { return joint_; }
 
   Point direction() const { return end - start; }
@@ -43,17 +43,18 @@ class Edge {
 };
 
 Box bounding_box(const Edge& edge);
-// Boxes around the circles by which least_distance() bounds the distance from edges; larger, but found faster.
+// Boxes around the circles with which least_distance() bounds the distance from edges: larger than bounding_box(), but
+// computed faster.
 std::vector<Box> coarse_boxes(const std::vector<Edge>& edges);
 double closest_fraction(const Edge& edge, const Point& p);
 double distance(const Edge& edge, const Point& p);
-// Lower bound on that distance, found faster.
+// Lower bound on the distance, computed faster.
 double least_distance(const Edge& edge, const Point& p);
 std::vector<Crossing> meeting_points(const Edge& a, const Edge& b);
 std::optional<Point> find_contact(const Edge& a, const Edge& b, double tolerance);
 
-// Whether the ray from `p` to the right crosses the edge an odd number of times. Of its two ends the edge owns the
-// lower one only, so that a vertex is not counted twice.
+// Whether the ray from `p` to the right crosses the edge an odd number of times. Of the two ends of the edge only the
+// lower one belongs to it, so that a vertex is not counted twice.
 bool ray_crosses(const Edge& edge, const Point& p);
 
 }  // namespace bempd

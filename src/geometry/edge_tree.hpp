@@ -7,7 +7,7 @@
 
 namespace bempd {
 
-// Edges of a body, in a tree to find those near a place.
+// Edges of a body with a tree to find the edges near a place.
 struct EdgeTree {
   explicit EdgeTree(std::vector<Edge> all);
 

@@ -28,12 +28,13 @@ class GapFinder {
       all.extend(boxes.back());
     }
     tree_ = BoxTree(boxes);
-    // Three tolerances count as touching, because places that were matched to a third one may be two apart.
+    // Regions up to three tolerances apart count as touching, because places that were matched to a third place may be
+    // two apart.
     tolerance_ = 3 * geometric_tolerance(all);
   }
 
-  // Finds the gaps. Two boundaries that run along each other are closest at a vertex of one of them; for arcs, some
-  // places between vertices are examined, too.
+  // Finds the gaps. Two boundaries that run along each other are closest at a vertex of one of them. On arcs, some
+  // places between vertices are examined as well.
   std::vector<Gap> run() {
     for (int region = 0; region < static_cast<int>(bodies_.size()); ++region)
       for (const Edge& edge : bodies_[region].edges) {
@@ -63,7 +64,8 @@ class GapFinder {
     }
   }
 
-  // Distance and place of the point closest to `p` on a body's edges within `reach`; infinitely far if there is none.
+  // Distance and place of the point of a body's edges that is closest to `p`, within `reach`; infinitely far if there
+  // is none.
   static std::pair<double, Point> nearest(const EdgeTree& body, const Point& p, double reach) {
     std::pair<double, Point> best{std::numeric_limits<double>::infinity(), p};
     for (const int k : body.tree.meeting(around(p, reach))) {
@@ -73,7 +75,7 @@ class GapFinder {
     return best;
   }
 
-  // Whether two regions touch near `p`: the gap there is then a detail of their shapes.
+  // Whether two regions touch near `p`, so that a gap at `p` is a detail of their shapes.
   bool touch_near(const Point& p, double reach, int region, int other) const {
     for (const int k : bodies_[region].tree.meeting(around(p, reach)))
       for (const Point& end : {bodies_[region].edges[k].start, bodies_[region].edges[k].end})

@@ -5,12 +5,12 @@
 
 namespace bempd {
 
-// Halves an interval, at most `most_halvings` times, until its `length` is at most the limit at its ends and its
-// middle; appends the ends of the parts to `ends`.
+// Halves an interval, at most `most_halvings` times, until the `length` of each part is at most limit() at its ends and
+// its middle; appends the ends of the parts to `ends`.
 template <class Limit>
 void halve(double from, double to, double length, const Limit& limit, int most_halvings, std::vector<double>& ends) {
   const double middle = 0.5 * (from + to);
-  // The limit has slack, so that rounding does not halve only one of two elements that are alike.
+  // The limit has slack, so that rounding does not divide one of two equal elements only.
   constexpr double slack = 1 + 1e-9;
   if (most_halvings > 0 && length > slack * std::min({limit(from), limit(middle), limit(to)})) {
     halve(from, middle, 0.5 * length, limit, most_halvings - 1, ends);
@@ -20,8 +20,8 @@ void halve(double from, double to, double length, const Limit& limit, int most_h
   ends.push_back(to);
 }
 
-// Ends of elements when each element is halved `halvings` times, or, for a negative number, when neighbours are merged
-// in pairs as often; the last element has no partner if their number is odd.
+// Ends of elements after `halvings` halvings of each element. For a negative number, neighbours are merged in pairs
+// that many times; if the number of elements is odd, the last element is not merged.
 std::vector<double> halved(std::vector<double> stations, int halvings);
 
 }  // namespace bempd

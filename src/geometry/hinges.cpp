@@ -22,8 +22,8 @@ class HingeFinder {
     }
   }
 
-  // Finds the hinges among the vertices: two bodies that touch in a single point do so at a vertex of at least one of
-  // them.
+  // Finds the hinges among the vertices, because bodies that touch in a single point have a vertex of at least one body
+  // there.
   std::vector<PointTouch> run() {
     for (const EdgeTree& boundary : boundaries_)
       for (const Edge& edge : boundary.edges) examine(edge.start);
@@ -70,7 +70,7 @@ class HingeFinder {
   std::vector<std::vector<int>> connected_groups(const std::vector<int>& present, const Point& p) const {
     std::map<int, int> label;
     for (int r : present) label[r] = r;
-    // The reach is larger than that of regions_at(), because the ends of a contact are known only to the tolerance.
+    // The reach is larger than that of regions_at(), because the ends of a contact are known only up to the tolerance.
     const double reach = 3 * tolerance_;
     const Point margin = Point::Constant(reach);
     for (const int region : present)
@@ -96,9 +96,9 @@ class HingeFinder {
   const std::vector<EdgeTree>& boundaries_;
   double tolerance_;
   BoxTree regions_;
-  std::map<std::pair<int, int>, std::vector<Link>> links_;  // by region, the lower of two, and edge
+  std::map<std::pair<int, int>, std::vector<Link>> links_;  // by the lower region number and its edge
   std::vector<PointTouch> hinges_;
-  std::multimap<double, Point> places_;  // of the hinges, by their first coordinate
+  std::multimap<double, Point> places_;  // places of the hinges by x
 };
 
 }  // namespace

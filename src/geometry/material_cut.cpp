@@ -11,20 +11,24 @@ namespace bempd {
 
 namespace {
 
-// Growth of a cut's elements with the distance from the boundary.
+// Growth of a cut's elements per distance from the boundary.
 constexpr double growth_with_distance = 0.35;
-// Growth of a cut's elements with the distance from cracks, and the smallest distance from a crack, as a share of its
-// element's length.
-constexpr double growth_with_distance_from_cracks = 0.2, least_clearance_of_cracks = 1;
-// Smallest distance of a cut from a side, as a share of the side's length.
+// Growth of a cut's elements per distance from cracks.
+constexpr double growth_with_distance_from_cracks = 0.2;
+// Smallest distance of a cut from an element on a crack, over the element's length.
+constexpr double least_clearance_of_cracks = 1;
+// Smallest distance of a cut from a side of the boundary, over the side's length.
 constexpr double least_clearance = 0.3;
-// Angles between a cut and the boundary at its ends: the best, and those accepted if there is none [rad].
+// Smallest angles between a cut and the boundary at its ends [rad]: the first is preferred, the others are accepted if
+// no cut is found with larger angles.
 constexpr std::array<double, 3> least_angles{0.8, 0.5, 0.35};
-// Corners with a larger angle inside the material have singular stresses, which a cut must not meet [rad].
+// Largest angle inside the material at which a cut may end [rad]. Corners with larger angles have singular stresses,
+// which a cut must not meet.
 constexpr double largest_corner = 1.3 * std::numbers::pi;
-// Range and steps of the lines tried for a cut: the first has half the elements on either side, the others deviate from
-// half more and more. The search ends when so many of them have given a division.
+// Range and steps of the lines tried for a cut, as shares of the elements: the first line has half of the elements on
+// either side, the next lines deviate more and more.
 constexpr double farthest_from_half = 0.2, step_of_share = 0.02;
+// Number of divisions found after which the search ends.
 constexpr int enough_divisions = 5;
 
 // Angle from one direction to another, counter-clockwise, 0 to 2 pi.
@@ -33,7 +37,7 @@ double angle_between(const Point& from, const Point& to) {
   return angle < 0 ? angle + 2 * std::numbers::pi : angle;
 }
 
-// Lower bound on the distance of two segments: that of the circles around them.
+// Lower bound on the distance of two segments: the distance of the circles around them.
 double least_distance(const Segment& a, const Segment& b) {
   return (a.at(0.5) - b.at(0.5)).norm() - 0.5 * (a.length() + b.length());
 }
@@ -110,8 +114,8 @@ std::optional<MaterialCutSearch::Division> MaterialCutSearch::along(int axis) co
   return best;
 }
 
-// Sides that a line crosses, in order. Of its two ends a side owns the one with the smaller coordinate only, so that
-// the line crosses every loop an even number of times.
+// Sides that a line crosses, in order. Of the two ends of a side only the one with the smaller coordinate belongs to
+// it, so that the line crosses every loop an even number of times.
 std::vector<MaterialCutSearch::Hit> MaterialCutSearch::hits(int axis, double at) const {
   std::vector<Hit> found;
   for (int side = 0; side < static_cast<int>(sides_.size()); ++side) {
@@ -140,7 +144,7 @@ std::optional<std::vector<MaterialCut>> MaterialCutSearch::cuts_on(int axis, dou
   return cuts;
 }
 
-// Sides whose starts are candidates for the end of a cut near a side, the nearest first.
+// Sides whose starts are candidates for the end of a cut near `side`, the nearest first.
 std::vector<int> MaterialCutSearch::ends_near(int side) const {
   const int reach = std::clamp(loop_size_[side] / 8, 1, 12);
   std::vector<int> found;
@@ -193,7 +197,7 @@ std::optional<MaterialCut> MaterialCutSearch::cut_between(const Hit& a, const Hi
   return std::nullopt;
 }
 
-// Whether a cut keeps its distance from all sides but those at its ends, and crosses no other cut.
+// Whether a cut keeps its distance from cracks and from all sides except those at its ends, and crosses no other cut.
 bool MaterialCutSearch::is_clear(int from, int to, const std::vector<MaterialCut>& others) const {
   const Segment cut{positions_[from], positions_[to]};
   for (const MaterialCut& other : others)
@@ -222,8 +226,8 @@ bool MaterialCutSearch::keeps_off_cracks(const Segment& cut) const {
   });
 }
 
-// Length that an element of a cut should have at a place: the least, over all sides and all elements on cracks, of
-// their length and a share of the distance from them.
+// Length that an element of a cut should have at a place: the least value of (length + growth * distance from the
+// place) over all sides and all elements on cracks.
 double MaterialCutSearch::element_length_at(const Point& place) const {
   const double whole = 2 * box_.diagonal().norm();
   double least = growth_with_distance * whole + whole;

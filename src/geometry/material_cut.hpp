@@ -16,12 +16,13 @@ struct MaterialCut {
   Stations stations;  // from the place of `from` to that of `to`
 };
 
-// Whether the elements of a cut are short enough for the cracks near it.
+// Whether a cut keeps its distance from all cracks, and its elements are short enough for cracks near the cut.
 bool is_clear_of(const Stations& cut, const std::vector<Stations>& cracks);
 
-// Search for cuts that divide a subdomain in two halves of about as many elements. The cuts follow a line parallel to
-// an axis wherever it lies in the material, and end at ends of elements, where they make no small angle with the
-// boundary. The elements of a cut grow with the distance from the boundary and from cracks, off which cuts keep.
+// Search for cuts that divide a subdomain into two halves with about as many elements. The cuts follow a line parallel
+// to an axis wherever this line lies in the material. They end at ends of elements, at no small angle with the
+// boundary. The elements of a cut grow with the distance from the boundary and from cracks, and cuts keep a distance
+// from cracks.
 class MaterialCutSearch {
  public:
   MaterialCutSearch(const SubdomainLoops& loops, const std::vector<Point>& positions,
@@ -29,9 +30,9 @@ class MaterialCutSearch {
 
   struct Division {
     std::vector<MaterialCut> cuts;
-    double cost;  // elements on cuts, and more the less equal the halves are
+    double cost;  // number of elements on cuts, times a factor for unequal halves
   };
-  // Best of some divisions along lines x = constant (axis 0) or y = constant (axis 1); empty if none was found.
+  // Best one of some divisions along lines x = constant (axis 0) or y = constant (axis 1); empty if none was found.
   std::optional<Division> along(int axis) const;
   int longer_axis() const;
 
@@ -43,9 +44,9 @@ class MaterialCutSearch {
   std::vector<Hit> hits(int axis, double at) const;
   std::vector<int> ends_near(int side) const;
   std::array<Point, 2> directions_at(int side) const;
-  // Angle inside the material at the start of a side; then the smaller of the two into which a direction divides it,
-  // negative if the direction leads out of the material.
+  // Angle inside the material at the corner where a side starts.
   double corner(int side) const;
+  // Smaller one of the two angles into which a direction divides this corner; negative if it leads out of the material.
   double least_angle(int side, const Point& direction) const;
   std::optional<MaterialCut> cut_between(const Hit& a, const Hit& b, const std::vector<MaterialCut>& others) const;
   std::optional<std::vector<MaterialCut>> cuts_on(int axis, double at) const;
@@ -59,10 +60,10 @@ class MaterialCutSearch {
 
   const std::vector<Point>& positions_;
   std::vector<SubdomainSide> sides_;
-  std::vector<int> before_, after_, loop_size_;  // of each side
-  std::vector<int> uses_;                        // number of sides that start at a node
+  std::vector<int> before_, after_, loop_size_;  // per side: neighbours, and number of sides of its loop
+  std::vector<int> uses_;                        // number of sides that start at each node
   BoxTree tree_;
-  std::vector<Segment> on_cracks_;  // elements
+  std::vector<Segment> on_cracks_;  // elements on cracks
   Box box_;
 };
 

@@ -8,7 +8,7 @@
 
 namespace bempd {
 
-// Polyline with the ways of its points along it.
+// Polyline with the distance along it (`way`) of each of its points.
 class MeasuredPath {
  public:
   explicit MeasuredPath(std::vector<Point> points);
@@ -31,13 +31,13 @@ class MeasuredPath {
 
 // Crossing of a path with a line of the grid of blocks.
 struct GridCrossing {
-  double way;
-  std::size_t axis;  // of the line's normal
-  int line;          // number
-  int row;           // of the block on either side
+  double way;        // distance along the path
+  std::size_t axis;  // axis of the line's normal
+  int line;          // number of the line
+  int row;           // row (along the line) of the blocks on either side
 };
 
-// Crossings of a path with lines of a grid, by their ways.
+// Crossings of a path with lines of a grid, sorted by their distance along the path.
 std::vector<GridCrossing> crossings_of(const MeasuredPath& path, const BlockGrid& grid);
 
 }  // namespace bempd

@@ -60,7 +60,7 @@ double area(const Outline& outline) { return signed_area(edges_of(outline)); }
 Location locate(const std::vector<Edge>& boundary, const Point& p, double tolerance) {
   bool inside = false;
   for (const Edge& edge : boundary) {
-    // The lower bound, which is found faster, has some rounding.
+    // The lower bound is computed faster, but has some rounding error.
     const bool may_be_near = tolerance == 0 || least_distance(edge, p) <= 2 * tolerance;
     if (may_be_near && distance(edge, p) <= tolerance) return Location::on_boundary;
     // The even-odd rule decides; ray_crosses() counts a vertex once.
@@ -86,8 +86,8 @@ Point some_interior_point(const Outline& outline) {
   double width = std::numeric_limits<double>::infinity();
   for (const Segment& edge : edges) {
     if (&edge == &*longest) continue;
-    // Coordinates are taken along the longest edge from its middle, and inwards; the ray from the middle runs at
-    // coordinate 0.
+    // Coordinates are taken along the longest edge, from its middle, and inwards; the ray has the coordinate 0 along
+    // the edge.
     const double s = direction.dot(edge.start - middle), e = direction.dot(edge.end - middle);
     if ((s > 0 && e > 0) || (s < 0 && e < 0) || s == e) continue;
     const double fraction = s / (s - e);

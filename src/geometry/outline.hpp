@@ -8,7 +8,7 @@
 
 namespace bempd {
 
-// Body bounded by closed loops of edges. loops[0] is the outer loop, counter-clockwise; the others are holes,
+// Body bounded by closed loops of edges. loops[0] is the outer loop, counter-clockwise; the other loops are holes,
 // clockwise, so that every edge has the body on its left. Vertices and edges are numbered through all loops; edge k
 // starts at vertex k.
 struct Outline {
@@ -41,7 +41,7 @@ Location locate(const std::vector<Edge>& boundary, const Point& p, double tolera
 Location locate(const Outline& outline, const Point& p, double tolerance);
 
 // Point well inside a sound outline of straight edges: on the ray inwards from the middle of its longest edge, half way
-// to the next edge.
+// to the next edge on this ray.
 Point some_interior_point(const Outline& outline);
 
 }  // namespace bempd

@@ -6,8 +6,8 @@ namespace bempd {
 
 enum class OutlineDefect {
   none,
-  not_finite,         // a coordinate is not a finite number, or beyond 1e75: edge_a is the vertex
-  too_few_vertices,   // no loop at all, or one with less than three vertices
+  not_finite,         // a coordinate is not a finite number, or beyond 1e75; edge_a is the vertex
+  too_few_vertices,   // no loop at all, or a loop with fewer than three vertices
   repeated_vertex,    // edge_a has no length: its vertex is given twice in a row
   spike,              // edge_b runs back over edge_a
   self_crossing,      // edge_a and edge_b of one loop cross or touch
@@ -17,8 +17,8 @@ enum class OutlineDefect {
   holes_overlap       // two holes cross or touch (edge_a, edge_b) or one lies in the other (-1)
 };
 
-// Result of check_outline(): the first defect found. `loop` is the loop at fault (of two loops, the later one). Edges
-// are numbered through all loops, edge k starting at vertex k; -1 where none applies.
+// Result of check_outline(): the first defect found. `loop` is the loop at fault (if there are two, the later one).
+// Edges are numbered through all loops, and edge k starts at vertex k; -1 means no edge.
 struct OutlineCheck {
   OutlineDefect defect = OutlineDefect::none;
   int loop = -1;

@@ -12,7 +12,8 @@
 
 namespace bempd {
 
-// Nodes by their places, which may differ by rounding. Graded elements can be shorter than the geometric tolerance.
+// Nodes found by their places, which may differ by rounding. The tolerance is less than the geometric tolerance,
+// because graded elements can be shorter than that.
 class PlacedNodes {
  public:
   explicit PlacedNodes(const BoundaryMesh& body) {

@@ -7,11 +7,11 @@ namespace bempd {
 
 namespace {
 
-// Largest number of cells along one side of the box: more are not intended and come too close to the tolerance.
+// Largest number of cells along one side of the box. More cells are not intended, and too small for the tolerance.
 constexpr double most_cells_along_a_side = 1e6;
 
 struct Frame {
-  Point first;  // a vertex of the outer loop fixes the phase of the lattice
+  Point first;  // vertex of the outer loop that lies on a lattice point
   double spacing;
   double tolerance;
 
@@ -118,8 +118,8 @@ double rounded_to_digits(double value, int digits) {
   return exponent >= 0 ? std::round(value * scale) / scale : std::round(value / scale) * scale;
 }
 
-// Decimal number equal to the spacing `exact` up to 1e-6, with as few digits as still divide all lengths; 0 if four
-// digits are not enough.
+// Decimal number equal to the spacing `exact` up to 1e-6 of it, with as few digits as still divide all lengths; 0 if
+// four digits are not enough.
 double short_spacing(double exact, const std::vector<double>& lengths, double tolerance) {
   for (int digits = 1; digits <= 4; ++digits) {
     const double rounded = rounded_to_digits(exact, digits);

@@ -11,7 +11,8 @@ namespace bempd {
 
 namespace {
 
-// Shares of the corners of a triangle in a place; the least is negative outside. Thin triangles have none.
+// Barycentric coordinates of a place in a triangle; the least one is negative outside, all are -1 if the triangle has
+// no area.
 std::array<double, 3> shares_of(const std::array<Point, 3>& corners, const Point& place) {
   std::array<double, 3> shares{};
   const double area = cross(corners[1] - corners[0], corners[2] - corners[0]);
@@ -71,7 +72,7 @@ double ScatteredField::at(const Point& place) const {
     if (*std::ranges::min_element(shares) < 0) return false;
     const double sum = shares[0] * values[0] + shares[1] * values[1] + shares[2] * values[2];
     const auto [least, largest] = std::ranges::minmax(values);
-    found = std::clamp(sum, least, largest);  // equal values stay what they are, to the last digit
+    found = std::clamp(sum, least, largest);  // equal values are kept to the last digit
     return true;
   };
   return tree_.any(holds, take) ? found : on_border(place);

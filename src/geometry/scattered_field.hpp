@@ -8,11 +8,12 @@
 
 namespace bempd {
 
-// Values at places, linear on the Delaunay triangles of the places between; elsewhere the value at the nearest place of
-// the triangles' border. Places on one line give values that are linear along it and constant across it.
+// Field through given values at given places, linear on the Delaunay triangles of the places. Outside of the triangles
+// the field has the value at the nearest place of their border. If all places lie on one line, the field is linear
+// along this line and constant across it.
 class ScatteredField {
  public:
-  // Throws Error (argument) if two places are the same to 1e-7 of the extent of all.
+  // Creates the field. Throws Error (argument) if two places are the same to 1e-7 of the extent of all places.
   ScatteredField(std::vector<Point> places, std::vector<double> values);
 
   double at(const Point& place) const;
@@ -27,8 +28,8 @@ class ScatteredField {
   std::vector<Point> places_;
   std::vector<double> values_;
   std::vector<std::array<int, 3>> triangles_;
-  std::vector<std::array<int, 2>> border_;  // sides of triangles, or of the line, with nothing beyond
-  BoxTree tree_;                            // of the triangles
+  std::vector<std::array<int, 2>> border_;  // sides of triangles (or pieces of the line) on the border
+  BoxTree tree_;                            // boxes around the triangles
 };
 
 }  // namespace bempd

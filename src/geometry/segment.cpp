@@ -5,7 +5,7 @@
 namespace bempd {
 
 Point Segment::at(double fraction) const {
-  // The point is computed from the nearer end, so that both ends are reproduced exactly.
+  // The point is computed from the nearer end, so that both ends are exact.
   return fraction < 0.5 ? Point(start + fraction * direction()) : Point(end - (1 - fraction) * direction());
 }
 
@@ -37,7 +37,7 @@ std::optional<Crossing> proper_crossing(const Segment& a, const Segment& b) {
 
 Approach closest_approach(const Segment& a, const Segment& b) {
   if (const auto crossing = proper_crossing(a, b)) return {0, a.at(crossing->fraction_a)};
-  // One of the four ends is the closest place of two segments that do not cross.
+  // Segments that do not cross are closest at one of their four ends.
   Approach best{-1, a.start};
   const auto consider = [&best](const Segment& segment, const Point& end) {
     const Point foot = segment.at(closest_fraction(segment, end));

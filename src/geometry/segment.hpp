@@ -27,13 +27,13 @@ struct Crossing {
   double fraction_a, fraction_b;
 };
 
-// Crossing of two segments, where the ends of each lie strictly on opposite sides of the other; decided without
+// Crossing of two segments, each of which has its ends strictly on opposite sides of the other; decided without
 // tolerance. Empty if they do not cross.
 std::optional<Crossing> proper_crossing(const Segment& a, const Segment& b);
 
 struct Approach {
   double distance;
-  Point where;  // half way between the closest places of the two
+  Point where;  // half way between the closest places of the two segments
 };
 
 Approach closest_approach(const Segment& a, const Segment& b);

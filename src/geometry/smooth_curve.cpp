@@ -7,22 +7,24 @@ namespace bempd {
 
 namespace {
 
-// Tangent at the middle one of three points: the directions of both chords, each weighted with the length of the other.
+// Tangent at the middle one of three points: the sum of the directions of both chords, each weighted with the length of
+// the other chord.
 Point middle_tangent(const Point& before, const Point& at, const Point& after) {
   const Point u = at - before, v = after - at;
   const Point sum = u * v.squaredNorm() + v * u.squaredNorm();
-  // Any direction is returned for points that run straight back and have no tangent: the outline check rejects the
+  // Points that run straight back have no tangent. Any direction is good then, because the outline check rejects the
   // spike.
   return sum.norm() > 0 ? Point(sum.normalized()) : Point(u.normalized());
 }
 
-// Tangent at the first of three points on a circle: the tangent at the next point, mirrored in the chord between them.
+// Tangent at the first of three points on a circle: the tangent at the second point, mirrored in the chord between the
+// two.
 Point first_tangent(const Point& first, const Point& next, const Point& tangent_at_next) {
   const Point chord = (next - first).normalized();
   return 2 * chord.dot(tangent_at_next) * chord - tangent_at_next;
 }
 
-// Edge with given tangents at both ends: one arc if these mirror each other in the chord, else a biarc.
+// Edge with given tangents at both ends: one arc if the tangents mirror each other in the chord, else a biarc.
 Edge edge_between(const Point& start, const Point& start_tangent, const Point& end, const Point& end_tangent) {
   const Point mirrored = first_tangent(start, end, end_tangent);
   constexpr double same = 1e-9;

@@ -44,8 +44,8 @@ SubdomainLoop reversed(const SubdomainLoop& cut) {
   return back;
 }
 
-// Sides of a body and both faces of all cuts, which are joined to loops: a side is followed by the one that comes
-// next clockwise around its end.
+// Sides of a body and both faces of all cuts, which are joined to loops: each side is followed by the next side
+// clockwise around its end.
 class SideFaces {
  public:
   SideFaces(const SubdomainLoops& loops, const std::vector<SubdomainLoop>& cuts, const std::vector<Point>& positions)
@@ -60,8 +60,8 @@ class SideFaces {
     std::stable_sort(by_start_.begin(), by_start_.end(), [&](int a, int b) { return start_of(a) < start_of(b); });
   }
 
-  // Closed loops of all sides. There are none where two sides are followed by the same one: a cut leaves the body
-  // there, or its direction is lost in the rounding of coordinates.
+  // Closed loops of all sides. The result is empty if two sides are followed by the same side, because a cut leaves the
+  // body there, or its direction is lost in the rounding of coordinates.
   SubdomainLoops loops() const {
     SubdomainLoops found;
     std::vector<char> done(sides_.size(), 0);
@@ -107,12 +107,12 @@ class SideFaces {
     return static_cast<std::size_t>(best);
   }
 
-  // Angle that is rounding [rad]: cuts and sides that meet make larger ones.
+  // Angle that counts as rounding error [rad]; cuts and sides that meet make larger angles.
   static constexpr double no_angle = 1e-6;
 
   const std::vector<Point>& positions_;
   SubdomainLoop sides_;
-  std::vector<int> by_start_;  // numbers of sides, by the nodes that they leave
+  std::vector<int> by_start_;  // numbers of sides, sorted by the nodes at which they start
 };
 
 }  // namespace

@@ -14,10 +14,10 @@ namespace bempd {
 
 namespace {
 
-// A cut counts only if no part keeps a larger share of the elements.
+// Largest share of the elements that a part may keep after a cut.
 constexpr double largest_share = 0.85;
-// Limit on the elements of subdomains that cracks have changed, as a multiple of that for others: they are cut less,
-// because cuts beside cracks would cost accuracy.
+// Limit on the elements of subdomains that cracks have changed, as a multiple of the limit for other subdomains. They
+// are cut less, because cuts beside cracks would cost accuracy.
 constexpr std::size_t largest_beside_cracks = 2;
 
 std::size_t count_of(const SubdomainLoops& loops) {
@@ -65,7 +65,7 @@ class Subdivider {
   }
 
  private:
-  // Cuts the body along those of the cuts that are flagged, but for the ones that have the same part on both sides.
+  // Cuts the body along the cuts with the flag `made`, except cuts that would have the same part on both sides.
   std::shared_ptr<const CutBody> cut_along(const std::vector<Stations>& cuts, std::vector<char> made) {
     auto cut = std::make_shared<CutBody>();
     cut->body = body_, cut->given = cuts, cut->keep_off = made;
@@ -80,7 +80,7 @@ class Subdivider {
     return cut;
   }
 
-  // Halves the parts as long as they are too large; in a body with cracks, only parts that the cracks have changed.
+  // Halves parts that are too large; in a body with cracks, only parts that the cracks have changed.
   void divide(std::vector<SubdomainLoops> waiting) {
     while (!waiting.empty()) {
       SubdomainLoops loops = std::move(waiting.back());
@@ -120,7 +120,7 @@ class Subdivider {
     return found;
   }
 
-  // Whether a node lies on the subdomain at which a cut ends that was not made.
+  // Whether a cut that was not made ends at a node of the subdomain.
   bool misses_cut(const SubdomainLoops& loops) const {
     for (const SubdomainLoop& loop : loops)
       for (const SubdomainSide& side : loop)
@@ -128,7 +128,7 @@ class Subdivider {
     return false;
   }
 
-  // Makes those of the cuts that are flagged and end at nodes of the body or of earlier cuts.
+  // Makes the cuts that have the flag `made` and end at nodes of the body or of earlier cuts; returns their sides.
   std::vector<SubdomainLoop> cuts_made(const std::vector<Stations>& cuts, const std::vector<char>& made) {
     positions_.resize(body_.nodes.size());
     left_out_.clear();
@@ -151,7 +151,7 @@ class Subdivider {
     return rows;
   }
 
-  // Clears the flags `made` of cuts that have the same part on both sides; returns whether there are any.
+  // Clears the flags `made` of cuts that have the same part on both sides; returns whether there are such cuts.
   bool drop_slits(const std::vector<SubdomainLoops>& parts, std::vector<char>& made) const {
     bool found = false;
     for (const SubdomainLoops& part : parts)
@@ -162,7 +162,7 @@ class Subdivider {
     return found;
   }
 
-  // Panels of cuts with this part on both sides.
+  // Panels of the cuts that have this part on both sides.
   static std::set<int> slits_in(const SubdomainLoops& part) {
     std::set<int> slits, middles;
     for (const SubdomainLoop& loop : part)
@@ -171,7 +171,7 @@ class Subdivider {
     return slits;
   }
 
-  // Parts of a subdomain with these cracks; empty if it cannot be cut.
+  // Parts of a subdomain with the given cracks; empty if it cannot be cut.
   std::vector<SubdomainLoops> halves(const SubdomainLoops& loops, const std::vector<int>& cracks) {
     std::vector<Stations> own;
     for (const int crack : cracks) own.push_back(cracks_[static_cast<std::size_t>(crack)]);
@@ -211,8 +211,8 @@ class Subdivider {
     return sides;
   }
 
-  // Turns a loop so that it begins at its leftmost, then lowest, start of a panel. Subdomains that differ by a
-  // translation are then numbered alike.
+  // Rotates the order of a loop so that it begins at the leftmost (and then lowest) start of a panel. Subdomains that
+  // differ by a translation are then numbered alike.
   void turn(SubdomainLoop& loop, double tolerance) const {
     std::size_t best = loop.size();
     for (std::size_t i = 0; i < loop.size(); ++i) {
@@ -268,11 +268,11 @@ class Subdivider {
   }
 
   const BoundaryMesh& body_;
-  std::vector<Point> positions_;  // of the body's nodes and those on cuts
+  std::vector<Point> positions_;  // positions of the body's nodes, then of nodes on cuts
   std::size_t most_;
-  int panels_ = 0;  // numbers in use
+  int panels_ = 0;  // number of panels, with one for each cut
   std::vector<Stations> cracks_;
-  std::set<int> left_out_;  // nodes at which cuts end that were not made
+  std::set<int> left_out_;  // nodes at the ends of cuts that were not made
   std::map<int, std::size_t> cut_of_panel_;
   Subdivision done_;
 };

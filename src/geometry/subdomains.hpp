@@ -9,12 +9,12 @@
 
 namespace bempd {
 
-// Subdomain of a body: a part of it, with a boundary mesh of its own.
+// Subdomain: a part of a body with a boundary mesh of its own.
 struct Subdomain {
   BoundaryMesh mesh;
-  std::vector<int> nodes;     // of each of its nodes: the number in the body's mesh, or behind that on cuts
-  std::vector<int> elements;  // of each of its elements: the number in the body's mesh; -1 on a cut
-  std::vector<int> cracks;    // numbers of the cracks in it
+  std::vector<int> nodes;     // number of each node in the body's mesh, or behind these numbers on cuts
+  std::vector<int> elements;  // number of each element in the body's mesh; -1 on a cut
+  std::vector<int> cracks;    // numbers of the cracks in the subdomain
 };
 
 struct CutBody;
@@ -24,7 +24,7 @@ struct Subdivision {
   std::vector<Point> cut_nodes;  // nodes on cuts, numbered behind those of the body's mesh
   std::vector<Subdomain> subdomains;
   std::vector<Stations> cuts;
-  std::shared_ptr<const CutBody> joined;  // of a body with cracks: its parts between the given cuts
+  std::shared_ptr<const CutBody> joined;  // parts of a body with cracks between the given cuts
 
   std::size_t largest() const;  // number of elements of the largest subdomain
 };
@@ -33,11 +33,11 @@ struct Subdivision {
 // has one subdomain if the body cannot be cut.
 Subdivision subdivide(const BoundaryMesh& body, std::size_t most_elements);
 
-// Subdivides a body with cracks, whose mesh has short elements beside them. Of the `cuts` through the body without
-// cracks all are made that keep off the cracks and end at nodes. Subdomains that are too large without the others are
-// cut anew, around the cracks. So cracks change the subdomains beside them only. The parts between the given cuts are
-// taken from `before` (null: none), such a subdivision with other cracks, if the same cuts were made there in the same
-// mesh.
+// Subdivides a body with cracks, whose mesh has short elements beside them. `cuts` are those through the body without
+// cracks; the ones that keep off the cracks and end at nodes are made again. Subdomains that are too large without the
+// other cuts are cut around the cracks, so that cracks change only the subdomains beside them. `before` is such a
+// subdivision with other cracks (null: none). Its parts between the given cuts are used again if the same cuts were
+// made in the same mesh.
 Subdivision subdivide(const BoundaryMesh& body, std::size_t most_elements, const std::vector<Stations>& cuts,
                       const std::vector<Stations>& cracks, const Subdivision* before = nullptr);
 
