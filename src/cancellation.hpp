@@ -6,18 +6,18 @@
 
 namespace bempd {
 
-// Thrown where the host's wish to end a step is heard inside an event: the event is given up, and the step ends as it
-// was before it. It is no error, and only what let it be thrown may catch it: the loop over events, or the whole step.
+// Thrown inside an event when the host wishes to end the step. The event is undone, and the step ends in the state
+// before the event. It is no error; only the loop over events or the whole step, which permit it, may catch it.
 struct EventGivenUp {};
 
-// Scope in which check_cancelled() of the same thread reads the host's requests. Long loops call check_cancelled()
-// often: it costs four loads.
+// Scope in which check_cancelled() reads the host's requests, in the same thread. Long loops call check_cancelled()
+// often: a call costs four loads.
 class CancellationScope {
  public:
   using Request = std::atomic<bool>;
   struct Requests {
-    const Request* cancel = nullptr;  // the call; null: none
-    const Request* stop = nullptr;    // the step, while it can be ended inside an event; null: none
+    const Request* cancel = nullptr;  // request to cancel the call; null: none
+    const Request* stop = nullptr;    // request to end the step inside an event; null: not possible here
   };
 
   explicit CancellationScope(const Requests& requests) : before_(current()) { current() = requests; }
@@ -35,8 +35,8 @@ class CancellationScope {
   Requests before_;
 };
 
-// Throws Error (cancelled) if the host has requested that the present call be cancelled, and EventGivenUp if it has
-// requested the end of a step that can be ended here.
+// Throws Error (cancelled) if the host has requested that the present call be cancelled, and EventGivenUp if the host
+// has requested the end of a step that may be ended inside an event.
 inline void check_cancelled() {
   const CancellationScope::Requests& requests = CancellationScope::current();
   if (requests.cancel && requests.cancel->load(std::memory_order_relaxed))

@@ -14,8 +14,8 @@
 
 namespace bempd {
 
-// Calls body(i) for every i < count on up to `threads` threads (0: one per core), which end with the call. All of them
-// obey the host's requests to the caller; an exception of body ends the loop and is rethrown.
+// Calls body(i) for every i < count on up to `threads` threads (0: one per core), which end with the call. All threads
+// obey the host's requests to the caller. An exception of body() ends the loop and is thrown again.
 //
 // OpenMP is not used: its threads spin for a while after every loop and so take the cores from the threads of the BLAS
 // and of the host, which made small scenes four times slower.

@@ -5,16 +5,16 @@
 
 namespace bempd {
 
-// Receiver of progress reports. hear() gets the name of the running phase of a call, the share of it that is done (0 to
-// 1), the seconds since it began, and those that it will take in all (0: not known). An exception that hear() throws
-// ends the call.
+// Receiver of progress reports. hear() gets the name of the running phase of a call, the share of the phase that is
+// done (0 to 1), the seconds since the phase began, and the expected seconds of the whole phase (0: not known). An
+// exception that hear() throws ends the call.
 class PhaseListener {
  public:
   virtual ~PhaseListener() = default;
   virtual void hear(const char* phase, double share, double seconds, double expected) = 0;
 };
 
-// Scope in which phases of the same thread report to `listener` (null: to nobody). Worker threads that a call starts
+// Scope in which phases report to `listener` (null: to nobody), in the same thread. Worker threads that a call starts
 // report nothing.
 class ListeningScope {
  public:
@@ -33,7 +33,7 @@ class ListeningScope {
 };
 
 // Phase of a call that may take long. `work` is the whole amount of work, in any unit; reach() reports how much is
-// done. `estimate` is the number of seconds that it will take, where that is known before it begins.
+// done. `estimate` is the expected number of seconds of the phase, if that is known before it begins.
 class Phase {
  public:
   explicit Phase(const char* name, double work = 1, double estimate = 0)
@@ -41,7 +41,7 @@ class Phase {
     tell(0);
   }
 
-  // Whether somebody hears of phases, so that an estimate is worth its price.
+  // Whether somebody listens to phases, so that an estimate is worth its cost.
   static bool is_heard() { return ListeningScope::current() != nullptr; }
 
   void reach(double done) const {

@@ -4,7 +4,7 @@
 
 namespace bempd {
 
-// Scope in which stop_is_requested() of the same thread reads `request`, the host's wish to end the step after its
+// Scope in which stop_is_requested() reads `request`, in the same thread: the host's wish to end the step after its
 // present event (null: none).
 class StopScope {
  public:
@@ -24,7 +24,7 @@ class StopScope {
   const Request* before_;
 };
 
-// Whether the host has asked for the end of the step, so that work ahead of the present event is in vain.
+// Whether the host has asked for the end of the step after the present event, so that work ahead of that is useless.
 inline bool stop_is_requested() {
   const StopScope::Request* request = StopScope::current();
   return request && request->load(std::memory_order_relaxed);

@@ -8,17 +8,18 @@
 
 namespace bempd {
 
-// Polar coordinates about a crack tip. Angles count from the direction in which the crack would go straight on; they
-// may exceed pi for places beside a crack that is not quite straight.
+// Polar coordinates about a crack tip. Angles count from the direction of straight growth; they may exceed pi at places
+// beside a crack that is not quite straight.
 struct TipPolar {
   double radius, angle;
 };
 
 // Term of Williams' expansion (J. Appl. Mech. 24, 1957) at the tip of a straight crack with free faces, in the axes of
-// the tip. It has Muskhelishvili's potentials phi = A z^p, psi = B z^p, where p is a multiple of 1/2, with
+// the tip. The term has Muskhelishvili's potentials phi = A z^p, psi = B z^p, where p is a multiple of 1/2, with
 //   2 G (u_x + i u_y) = kappa phi - z conj(phi') - conj(psi).
-// Free faces require B = conj(A) - p A if p is an odd multiple of 1/2, and B = -conj(A) - p A if it is whole. p = 1/2
-// has A = (K_I - i K_II) / sqrt(2 pi), p = 1 has A = T/4. Negative powers are the dual fields of reciprocal_work().
+// Free faces require B = conj(A) - p A if p is an odd multiple of 1/2, and B = -conj(A) - p A if p is whole. The term p
+// = 1/2 has A = (K_I - i K_II) / sqrt(2 pi), the term p = 1 has A = T/4. Negative powers are the dual fields of
+// reciprocal_work().
 class CrackTipField {
  public:
   CrackTipField(const PlaneElasticity& elasticity, double power, std::complex<double> factor);
@@ -31,11 +32,11 @@ class CrackTipField {
   std::complex<double> phi_, psi_;
 };
 
-// Reciprocal work, per thickness, of the term of power p and factor `a` with its dual, of power -p and factor `dual`:
-// the work of the tractions of the first on the displacements of the second, less that of the second on the first. It
-// is the same along any path round the tip from the lower face to the upper one, with the normal outwards. No other
-// term of the expansion has such work with the dual, which thus picks its partner out of any field (Stern, Becker and
-// Dunham, Int. J. Fract. 12, 1976, for p = 1/2).
+// Reciprocal work, per thickness, of the term with power p and factor `a` and its dual term with power -p and factor
+// `dual`: the work of the tractions of the term on the displacements of its dual, less the work of the tractions of the
+// dual on the displacements of the term. It is the same along any path round the tip from the lower face to the upper
+// face, with the normal outwards. No other term of the expansion has reciprocal work with this dual, which thus picks
+// the factor of its partner out of any field (Stern, Becker and Dunham, Int. J. Fract. 12, 1976, for p = 1/2).
 double reciprocal_work(const PlaneElasticity& elasticity, double power, std::complex<double> a,
                        std::complex<double> dual);
 

@@ -8,7 +8,7 @@ namespace bempd {
 
 namespace {
 
-// Deviation from a linear field, as a share of the largest strain, that counts as rounding of the host's formulas.
+// Deviation from a linear field, over the largest strain, that counts as rounding of the host's formulas.
 constexpr double linearity_tolerance = 1e-10;
 
 }  // namespace
@@ -26,7 +26,7 @@ std::optional<FreeSwelling> FreeSwelling::through(const std::vector<Point>& plac
     terms.row(i) << 1, arm.x(), arm.y();
     values.row(i) = swelling(places[static_cast<std::size_t>(i)]).transpose();
   }
-  // The first value is taken for a uniform field, so that the field stays uniform to the last digit.
+  // A uniform field gets its first value, so that it stays uniform to the last digit.
   Eigen::Matrix<double, 3, 2> found = Eigen::Matrix<double, 3, 2>::Zero();
   found.row(0) = values.row(0);
   if ((values.rowwise() - values.row(0)).cwiseAbs().maxCoeff() > 0) {

@@ -16,8 +16,8 @@ constexpr double no_growth = std::numeric_limits<double>::infinity();
 
 constexpr double pi = std::numbers::pi;
 
-// Largest kink angle that is tried [rad], enough for every mixture of modes that opens: in pure shear the energy
-// release rate is largest at 75.6 degrees.
+// Largest kink angle that is tried [rad], enough for every mixture of modes that opens the tip: in pure shear the
+// energy release rate is largest at 75.6 degrees.
 constexpr double widest_kink = 1.9;
 
 double polynomial(const std::array<double, 11>& coefficients, double x) {
@@ -26,7 +26,7 @@ double polynomial(const std::array<double, 11>& coefficients, double x) {
   return sum;
 }
 
-// Energy release rate times E' of an infinitesimal kink; with the opposite sign for a kink that would close.
+// Energy release rate times E' of an infinitesimal kink, with a negative sign if the kink would close.
 double opening_rate(const Point& factors, double angle) {
   const Point kinked = kinked_factors(factors, angle);
   return kinked.x() > 0 ? kinked.squaredNorm() : -kinked.squaredNorm();
@@ -35,7 +35,7 @@ double opening_rate(const Point& factors, double angle) {
 Kink largest_hoop_stress(const Point& factors) {
   const double one = factors.x(), two = factors.y();
   double angle = 0;
-  // A closed tip with next to no shear has its largest hoop stress in the direction straight back.
+  // A closed tip with almost no shear has its largest hoop stress straight backwards.
   if (one < 0 && std::abs(two) < -1e-290 * one) {
     if (two != 0) angle = two > 0 ? -pi : pi;
   } else if (two != 0)
@@ -61,7 +61,8 @@ Kink largest_energy_release_rate(const Point& factors) {
         opening_rate(factors, side * a) < opening_rate(factors, side * b) ? a : b;
   }
   double angle = side * 0.5 * (low + high), rate = opening_rate(factors, angle);
-  // The best kink of a closed tip is the smallest one that opens, and rounding may put the angle to either side of it.
+  // The best kink of a closed tip is the smallest one that opens. Rounding may put the angle just below it, so larger
+  // angles are tried.
   for (const double opens : {side * high, side * widest_kink * best / grid})
     if (rate <= 0) angle = opens, rate = opening_rate(factors, angle);
   return {angle, rate > 0 ? std::sqrt(rate) : -std::sqrt(-rate)};
@@ -127,8 +128,8 @@ double growth_load_factor(const Point& constant, const Point& proportional, doub
   if (excess(0) >= 0) return 0;
   const double slope = kink_of(proportional, criterion).equivalent_factor;
   if (!(slope > 0)) return no_growth;
-  // The upper bound is a load factor at which growth is certain: both measures are convex, and so at least the load
-  // factor times `slope` less the most that the constant part can subtract.
+  // The upper bound is a load factor at which growth is certain: both criteria are convex, so that the equivalent
+  // factor is at least the load factor times `slope`, less the most that the constant part can subtract.
   double low = 0, high = 2 * (toughness + 2 * constant.norm()) / slope;
   for (int i = 0; i < 100; ++i) (excess(0.5 * (low + high)) < 0 ? low : high) = 0.5 * (low + high);
   return high;

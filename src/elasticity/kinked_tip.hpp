@@ -7,15 +7,15 @@ namespace bempd {
 // Criterion for the direction in which a tip grows.
 enum class KinkCriterion { hoop_stress, energy_release_rate };
 
-// Kink: the angle by which a tip turns as it grows, counter-clockwise, and the equivalent mode I factor in that
+// Kink: the angle by which a tip turns as it grows, counter-clockwise, and the equivalent mode I factor in the new
 // direction.
 struct Kink {
   double angle, equivalent_factor;
 };
 
 // Kink of a tip with the factors (K_I, K_II). Its direction is that of the largest hoop stress around the tip of the
-// straight crack (Erdogan and Sih, J. Basic Eng. 85, 1963), or the one in which an infinitesimal kink has the largest
-// energy release rate. An equivalent factor <= 0 means that no kink opens.
+// straight crack (Erdogan and Sih, J. Basic Eng. 85, 1963), or the direction in which an infinitesimal kink has the
+// largest energy release rate. An equivalent factor <= 0 means that no kink opens.
 Kink kink_of(const Point& factors, KinkCriterion criterion = KinkCriterion::hoop_stress);
 
 // Hoop stress around a tip in the direction `angle`, times sqrt(2 pi r); it is linear in the factors (K_I, K_II).
@@ -30,8 +30,8 @@ Point kinked_factors(const Point& factors, double angle);
 // of the energy release rate times E'; negative if the kink closes.
 double factor_of_kink(const Point& factors, double angle, KinkCriterion criterion);
 
-// Change of the factors (K_I, K_II) of a straight kink with its length: to those of the infinitesimal kink it adds the
-// result times the T stress and the square root of the length (Amestoy and Leblond, section 5).
+// Change of the factors (K_I, K_II) of a straight kink with its length: the result, times the T-stress and the square
+// root of the length, is added to the factors of the infinitesimal kink (Amestoy and Leblond, section 5).
 Point kink_growth(double angle);
 
 // Smallest load factor >= 0 at which the equivalent mode I factor of constant + factor * proportional reaches the

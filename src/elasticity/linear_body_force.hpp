@@ -5,7 +5,7 @@
 
 namespace bempd {
 
-// Body force, per volume, that is linear in the place x: uniform [N/m^3] plus growth [N/m^4] times x.
+// Body force per volume that is linear in the place x: uniform [N/m^3] plus growth [N/m^4] times x.
 struct BodyForce {
   Point uniform = Point::Zero();
   double growth = 0;
@@ -17,11 +17,12 @@ struct BodyForce {
   Point at(const Point& x) const { return growth == 0 ? uniform : Point(uniform + growth * x); }
 };
 
-// Particular solution: an infinite plane body under a linear body force, which is b + k r at the vector r from a centre
+// Particular solution for an infinite plane body under a linear body force b + k r, where r is the vector from a centre
 // near the body (for accuracy). The constant part b has the stresses
 //   sigma_xx = -b_x x,  sigma_yy = -b_y y,  sigma_xy = 0,
-// which satisfy div sigma + b = 0 and, being linear, are compatible, with quadratic displacements. The part k r has the
-// radial displacement -k r^3 / (8 c11) (Timoshenko and Goodier, Theory of Elasticity, 3rd ed., section 30).
+// which satisfy div sigma + b = 0 and are compatible, because they are linear; the displacements are quadratic. The
+// part k r has the radial displacement -k r^3 / (8 c11) (Timoshenko and Goodier, Theory of Elasticity, 3rd ed., section
+// 30).
 class LinearBodyForce {
  public:
   LinearBodyForce(const PlaneElasticity& elasticity, const BodyForce& force, const Point& centre)
@@ -37,7 +38,7 @@ class LinearBodyForce {
   Point displacement(const Point& place) const {
     return growth_ == 0 ? quadratic(place) : Point(quadratic(place) + cubic(place));
   }
-  // Quadratic part of the displacement, in the distance from the centre; cubic() is the rest.
+  // Part of the displacement that is quadratic in the distance from the centre; cubic() is the rest.
   Point quadratic(const Point& place) const {
     const Point r = place - centre_;
     return {-0.5 * along_ * b_.x() * r.x() * r.x() - across_ * (b_.y() * r.x() * r.y() - 0.5 * b_.x() * r.y() * r.y()),
@@ -49,7 +50,7 @@ class LinearBodyForce {
   }
 
   const Point& centre() const { return centre_; }
-  const Point& at_centre() const { return b_; }  // the force [N/m^3]
+  const Point& at_centre() const { return b_; }  // body force at the centre [N/m^3]
 
   // Stress (xx, yy, xy) [Pa] at a place.
   Eigen::Vector3d stress(const Point& place) const {
@@ -67,7 +68,7 @@ class LinearBodyForce {
   Point b_;
   double growth_;
   Point centre_;
-  double along_, across_;  // strain of a stress in its own direction and across it [1/Pa]
+  double along_, across_;  // strain per stress, in its direction and across it [1/Pa]
   double ratio_;           // c12 / c11
   double cubic_;
 };

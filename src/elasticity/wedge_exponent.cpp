@@ -19,10 +19,10 @@ struct RayFunctions {
 };
 
 // Displacement and force functions of the potentials phi = a z^lambda, psi = b z^lambda. Their conjugates have
-// constants c and d of their own, so that everything is analytic in lambda (M. L. Williams, J. Appl. Mech. 19, 1952;
-// England, Complex Variable Methods in Elasticity, 1971, section 3.7). The displacement is 2 mu (u + i v) = kappa phi -
-// z conj(phi') - conj(psi). The resultant force on the arc from a fixed point is -i (phi + z conj(phi') + conj(psi))
-// times the thickness.
+// constants c and d of their own, so that all functions are analytic in lambda (M. L. Williams, J. Appl. Mech. 19,
+// 1952; England, Complex Variable Methods in Elasticity, 1971, section 3.7). The displacement is 2 mu (u + i v) = kappa
+// phi - z conj(phi') - conj(psi). The resultant force on the arc from a fixed point is -i (phi + z conj(phi') +
+// conj(psi)) times the thickness.
 RayFunctions functions_on(double angle, const Complex& lambda, const PlaneElasticity& e, double modulus) {
   const Complex up = std::exp(i_unit * lambda * angle), down = 1.0 / up;
   const Complex turn = std::exp(2.0 * i_unit * angle), ahead = turn * down, behind = up / turn;
@@ -42,7 +42,7 @@ RayFunctions functions_on(double angle, const Complex& lambda, const PlaneElasti
 }
 
 // Determinant of the conditions on all rays as a function of lambda: it is 0 if some displacement ~ r^lambda satisfies
-// them.
+// all conditions.
 class WedgeEquations {
  public:
   explicit WedgeEquations(const Wedge& wedge) : wedge_(wedge) {
@@ -101,8 +101,8 @@ class WedgeEquations {
   std::vector<double> from_;
 };
 
-// Whether stress is bounded without doubt: one sector with an angle up to 180 degrees, free on both faces or held on
-// both.
+// Whether the stress is certainly bounded: one sector with an angle up to 180 degrees, with both faces free or both
+// held.
 bool is_surely_bounded(const Wedge& wedge) {
   if (wedge.sectors.size() != 1 || wedge.closed) return false;
   const int held = wedge.held[0];

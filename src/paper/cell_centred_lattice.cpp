@@ -26,7 +26,7 @@ void CellCentredLattice::place_points(const Preparation& preparation) {
     if (!borders) continue;
     for (const Point& place : borders->places_facing(id())) {
       const Point p = to_grid(place);
-      // A place where two pieces of interface meet gets one point only.
+      // A place where two pieces of interface meet gets only one point.
       const auto is_there = [&](const Point& q) { return (p - q).norm() < same_place; };
       if (std::none_of(points_.begin() + first, points_.end(), is_there)) points_.push_back(p);
     }
@@ -44,7 +44,8 @@ std::vector<LatticeRegion::EdgePoint> CellCentredLattice::edge_points(int edge) 
   const LatticePoint span = end - start;
   const int count = span.cwiseAbs().maxCoeff();
   const LatticePoint step = span / count;
-  // The cell behind a piece of the edge lies to its left, and is numbered by its own lower left corner.
+  // The cell behind a piece of the edge lies to the left of the edge. The number of a cell is that of its lower left
+  // corner.
   const LatticePoint left(-step.y(), step.x());
   const LatticePoint to_corner(std::min({0, step.x() + left.x(), step.x(), left.x()}),
                                std::min({0, step.y() + left.y(), step.y(), left.y()}));

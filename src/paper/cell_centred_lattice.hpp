@@ -4,20 +4,20 @@
 
 namespace bempd::paper {
 
-// Lattice with material points at the centres of its cells, followed by points on interfaces, at the nodes of the
-// boundary elements there.
+// Lattice of the scheme `paper` with material points at the centres of its cells, followed by points on interfaces, at
+// the nodes of the boundary elements there.
 class CellCentredLattice final : public UncorrectedLattice {
  public:
   CellCentredLattice(int id, const regions::PeridynamicDescription& described, const scene::Material& material);
 
-  // Rank 0, that of boundary elements: the points of the cells do not lie on interfaces.
+  // Rank 0, which is that of boundary elements, because the points of the cells do not lie on interfaces.
   int rank_at_interfaces() const override { return 0; }
   std::vector<double> cell_shares() const override;
 
  protected:
   void place_points(const regions::Preparation& preparation) override;
   std::vector<char> shared_points(const regions::Preparation& preparation) const override;
-  // Points on which loads of an edge act: those of the layer of cells behind it.
+  // Points on which loads of an edge act: those in the layer of cells behind the edge.
   std::vector<EdgePoint> edge_points(int edge) const override;
   void add_edge_forces(const Point& a, const Point& b, const std::function<Point(const Point&)>& traction,
                        Eigen::Ref<Eigen::VectorXd> forces) const override;

@@ -8,10 +8,11 @@ using namespace regions;
 
 namespace {
 
-// Nodal forces of the scheme `paper` per displacement: consistent with the elements, except at lattice interfaces.
-// There every node has its traction times the length between the middles of its neighbours (half of that at the ends of
-// the interface). This is the traction that balances the body force of the point, t = -b dx (Yang and Liu 2021, Eq.
-// 26), as a force. Consistent forces would alternate between 2/3 and 4/3 of it from node to node.
+// Nodal forces of the scheme `paper` per displacement: consistent with the elements, except at lattice interfaces. At
+// an interface every node has its traction times the length between the middles of its neighbours (half of this length
+// at the ends of the interface). This force corresponds to the traction t = -b dx that balances the body force of the
+// material point (Yang and Liu 2021, Eq. 26). Consistent forces would alternate between 2/3 and 4/3 of it from node to
+// node.
 Eigen::MatrixXd balanced_stiffness(const ElementsOfRegion& elements, const CollocationOperator& collocation) {
   const BoundaryMesh& mesh = elements.mesh;
   Eigen::MatrixXd stiffness = collocation.stiffness();
@@ -32,8 +33,9 @@ Eigen::MatrixXd balanced_stiffness(const ElementsOfRegion& elements, const Collo
   return stiffness;
 }
 
-// Equations as published (Eqs. 23 and 27), every row times a length. At nodes of lattice interfaces t = -b dx, where dx
-// is the lattice spacing, also at the ends of the interface. At other nodes t is as given (the sum if there are two).
+// Equations as published (Yang and Liu 2021, Eqs. 23 and 27), every row times a length. At nodes of lattice interfaces,
+// also at the ends of the interface, t = -b dx with the lattice spacing dx. At other nodes t is given (at nodes with
+// two tractions, their sum).
 Eigen::MatrixXd pointwise_stiffness(const scene::Scene& scene, const ElementsOfRegion& elements,
                                     const CollocationOperator& collocation) {
   const BoundaryMesh& mesh = elements.mesh;

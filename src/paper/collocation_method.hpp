@@ -7,8 +7,8 @@
 namespace bempd::paper {
 
 struct CollocationRules {
-  // Whether an interface row is t = -b dx for a node and its material point (Yang and Liu 2021, Eqs. 26, 27); else it
-  // is the balance of nodal forces.
+  // Whether the equation of an interface node is t = -b dx for the node and its material point (Yang and Liu 2021, Eqs.
+  // 26, 27); else it is the balance of nodal forces.
   bool pointwise_traction = false;
   bool one_traction_at_corners = false;  // false: one traction for each edge
 };

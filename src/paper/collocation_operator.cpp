@@ -17,10 +17,10 @@ using namespace bem;
 
 namespace {
 
-// Parameter of the collocation points beside a node with two tractions; the node itself is at xi = 1.
+// Parameter of the collocation points beside a node with two tractions, where the node has xi = 1.
 constexpr double shifted = 2.0 / 3;
 
-// Collocation point with its parameter on every element that it lies on: two elements if it is their common end.
+// Collocation point with its parameter on every element that contains it: two elements if it is their common end.
 struct CollocationPoint {
   struct Home {
     int element;
@@ -50,8 +50,8 @@ std::vector<CollocationPoint> collocation_points(const BoundaryMesh& mesh) {
   return points;
 }
 
-// Computes G^T and H^T, with lengths over the body's diagonal and the shear modulus 1. Every point has a pair of
-// columns of its own, so that threads can compute points independently.
+// Assembler of G^T and H^T, with lengths over the body's diagonal and the shear modulus 1. Every point has its own pair
+// of columns, so that threads can compute points independently.
 class Assembler {
  public:
   Assembler(const BoundaryMesh& mesh, double nu, double tolerance)
@@ -77,7 +77,7 @@ class Assembler {
     const std::vector<CollocationPoint::Home>& homes = points_[point].homes;
     const auto [home_element, home_xi] = homes.front();
     const Point x = boundary_.elements[home_element].at(home_xi);
-    Eigen::Matrix2d constant = Eigen::Matrix2d::Zero();  // T over the elements apart
+    Eigen::Matrix2d constant = Eigen::Matrix2d::Zero();  // integral of T over elements that do not contain x
     std::int64_t evaluations = 0;
     for (int e = 0; e < static_cast<int>(mesh_.elements.size()); ++e) {
       check_cancelled();
@@ -94,8 +94,8 @@ class Assembler {
         if (!home) constant += block;
       }
     }
-    // T acts on u - u(x) on all elements, because a constant displacement has no traction. So the free term is not
-    // needed.
+    // The kernel T is applied to u - u(x) on all elements, because a constant displacement has no traction. The free
+    // term is therefore not needed.
     const auto value = boundary_.elements[home_element].shape(home_xi);
     for (int b = 0; b < 3; ++b)
       double_layer_transpose.block<2, 2>(2 * mesh_.elements[home_element].nodes[b], 2 * point) -= value[b] * constant;
@@ -107,7 +107,7 @@ class Assembler {
   Eigen::MatrixXd single_layer_transpose, double_layer_transpose;
 
  private:
-  // Integral of U N_b over an element; the trace part 1/2 of e e^T gives half the integral of N_b (`length`).
+  // Integral of U N_b over an element. The trace part 1/2 of e e^T gives half the integral of N_b (`length`).
   Eigen::Matrix2d single_layer(const PointMoments& m, double length, int b) const {
     const double isotropic = 0.5 * length - (3 - 4 * nu_) * m.mass[0][b];
     Eigen::Matrix2d block;

@@ -10,14 +10,15 @@
 namespace bempd::paper {
 
 // Copy of a mesh in which the displacement nodes are the traction nodes, too: a corner has one traction, which cannot
-// jump there.
+// jump.
 BoundaryMesh with_one_traction_at_corners(BoundaryMesh mesh);
 
-// Collocation boundary element operator of one elastic body with quadratic elements. Somigliana's identity H u = G t at
-// as many points as there are traction nodes is solved for the tractions t = K_B u, K_B = G^-1 H (Yang and Liu, Int. J.
-// Solids Struct. 2021, Eqs. 4 and 7). Their consistent nodal forces  h M K_B u  give the stiffness. Collocation points
-// are the nodes; a node with two tractions has a point inside each of its elements instead. The stiffness is not
-// symmetric. Its symmetric part is no approximation of it, because constant strains are lost.
+// Collocation boundary element operator of one elastic body with quadratic elements. Somigliana's identity H u = G t,
+// at as many points as there are traction nodes, is solved for the tractions t = K_B u, K_B = G^-1 H (Yang and Liu,
+// Int. J. Solids Struct. 2021, Eqs. 4 and 7). Their consistent nodal forces  h M K_B u  give the stiffness, with the
+// thickness h. Collocation points are the nodes; a node with two tractions has a point inside each of its elements
+// instead. The stiffness is not symmetric. The symmetric part alone would be no approximation, because it is wrong for
+// constant strains.
 class CollocationOperator final : public bem::BoundaryOperator {
  public:
   CollocationOperator(const BoundaryMesh& mesh, const PlaneElasticity& elasticity,

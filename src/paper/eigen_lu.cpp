@@ -13,8 +13,8 @@ namespace {
 // overflow without notice.
 using LongMatrix = Eigen::SparseMatrix<double, Eigen::ColMajor, std::int64_t>;
 
-// Minimum degree ordering of A + A^T for Eigen's LU. That needs the new place of each old column, but Eigen's ordering
-// returns the old place of each new one.
+// Minimum degree ordering of A + A^T for Eigen's LU, which needs the new place of each old column. Eigen's ordering
+// returns the old place of each new column.
 struct MinimumDegree {
   using PermutationType = Eigen::AMDOrdering<std::int64_t>::PermutationType;
   void operator()(const LongMatrix& matrix, PermutationType& permutation) const {
@@ -27,16 +27,17 @@ struct MinimumDegree {
 class Supernodal : public Eigen::SparseLU<LongMatrix, MinimumDegree> {
  public:
   Supernodal() {
-    // Symmetric mode is chosen because the systems have a symmetric pattern and usually a good diagonal. It orders by
-    // the pattern of A + A^T and keeps a diagonal pivot that is not much smaller than the best one, which gives far
-    // less fill than full partial pivoting.
+    // Symmetric mode is chosen because the systems have a symmetric pattern and usually a good diagonal. The mode
+    // orders by the pattern of A + A^T and keeps a diagonal pivot that is not much smaller than the best pivot, which
+    // gives far less fill than full partial pivoting.
     isSymmetric(true);
     setPivotThreshold(0.1);
   }
 
   void factorize(const LongMatrix& matrix) {
     SparseLU::factorize(matrix);
-    // Eigen reports missing memory as a numerical issue, like a singular matrix; only the message tells them apart.
+    // Eigen reports missing memory as a numerical issue, like a singular matrix. Only the message tells which of the
+    // two it is.
     if (info() != Eigen::Success && lastErrorMessage().starts_with("UNABLE TO")) throw std::bad_alloc();
   }
 

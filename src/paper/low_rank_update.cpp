@@ -8,7 +8,7 @@ namespace bempd::paper {
 
 namespace {
 
-// Largest number of entries stored in solved columns, which take a quarter of a gigabyte.
+// Largest number of entries of the stored solutions Z, which take a quarter of a gigabyte.
 constexpr Eigen::Index most_stored_numbers = Eigen::Index{1} << 25;
 
 using linalg::Change;
@@ -23,7 +23,7 @@ class LowRankUpdated final : public SparseFactorization {
     const Eigen::Index rows = std::max<Eigen::Index>(matrix.rows(), 1);
     limit_ = std::min(most_columns_, std::max<Eigen::Index>(most_stored_numbers / rows, 1));
     columns_.resize(matrix.rows(), 0);
-    solved_.resize(matrix.rows(), 0);  // its memory grows by doubling
+    solved_.resize(matrix.rows(), 0);  // update() doubles its memory when needed
     signs_.resize(0);
     capacitance_matrix_.resize(0, 0);
     is_stale_ = false;
@@ -40,7 +40,7 @@ class LowRankUpdated final : public SparseFactorization {
   bool update(const Eigen::SparseMatrix<double>& columns, Change change) override {
     assert(columns.rows() == columns_.rows());
     if (columns.cols() == 0) return !is_stale_;
-    // A factor that has missed one change takes no later ones, because it would then belong to no matrix at all.
+    // A factor that has missed one change gets no later changes, because it would then belong to no matrix at all.
     is_stale_ = is_stale_ || signs_.size() + columns.cols() > limit_;
     if (is_stale_) return false;
     const Eigen::Index before = signs_.size(), after = before + columns.cols();
@@ -53,7 +53,7 @@ class LowRankUpdated final : public SparseFactorization {
     columns_.rightCols(columns.cols()) = columns;
     signs_.conservativeResize(after);
     signs_.tail(columns.cols()).setConstant(change == Change::add ? 1.0 : -1.0);
-    // New rows and columns of the capacitance matrix are computed; the others stay.
+    // New rows and columns of the capacitance matrix are computed; old entries stay.
     Eigen::MatrixXd capacitance(after, after);
     capacitance.topLeftCorner(before, before) = capacitance_matrix_;
     capacitance.rightCols(columns.cols()) = columns_.transpose() * solved;

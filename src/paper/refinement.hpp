@@ -9,9 +9,9 @@ namespace bempd::paper {
 // times the largest entry of b, or when a step gains less than a factor of two. apply(x, y) sets y = A x; solve(r)
 // overwrites r by M^-1 r. `x` holds the initial guess, then the best solution found.
 //
-// GMRES, preconditioned by a factor that has missed changes, is not used: it costs more than a fresh factor. On the
-// published centre crack it took 6.4 s instead of 4.8 s, event by event 15 s instead of 7.6 s. With Eigen's GMRES,
-// which applies the factor once more per right-hand side, it was 8.3 s.
+// GMRES, preconditioned by a factor that has missed changes, is not used, because it costs more than a fresh factor. On
+// the published centre crack it took 6.4 s instead of 4.8 s, event by event 15 s instead of 7.6 s. Eigen's GMRES, which
+// applies the factor once more per right-hand side, took 8.3 s.
 template <class Apply, class Solve>
 linalg::KrylovResult refine(const Apply& apply, const Solve& solve, const Eigen::VectorXd& b, Eigen::VectorXd& x,
                             double tolerance, int max_iterations) {

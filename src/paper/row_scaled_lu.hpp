@@ -9,8 +9,8 @@
 
 namespace bempd::paper {
 
-// Factorization for make_sparse_lu() by one of Eigen's solvers, with rows scaled. `Solver` must also have pivots()
-// (U_jj by column of the matrix) and entries(), and throw on failures that are not the matrix's fault.
+// Factorization for make_sparse_lu() by one of Eigen's solvers, with scaled rows. `Solver` must also have pivots()
+// (U_jj by column of the matrix) and entries(), and throw on failures that are not due to the matrix.
 template <class Solver>
 class RowScaledLU final : public linalg::SparseFactorization {
  public:
@@ -78,7 +78,7 @@ class RowScaledLU final : public linalg::SparseFactorization {
            std::equal(a.innerIndexPtr(), a.innerIndexPtr() + a.nonZeros(), b.innerIndexPtr());
   }
 
-  Matrix scaled_;  // matrix that was factorized, or at least analysed; solvers may refer to it
+  Matrix scaled_;  // matrix that was analysed or factorized; `solver_` may refer to it
   Solver solver_;
   Eigen::Index size_ = 0;
   Eigen::ArrayXd row_scale_, column_scale_;

@@ -14,7 +14,8 @@ namespace bempd::paper {
 
 namespace {
 
-// UMFPACK counts the memory of a factor in its integer type, so 64 bits are used: 32 bits would limit the factor.
+// UMFPACK counts the memory of a factor in its integer type. It has 64 bits here, because 32 bits would limit the
+// factor.
 using LongMatrix = Eigen::SparseMatrix<double, Eigen::ColMajor, SuiteSparse_long>;
 static_assert(sizeof(SuiteSparse_long) == 8);
 
@@ -31,8 +32,8 @@ class Umfpack : public Eigen::UmfPackLU<LongMatrix> {
     UmfPackLU::analyzePattern(matrix);
     check(m_fact_errorCode);
   }
-  // UMFPACK does not hear a request to cancel, so that its end is foretold from its own bound on the operations,
-  // which is 4 to 10 times what it does.
+  // UMFPACK cannot be cancelled, so the duration is estimated in advance. The estimate uses UMFPACK's own bound on the
+  // number of operations, which is 4 to 10 times the true number.
   void factorize(const LongMatrix& matrix) {
     const Phase phase("sparse factorization", 1,
                       linalg::expected_time_of_products(m_umfpackInfo[UMFPACK_FLOPS_ESTIMATE]));
@@ -40,7 +41,8 @@ class Umfpack : public Eigen::UmfPackLU<LongMatrix> {
     check(m_fact_errorCode);
   }
 
-  // Solves A x = rhs. Eigen's own function is not used: where UMFPACK has failed, it returns uninitialized memory.
+  // Solves A x = rhs. Eigen's own function is not used, because it returns uninitialized memory after a failure of
+  // UMFPACK.
   Eigen::MatrixXd solve(const Eigen::Ref<const Eigen::MatrixXd>& rhs) const {
     Eigen::MatrixXd x(rhs.rows(), rhs.cols());
     for (Eigen::Index c = 0; c < rhs.cols(); ++c) {
@@ -67,7 +69,7 @@ class Umfpack : public Eigen::UmfPackLU<LongMatrix> {
   }
 
  private:
-  // Throws for a negative code of UMFPACK, which is an error; a positive one is a warning.
+  // Throws for a negative code of UMFPACK, which is an error; positive codes are warnings.
   static void check(SuiteSparse_long code) {
     if (code == UMFPACK_ERROR_out_of_memory) throw std::bad_alloc();
     if (code < 0) throw std::runtime_error("UMFPACK: error " + std::to_string(code));

@@ -10,13 +10,14 @@ class UncorrectedLattice : public regions::LatticeRegion {
  public:
   using regions::LatticeRegion::LatticeRegion;
 
-  // Never true: published bodies have one lattice, so two lattices are coupled only by the points they share.
+  // Always false, because published bodies have one lattice: two lattices are coupled only by the points that they
+  // share.
   bool acts_as_one_with(const LatticeRegion&) const override { return false; }
-  // Empty, so that contact has no face places here: bond forces at surfaces and interfaces are not those of the stress
+  // Empty, so that contact gets no places on faces: bond forces at surfaces and interfaces do not agree with the stress
   // there.
   std::optional<regions::LatticeGrid> lattice_grid() const override { return std::nullopt; }
   std::optional<pd::FaceLattice> face_lattice() const override { return std::nullopt; }
-  // Makes the network of the region's own points, whatever the cells are.
+  // Makes the network of the region's own points; `cells` are not used.
   pd::Network make_network(const pd::CellLattice& cells, int threads) const override;
 
  protected:
@@ -24,8 +25,8 @@ class UncorrectedLattice : public regions::LatticeRegion {
   regions::FieldValues damage(const std::vector<char>& intact) const override;
 
  private:
-  // Volumes of the points, all of them full ones, also on interfaces and faces: with less, the published stretching
-  // example has larger errors.
+  // Volumes of the points: full volumes for all points, also on interfaces and faces, because the published stretching
+  // example has larger errors with smaller volumes.
   std::vector<double> volumes() const { return std::vector<double>(points_.size(), 1.0); }
 };
 

@@ -20,7 +20,7 @@ using Face = std::array<Point, 2>;
 
 constexpr double place_tolerance = 1e-9;
 
-// Grid of square bins as wide as the horizon: the partners of a point lie in its own bin and the eight around it.
+// Grid of square bins as wide as the horizon; all partners of a point lie in its own bin and the eight bins around it.
 class Bins {
  public:
   Bins(const std::vector<Point>& points, double width) : width_(width) {
@@ -35,7 +35,7 @@ class Bins {
     for (std::size_t i = 0; i < points.size(); ++i) points_[bin_of(points[i])].push_back(static_cast<int>(i));
   }
 
-  // Adds a face to all bins whose points have bonds long enough to reach it.
+  // Adds a face to all bins whose points may have bonds that reach it.
   void add(const Face& face, int number) {
     const Point reach(width_ + place_tolerance, width_ + place_tolerance);
     const Eigen::Array2i from = place(face[0].cwiseMin(face[1]) - reach).max(0);
@@ -46,7 +46,7 @@ class Bins {
 
   const std::vector<int>& faces_near(const Point& p) const { return faces_[bin_of(p)]; }
 
-  // Calls visit(j) for all points in the bin of `p` and the eight around it, in any order.
+  // Calls visit(j) for all points in the bin of `p` and the eight bins around it, in any order.
   template <class Visit>
   void for_points_near(const Point& p, const Visit& visit) const {
     const Eigen::Array2i at = place(p);
@@ -70,13 +70,14 @@ class Bins {
 
 int sign(double value) { return value > place_tolerance ? 1 : value < -place_tolerance ? -1 : 0; }
 
-// Whether a bond passes from one side of the boundary to the other. At a place where faces end on the bond, it does so
-// if two faces leave the place to different sides of the bond. `candidates` are the numbers of the faces nearby.
+// Whether a bond passes from one side of the boundary to the other. At a place where faces end on the bond, the bond
+// crosses if two faces lead from the place to different sides of the bond. `candidates` are the numbers of the faces
+// nearby.
 bool crosses_boundary(const Point& from, const Point& to, const std::vector<Face>& faces,
                       const std::vector<int>& candidates) {
   const Point along = (to - from).normalized();
   const double length = (to - from).norm();
-  std::vector<std::pair<double, int>> ends;  // place of a face's end on the bond, and side to which the face leads
+  std::vector<std::pair<double, int>> ends;  // places of face ends on the bond, and sides to which the faces lead
   for (const int f : candidates) {
     const Point &a = faces[f][0], &b = faces[f][1];
     const int a_side = sign(cross(along, a - from)), b_side = sign(cross(along, b - from));

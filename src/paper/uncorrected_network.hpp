@@ -14,9 +14,10 @@ namespace bempd::paper {
 // times the volume factor times both volumes. Linear fields are not exact, neither in the bulk nor at faces, so
 // residuals and weights in Network keep their defaults. `bulk_stiffness` of an offset is that of two unit volumes.
 //
-// Points may lie anywhere; lengths are in units of the spacing, so the horizon is `horizon_ratio`. A point's volume is
+// Points may lie anywhere. Lengths are in units of the spacing, so the horizon is `horizon_ratio`. A point's volume is
 // 1 for a full cell (spacing^2 times thickness). `faces` are straight pieces of the body's boundary: bonds that cross
-// them are left out, bonds that touch them or run along them stay. Poisson's ratio must be that of a bond-based solid.
+// faces are left out, bonds that touch faces or run along them stay. Poisson's ratio must be that of a bond-based
+// solid.
 pd::Network build_uncorrected_network(const std::vector<Point>& points, const std::vector<double>& volumes,
                                       const std::vector<std::array<Point, 2>>& faces, int horizon_ratio,
                                       const PlaneElasticity& elasticity);

@@ -13,9 +13,9 @@ using namespace coupling;
 
 namespace {
 
-// Limits on a factor before it is made anew. After most_updates stored updates these cost about as much to apply as the
-// factor itself. A factor that has missed changes hardly ever converges in most_refinements steps.
+// Largest number of updates of a factor; more updates would cost more to apply than the factor itself.
 constexpr int most_updates = 120;
+// Largest number of refinement steps; a factor that has missed changes hardly ever converges in more.
 constexpr int most_refinements = 4;
 
 // Reciprocal condition number below which a solution has no correct digit.
@@ -37,7 +37,7 @@ class UnsymmetricSchurComplement final : public SchurComplement {
   double reciprocal_condition() const override { return private_.empty() ? 1 : lu_.rcond(); }
 
  private:
-  linalg::DenseLU lu_;  // of the private block
+  linalg::DenseLU lu_;  // factors of the private block
 };
 
 class UnsymmetricSolver final : public SystemSolver {
