@@ -46,7 +46,7 @@ void parallel_for(std::size_t count, int threads, const Body& body) {
     try {
       for (std::size_t t = 1; t < workers; ++t) others.emplace_back(work);
     } catch (const std::system_error&) {
-      // The existing threads do the work if no further one can be started.
+      // The existing threads do the work if no further thread can be started.
     } catch (const std::bad_alloc&) {
     }
     work();

@@ -24,7 +24,7 @@ class StopScope {
   const Request* before_;
 };
 
-// Whether the host has asked for the end of the step after the present event, so that work ahead of that is useless.
+// Whether the host has asked for the end of the step after the present event. Work for later events is then useless.
 inline bool stop_is_requested() {
   const StopScope::Request* request = StopScope::current();
   return request && request->load(std::memory_order_relaxed);

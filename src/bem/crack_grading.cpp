@@ -35,8 +35,8 @@ constexpr double longest = 0.5, longest_at_tip = 0.25;
 // strip between the faces bends: openings are right to 4e-5 with elements of two widths, to 6e-4 with four, if the
 // elements at the ends of the gap are short.
 constexpr double longest_along_gap = 2, growth_along_gap = 0.25;
-// Largest length of elements along a gap over the element length without a gap, on cracks and on the boundary. In wide
-// gaps this limit holds; longer elements would hardly be fewer.
+// Largest length of elements along a gap over the element length without a gap, on cracks and on the boundary. It
+// limits elements along wide gaps, where longer elements would save little.
 constexpr double part_along_crack = 0.125, part_along_boundary = 0.25;
 
 // Growth of elements per distance from a mouth on an edge with fixed node spacing: each is up to 1.6 times the one

@@ -34,8 +34,8 @@ Mouth split_at(const Point& place, BoundaryMesh& mesh, double tolerance) {
   return mouth;
 }
 
-// Opening node at the end of a crack line that lies at a joint; the sign is 1 if the line starts at the joint, -1 if it
-// ends there.
+// Opening node at that end of a crack line which lies at a joint; the sign is 1 if it is the start of the line, else
+// -1.
 struct OpeningAtJoint {
   int node;
   double sign;
@@ -98,7 +98,7 @@ class Mesher {
       if (e + 1 == count && line.joints[1] < 0) tip = TipEnd::end;
       const int node = first + 2 * e;
       if (e == 0) mesh.nodes.push_back(start);
-      // The mid node of an element at a tip is its quarter point, the one nearer to the tip.
+      // The mid node of an element at a tip is a quarter of the element's length away from the tip.
       const double middle = tip == TipEnd::start ? 0.25 : tip == TipEnd::end ? 0.75 : 0.5;
       mesh.nodes.push_back(start + middle * (end - start));
       mesh.nodes.push_back(end);
@@ -170,9 +170,9 @@ class Mesher {
   }
 
   // Adds boundary nodes around a joint at which a line between two pieces ends. The lines at the joint divide the body
-  // into sectors, each with a node of its own. `sectors_` gets the sector nodes counter-clockwise: that before each
-  // line, then that behind the last line. At a mouth the first and the last of these nodes are those of the boundary;
-  // inside the body they are the same node.
+  // into sectors, each with a node of its own. `sectors_` gets these nodes counter-clockwise: the node before each
+  // line, then the node behind the last line. At a mouth the first and the last node are those of the boundary; inside
+  // the body they are the same node.
   void add_sectors(int joint) {
     const std::vector<LineEnd>& around = mesh.pieces.around[joint];
     sectors_.emplace_back();

@@ -47,9 +47,9 @@ struct CrackMesh {
   std::vector<std::array<int, 2>> mouth_of_joint;
 
   // Matrix that gives all openings from the unknowns, which are the displacements of the boundary nodes, followed by
-  // the free openings. Openings are 0 at tips. Around a joint their sum, with the sign of the line's direction, is 0;
-  // at a mouth this sum is the displacement before the mouth less that behind it. Where pieces of the body meet at a
-  // joint, each opening is the difference of the displacements on both sides of its line.
+  // the free openings. Openings are 0 at tips. The openings around a joint, with the signs of the lines' directions,
+  // add to 0; at a mouth they add to the displacement before the mouth less the displacement behind it. Where pieces of
+  // the body meet at a joint, each opening is the difference of the displacements on both sides of its line.
   Eigen::SparseMatrix<double> constraint;
   int free_nodes = 0;  // number of opening nodes with free openings
 

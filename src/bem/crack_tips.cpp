@@ -216,7 +216,7 @@ std::vector<double> stresses_along_crack(const CrackedOperator& body, const Crac
       results.push_back(d.x() * d.x() * s[0] + d.y() * d.y() * s[1] + 2 * d.x() * d.y() * s[2]);
       continue;
     }
-    // The outward normal of the face on the left of a direction points to the right of it.
+    // The left face (seen along a direction) has an outward normal that points to the right.
     const Point normal = -left_of(tip.end == TipEnd::end ? d : Point(-d));
     if (state.face_traction) stress += normal.dot(state.face_traction(tip.line, tip.place, normal));
     results.push_back(stress);

@@ -152,7 +152,8 @@ Point InteriorEvaluator::remainder(int e, double xi, const Nearest& nearest, con
            (displacement_[nearest.element].c2 - field.gradient * boundary_.elements[nearest.element].c2);
   };
   if (e == nearest.element) return on_nearest(xi);
-  // Neighbours of the nearest element get the difference from the common end onwards, so that it does not cancel.
+  // Neighbours of the nearest element: the difference is the sum of its value at the common end and of the change from
+  // this end, so that no digits cancel.
   for (int own = 0; own < 2; ++own)
     for (int other = 0; other < 2; ++other)
       if (end_nodes_[e][own] == end_nodes_[nearest.element][other]) {

@@ -22,8 +22,8 @@ class PairBlocks {
   // later.
   Eigen::Matrix2d single_layer(int outer, int inner, const PairMoments& m, int a, int b) const {
     const double single = (outer == inner ? 0.5 : 1.0) * single_;
-    // The trace part 1/2 of e e^T gives a product of integrals. (In the hypersingular block it vanishes in the sum over
-    // closed loops.)
+    // The trace part 1/2 of e e^T, where e = r / |r|, gives a product of integrals. In the hypersingular block this
+    // part vanishes in the sum over closed loops.
     const double trace = 0.5 * node_lengths_[outer][a] * node_lengths_[inner][b];
     return single * symmetric_block(trace - (3 - 4 * nu_) * m.mass[0][b][a], m.mass[1][b][a], m.mass[2][b][a]);
   }

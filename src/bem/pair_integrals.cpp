@@ -61,7 +61,7 @@ const ElementPoints& PairIntegrator::points(const Side& side, int rule, ElementP
 }
 
 // List of up to most_short_pairs + 1 pairs of intervals, on the stack. Thread-local memory would need a registered
-// destructor, and the C library ends the process if there is no memory to register it.
+// destructor, and the C library ends the process if there is no memory for the registration.
 class PairIntegrator::ShortPairs {
  public:
   void add(const ShortPair& pair) { new (memory_ + sizeof(ShortPair) * size_++) ShortPair(pair); }
@@ -146,7 +146,7 @@ PairMoments PairIntegrator::integrate(int outer, int inner, Contact contact, Pai
       integrate_touching({outer, {-1, 1}}, {inner, {1, -1}}, true, part, moments);
       break;
     case Contact::both_ends:
-      // Two elements form a loop: their halves with parameters of the same sign are separate, of opposite signs touch.
+      // Two elements form a loop. Their halves touch if their parameters have opposite signs; else they are separate.
       integrate_touching({outer, {1, 0}}, {inner, {-1, 0}}, true, part, moments);
       integrate_touching({outer, {-1, 0}}, {inner, {1, 0}}, true, part, moments);
       integrate_separate(stretch({outer, {0, 1}}), stretch({inner, {0, 1}}), part, moments);

@@ -55,7 +55,7 @@ class PointTable {
   mutable std::atomic<const ElementPoints*> points_{nullptr};
 };
 
-// Contact of two elements: which end of the outer one (named first) is which end of the inner one.
+// Contact of two elements. `end_to_start`: the end of the outer element is the start of the inner element.
 enum class Contact { none, same, end_to_start, start_to_end, both_ends };
 
 // Integrates over pairs of elements, each with the relative error `tolerance`. Separate pairs use products of Gauss

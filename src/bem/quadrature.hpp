@@ -17,18 +17,18 @@ inline constexpr int max_gauss_points = 32;
 const GaussRule& gauss_rule(int point_count);
 
 // Size rho (sum of the semi-axes) of the largest ellipse with foci +-1 in which an integrand on [-1, 1] is analytic.
-// `sum_of_distances` is the sum of the distances of its nearest singularity from -1 and 1.
+// `sum_of_distances` is the sum of the distances of the integrand's nearest singularity from -1 and 1.
 double ellipse_size(double sum_of_distances);
 
-// Number n of points that a Gauss rule needs for the relative error `tolerance`, which falls like rho^(-2 n) with the
-// size rho of the ellipse.
+// Number n of points that a Gauss rule needs for the relative error `tolerance`. The error falls like rho^(-2 n) with
+// the size rho of the ellipse.
 int gauss_points_needed(double ellipse, double tolerance);
 
 // Numbers of points used for smooth integrals; they are few, so that they can be tabulated for every element.
 inline constexpr std::array<int, 8> regular_point_counts{4, 5, 6, 7, 8, 10, 12, 16};
 inline constexpr int max_regular_points = 16;
 
-// Index in `regular_point_counts` of the least count that is enough; its size() if none is.
+// Index in `regular_point_counts` of the least count that is enough; the number of counts if none is enough.
 int regular_rule(int points_needed);
 
 // Choice of a rule with the result of gauss_points_needed() and regular_rule(), but by tabulated limits instead of a

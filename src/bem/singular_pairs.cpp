@@ -94,9 +94,9 @@ class FromEnd {
   FromEnd(const ElementGeometry& element, const Interval& interval)
       : element_(element), from_(interval.from), length_(interval.to - from_), half_(element.basis.half(from_)) {}
 
-  // Sets point `p` at the distance radius * times_radius from the end, in lengths of the interval. With a common node
-  // the part of the difference is N less its value at the end, over the radius; the values at the end cancel. Without a
-  // common node the part is N over the radius. `sign` is the sign of this part.
+  // Sets point `p` at the distance radius * times_radius from the end, in lengths of the interval. The element's part
+  // of the quotient (N(y) - N(x)) / radius is, with a common node, N less its value at the end (these values cancel),
+  // over the radius; without a common node it is N over the radius. `sign` is the sign of this part.
   void set_at(double radius, double times_radius, bool common_node, double sign, std::size_t p, Point& chord,
               SingularPoints::Side& side) const {
     const double way = length_ * times_radius;

@@ -9,7 +9,7 @@
 
 namespace bempd::bem {
 
-// Singularities of an integrand over an element: complex parameters at which it is not analytic.
+// Singularities of an integrand over an element: complex parameters at which the integrand is not analytic.
 class Singularities {
  public:
   void add(std::complex<double> xi) { at_[count_++] = xi; }
@@ -53,8 +53,8 @@ Singularities singularities_from(const ElementGeometry& element, const Point& x)
 
 // Singularities of an integral over an interval of `inner`, with kernels of the distance, as a function of the place on
 // `outer`. They lie where the path of integration ends, and where the parameter of `inner` is not an analytic function
-// of the place (at the centre of an arc, the focus of a parabola). The path between its ends causes none, because it
-// can be deformed away from the place.
+// of the place (at the centre of an arc, the focus of a parabola). The path between its ends causes no singularity,
+// because it can be deformed away from the place.
 std::vector<Singularities> singularities_of_integral(const ElementGeometry& outer, const ElementGeometry& inner,
                                                      const Interval& interval);
 

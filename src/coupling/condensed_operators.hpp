@@ -25,9 +25,9 @@ class CondensedOperators {
   // operator's private unknowns is singular.
   void condense(const std::vector<DofKind>& kind, SolverCounters& counters);
   const std::vector<OperatorSchurComplement>& list() const { return list_; }  // empty until they are condensed
-  // Index of the operator on exactly these nodes; -1 if there is none.
+  // Index of the operator that has exactly these nodes; -1 if there is none.
   int number_on(const std::vector<int>& nodes) const;
-  // Forces of the operator on exactly these nodes, over all nodes; 0 if there is none.
+  // Forces on all nodes by the operator that has exactly these nodes; 0 if there is no such operator.
   Eigen::VectorXd force_on(const std::vector<int>& nodes, const Eigen::VectorXd& displacement,
                            double load_factor) const;
 
@@ -65,7 +65,8 @@ class CondensedOperators {
   double work_due_to_multipliers(const Eigen::VectorXd& displacement, double load_factor) const;
   // Adds to `weights` the gap of a constraint as a linear function of displacements, without its constant offset.
   void add_gap_function(Eigen::Index constraint, Eigen::VectorXd& weights) const;
-  // Flags of the constraints of the operator on exactly these nodes, 1 if closed; empty if there is no such operator.
+  // Flags of the constraints of the operator that has exactly these nodes, 1 if closed; empty if there is no such
+  // operator.
   std::vector<char> closed_on(const std::vector<int>& nodes) const;
 
  private:
@@ -75,10 +76,10 @@ class CondensedOperators {
   void for_each_rest(const Visit& visit);
   void measure_rests() noexcept;
 
-  std::vector<DenseOperator> pending_;  // until condensed
+  std::vector<DenseOperator> pending_;  // operators until they are condensed
   std::vector<OperatorSchurComplement> list_;
   Condensed condensed_ = Condensed::nothing;
-  KnownSchurComplements known_;  // until condensed
+  KnownSchurComplements known_;  // for condense(); empty afterwards
   Affine load_, gap_offsets_{0, 2};
   bool have_rest_[2] = {false, false};
   double rest_motion_[2] = {0, 0};

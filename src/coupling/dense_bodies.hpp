@@ -18,7 +18,7 @@ class DenseBodies {
 
  private:
   std::vector<std::vector<int>> list_;
-  std::vector<char> in_body_;  // per node
+  std::vector<char> in_body_;  // flag of each node
 };
 
 }  // namespace bempd::coupling

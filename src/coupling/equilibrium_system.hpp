@@ -18,7 +18,7 @@ namespace bempd::coupling {
 // View of a system with a factor. Its references are valid as long as the system keeps this factor.
 struct FactorizedSystem {
   const linalg::SparseCholesky& cholesky;
-  const std::vector<int>& dof_of;  // unknown -> dof
+  const std::vector<int>& dof_of;  // degree of freedom of each unknown
   int kept;                        // number of unknowns that are eliminated last
   const std::vector<OperatorSchurComplement>& operators;
   const NodeTies& ties;

@@ -21,7 +21,7 @@ struct Elements {
   int node_count() const { return 2 * count() + 1; }
   double node(int a) const { return a % 2 == 0 ? stations[a / 2] : 0.5 * (stations[a / 2] + stations[a / 2 + 1]); }
   double length(int element) const { return stations[element + 1] - stations[element]; }
-  // Element that contains the coordinate s; where two elements meet, the left one.
+  // Element that contains the coordinate s; the left element where two elements meet.
   int at(double s) const {
     const auto after = std::lower_bound(stations.begin() + 1, stations.end() - 1, s);
     return static_cast<int>(after - stations.begin()) - 1;

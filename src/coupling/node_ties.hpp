@@ -35,8 +35,8 @@ class NodeTies {
 
  private:
   std::vector<int> nodes_;
-  std::vector<std::vector<Master>> masters_;  // per tie
-  std::vector<int> tie_of_;                   // per node
+  std::vector<std::vector<Master>> masters_;  // masters of each tie
+  std::vector<int> tie_of_;                   // tie of each node, or -1
 };
 
 }  // namespace bempd::coupling

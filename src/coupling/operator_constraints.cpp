@@ -5,8 +5,8 @@
 
 namespace bempd::coupling {
 
-// Finds the constraints that can close or open by themselves. At the mouth of a crack between nodes that are prescribed
-// or shared with other operators, the gap follows from those nodes, and the constraint cannot.
+// Finds the constraints that can close or open by themselves. A constraint at the mouth of a crack cannot if both nodes
+// of the mouth are prescribed or shared with other operators, because its gap follows from these nodes.
 void OperatorSchurComplement::find_switchable() {
   const Eigen::MatrixXd &alone = constraints_->of_forces, &of_displacements = constraints_->of_displacements;
   for (Eigen::Index i = 0; i < alone.rows(); ++i) {

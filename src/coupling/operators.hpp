@@ -31,7 +31,7 @@ struct BodyPiece {
 // all constraints open.
 struct ExactConstraints {
   Eigen::MatrixXd of_displacements, of_forces;
-  std::vector<Point> places;  // of the gaps
+  std::vector<Point> places;  // places of the gaps
 
   bool operator==(const ExactConstraints& other) const {
     const auto same = [](const Eigen::MatrixXd& a, const Eigen::MatrixXd& b) {

@@ -28,7 +28,7 @@ struct Substructure {
   Eigen::VectorXd diagonal;  // diagonal of the sum of all parts, for the remaining unknowns
   double smallest_pivot_ratio = 1;
 
-  // Last right-hand side and its result of eliminate_from(): scenes with longer cracks often give the same one.
+  // Last right-hand side and its result of eliminate_from(), which scenes with longer cracks often ask for again.
   mutable Eigen::VectorXd rhs, eliminated_rhs;
 
   void eliminate_from(Eigen::MatrixXd& values) const;
@@ -51,7 +51,7 @@ namespace {
 constexpr std::size_t smallest_substructure = 3;
 constexpr int most_halvings = 60;  // ends the halving of parts with one centre
 // Limit on the number of unknowns in changing parts, over the square root of the number of all unknowns, up to which
-// these parts are joined last. The last substructure of the other parts grows with the same root and is as large.
+// these parts are joined last. The last substructure of the other parts grows with this root to about the same number.
 constexpr double most_joined_last = 8;
 
 }  // namespace

@@ -55,7 +55,7 @@ class SystemFactor {
   // undergone exactly these changes. The caller must know that the matrix is the same.
   bool recall(const std::vector<FactorChange>& changes);
   void drop_forgotten() { forgotten_ = FactorState::none; }  // recall() fails then
-  // Frees the factor and its solver; the next factorization asks for a solver again.
+  // Frees the factor and its solver; the next factorization makes a solver again.
   void release() {
     forget();
     drop_forgotten();

@@ -29,7 +29,7 @@ class SystemMatrix {
   const std::shared_ptr<const PlacesMet>& shared_places() const { return places_; }
   PlacesMet places_met() const { return places_ ? *places_ : PlacesMet(); }
   void set_places_met(PlacesMet places);
-  // Assembly of a matrix with entries for `places`: the assembly of the present matrix if `places` is its own object,
+  // Assembly of a matrix with entries for `places`: the assembly of the present matrix if `places` is shared_places(),
   // else a new one.
   std::shared_ptr<StiffnessAssembly> assembly_with(const std::shared_ptr<const PlacesMet>& places) const;
 

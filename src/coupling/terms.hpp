@@ -47,11 +47,11 @@ struct TermEntry {
 struct Terms {
   std::vector<int> first, second;    // nodes
   std::vector<double> cosine, sine;  // unit vector from first to second
-  std::vector<double> length;        // [m]; makes a strain of the elongation
+  std::vector<double> length;        // length [m] that turns an elongation into a strain
   std::vector<double> stiffness;     // force per elongation [N/m]
 
   // Rest elongations [m]: constant parts, then proportional parts. Terms beyond the end of an array have the rest
-  // elongation 0; the arrays are empty if all have.
+  // elongation 0; the arrays are empty if all rest elongations are 0.
   std::array<std::vector<double>, 2> rest_elongation;  // [m]
 
   // Poisson's ratio of bonds whose stretch counts the effect of compression across them; 0 for other bonds, and for
@@ -108,7 +108,7 @@ struct Terms {
   const TermLaw& law_of(std::size_t term) const { return term < law.size() ? laws[law[term]] : laws.front(); }
 
   bool is_broken(std::size_t term, int stage) const { return law_of(term).is_broken(stage); }
-  // Stage change that breaks a term, whatever stage it is in.
+  // Stage change that breaks a term, whatever its present stage is.
   StageChange breaking(int term) const { return {term, law_of(static_cast<std::size_t>(term)).broken_stage()}; }
   // Numbers of the terms that `changes` break.
   std::vector<int> broken_by(std::span<const StageChange> changes) const;

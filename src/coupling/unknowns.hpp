@@ -12,8 +12,8 @@ namespace bempd::coupling {
 // system.
 struct Unknowns {
   std::vector<DofKind> kind;
-  std::vector<int> unknown_of;  // dof -> unknown of the sparse system, or -1
-  std::vector<int> dof_of;      // unknown -> dof
+  std::vector<int> unknown_of;  // unknown of each degree of freedom, or -1
+  std::vector<int> dof_of;      // degree of freedom of each unknown
 
   bool is_unknown(int dof) const { return unknown_of[dof] >= 0; }
   bool is_prescribed(int dof) const { return kind[dof] == DofKind::prescribed; }

@@ -13,7 +13,7 @@ class BoxTree {
   explicit BoxTree(const std::vector<Box>& boxes);
 
   // Calls visit(number), in any order, for the items for which is_near(box) is true for their own box and all boxes of
-  // the tree around it, until visit() returns true. Returns whether it did.
+  // the tree around it, until visit() returns true. Returns whether visit() has returned true.
   template <class IsNear, class Visit>
   bool any(const IsNear& is_near, const Visit& visit) const {
     for (std::size_t n = 0; n < nodes_.size();) {

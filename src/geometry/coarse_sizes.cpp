@@ -18,7 +18,7 @@ constexpr double share_of_gap = 2;
 // Ratio for two panels with a common corner, below which they count as running beside each other with a gap: their
 // distance at a place over the distance of the place from the corner.
 constexpr double aside = 0.3;
-// Least length of elements in such a gap, over the length of their panel.
+// Least length of elements beside a neighbouring panel (see `aside`), over the length of their panel.
 constexpr double least_beside = 1.0 / 16;
 
 // Limit on the halvings of a panel's elements; parts of the boundary that touch would need any number of halvings.

@@ -12,12 +12,12 @@ namespace bempd {
 // Body that the given cuts divide into parts, except the cuts too close to its cracks.
 struct CutBody {
   BoundaryMesh body;
-  std::vector<Stations> given;  // cuts given
+  std::vector<Stations> given;  // cuts through the body without cracks
   std::vector<char> keep_off;   // flag of each given cut that keeps off the cracks
 
   std::vector<SubdomainLoops> parts;
   std::vector<Point> positions;  // positions of the body's nodes, then of nodes on cuts
-  std::vector<Stations> made;    // cuts made
+  std::vector<Stations> made;    // those of the given cuts that were made
   std::set<int> left_out;        // nodes at the ends of given cuts that were not made
   int panels;                    // number of panels, with one for each cut
 

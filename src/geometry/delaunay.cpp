@@ -86,8 +86,8 @@ int Delaunay::insert(const Point& p) {
   fresh_.clear();
   const int first = triangle_at(at);
   for (const int point : triangles_[static_cast<std::size_t>(first)].points) {
-    // Neighbouring grid points count as one point, because rounding may move a place that is computed in two ways to
-    // either.
+    // Neighbouring grid points count as one point, because a place that is computed in two ways may be rounded to
+    // either of them.
     if (std::abs(place(point).x - at.x) <= 1 && std::abs(place(point).y - at.y) <= 1) return point;
   }
   const std::vector<Rim> rim = open_cavity(first, at);

@@ -48,7 +48,7 @@ Box bounding_box(const Edge& edge);
 std::vector<Box> coarse_boxes(const std::vector<Edge>& edges);
 double closest_fraction(const Edge& edge, const Point& p);
 double distance(const Edge& edge, const Point& p);
-// Lower bound on the distance, computed faster.
+// Lower bound on the distance of `p` from the edge, computed faster than distance().
 double least_distance(const Edge& edge, const Point& p);
 std::vector<Crossing> meeting_points(const Edge& a, const Edge& b);
 std::optional<Point> find_contact(const Edge& a, const Edge& b, double tolerance);

@@ -10,7 +10,7 @@ namespace bempd {
 template <class Limit>
 void halve(double from, double to, double length, const Limit& limit, int most_halvings, std::vector<double>& ends) {
   const double middle = 0.5 * (from + to);
-  // The limit has slack, so that rounding does not divide one of two equal elements only.
+  // The limit has slack, so that rounding cannot divide only one of two equal elements.
   constexpr double slack = 1 + 1e-9;
   if (most_halvings > 0 && length > slack * std::min({limit(from), limit(middle), limit(to)})) {
     halve(from, middle, 0.5 * length, limit, most_halvings - 1, ends);

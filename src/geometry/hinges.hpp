@@ -7,8 +7,9 @@
 
 namespace bempd {
 
-// Finds the hinges: points where regions meet that are not all connected through contacts that pass or end there.
-// `boundaries[r]` has the edges of region r in the order to which the numbers in `contacts` refer.
+// Finds the hinges: points where several regions touch, not all of which are connected by contacts that pass through
+// the point or end there. `boundaries[r]` has the edges of region r in the order to which the numbers in `contacts`
+// refer.
 std::vector<PointTouch> find_hinges(const std::vector<EdgeTree>& boundaries, const std::vector<Contact>& contacts,
                                     double tolerance);
 

@@ -12,7 +12,7 @@ namespace bempd {
 
 // Straight cut through the material between two nodes of a subdomain's boundary, with the ends of its elements.
 struct MaterialCut {
-  int from, to;       // nodes
+  int from, to;       // nodes at both ends
   Stations stations;  // from the place of `from` to that of `to`
 };
 
@@ -38,7 +38,7 @@ class MaterialCutSearch {
 
  private:
   struct Hit {
-    double along;  // coordinate on the line
+    double along;  // coordinate of the crossing along the line
     int side;
   };
   std::vector<Hit> hits(int axis, double at) const;
@@ -46,7 +46,8 @@ class MaterialCutSearch {
   std::array<Point, 2> directions_at(int side) const;
   // Angle inside the material at the corner where a side starts.
   double corner(int side) const;
-  // Smaller one of the two angles into which a direction divides this corner; negative if it leads out of the material.
+  // Smaller one of the two angles into which a direction divides the corner at the start of a side; negative if the
+  // direction leads out of the material.
   double least_angle(int side, const Point& direction) const;
   std::optional<MaterialCut> cut_between(const Hit& a, const Hit& b, const std::vector<MaterialCut>& others) const;
   std::optional<std::vector<MaterialCut>> cuts_on(int axis, double at) const;

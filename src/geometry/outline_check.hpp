@@ -8,7 +8,7 @@ enum class OutlineDefect {
   none,
   not_finite,         // a coordinate is not a finite number, or beyond 1e75; edge_a is the vertex
   too_few_vertices,   // no loop at all, or a loop with fewer than three vertices
-  repeated_vertex,    // edge_a has no length: its vertex is given twice in a row
+  repeated_vertex,    // edge_a has no length, because its vertex is given twice in a row
   spike,              // edge_b runs back over edge_a
   self_crossing,      // edge_a and edge_b of one loop cross or touch
   wrong_orientation,  // outer loop clockwise, or hole counter-clockwise

@@ -26,7 +26,7 @@ class PlacedNodes {
     for (const BoundaryElement& element : body.elements) add(body.nodes[element.nodes[0]], element.nodes[0]);
   }
   void add(const Point& place, int node) { nodes_[cell_of(place)] = node; }
-  int at(const Point& place) const {  // -1: there is none
+  int at(const Point& place) const {  // -1: no node there
     const auto [column, row] = cell_of(place);
     for (const std::int64_t i : {0, -1, 1})
       for (const std::int64_t j : {0, -1, 1})

@@ -35,7 +35,7 @@ struct LatticeFit {
   // Suggested spacings if a length is not a whole number of spacings: close to the requested one, smallest first, and
   // fitting the whole outline. Short decimal numbers are preferred. Empty if the lengths have no useful common measure.
   std::vector<double> suggestions;
-  LatticeOutline outline;  // only without misfit
+  LatticeOutline outline;  // empty if there is a misfit
 
   bool fits() const { return misfit == LatticeMisfit::none; }
 };

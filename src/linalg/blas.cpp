@@ -90,7 +90,7 @@ std::string describe(const Blas& blas) {
 }
 
 bool is_before_avx2(std::string_view core) {
-  const auto same = [](char a, char b) { return (a | 0x20) == (b | 0x20); };  // ignores upper and lower case
+  const auto same = [](char a, char b) { return (a | 0x20) == (b | 0x20); };  // upper and lower case are the same
   return std::any_of(older_cores.begin(), older_cores.end(), [&](std::string_view older) {
     return std::equal(core.begin(), core.end(), older.begin(), older.end(), same);
   });

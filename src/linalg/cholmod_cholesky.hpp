@@ -188,7 +188,7 @@ class CholmodCholesky final : public SparseCholesky {
       factor_.reset(Cholmod<Index>::copy_factor(analysis_.get(), common_.get()));
       common_.check();
       Cholmod<Index>::change_factor(CHOLMOD_REAL, 1, 1, 1, 1, factor_.get(), common_.get());
-      if (common_->status != CHOLMOD_OK) factor_.reset();  // a factor without memory for its values is none
+      if (common_->status != CHOLMOD_OK) factor_.reset();  // without memory for its values a factor is useless
       common_.check();
       use_large_pages(factor_->x, factor_->xsize * sizeof(double));
     }
@@ -245,11 +245,11 @@ class CholmodCholesky final : public SparseCholesky {
   mutable CholmodCommon<Index> common_;
   CholmodFactor<Index> analysis_{common_}, factor_{common_};
   mutable CholmodDense<Index> solution_{common_}, work_y_{common_}, work_e_{common_};
-  Eigen::VectorXd diagonal_;       // of the matrix last factorized
+  Eigen::VectorXd diagonal_;       // diagonal of the matrix last factorized
   SparsityPattern<int> pattern_;   // pattern of `analysis_`
   std::vector<int> wanted_order_;  // empty: CHOLMOD chooses
   int kept_last_ = 0;
-  std::vector<int> order_, position_;  // unknown eliminated k-th, and the inverse
+  std::vector<int> order_, position_;  // unknown eliminated as the k-th, and its inverse
   bool has_factor_ = false;
 };
 

@@ -70,7 +70,7 @@ class CholmodCommon {
   cholmod_common* get() { return &common_; }
   cholmod_common* operator->() { return &common_; }
 
-  // Throws if the last CHOLMOD call has failed; to be called after each. A negative status is an error, a positive one
+  // Throws if the last CHOLMOD call has failed; must follow each call. A negative status is an error, a positive status
   // a warning.
   void check() const {
     if (common_.status == CHOLMOD_TOO_LARGE) throw TooLargeForIndices();

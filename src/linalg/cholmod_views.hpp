@@ -19,7 +19,7 @@
 
 namespace bempd::linalg {
 
-// View of a compressed matrix for CHOLMOD. Indices of 32 bits are those of the matrix itself; wider ones are a copy.
+// View of a compressed matrix for CHOLMOD. Indices of 32 bits are those of the matrix itself; wider indices are a copy.
 template <class Index>
 class CholmodMatrix {
  public:

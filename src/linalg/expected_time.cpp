@@ -11,7 +11,7 @@ namespace bempd::linalg {
 
 namespace {
 
-// Number of operations above which work is long enough for an estimate: it takes 20 to 100 ms.
+// Number of operations (20 to 100 ms of work) from which the time is estimated.
 constexpr double worth_foretelling = 1e9;
 
 // Least seconds of three calls of work().

@@ -28,8 +28,8 @@ std::int64_t next_number() {
   return ++last;
 }
 
-// Factor by an outside solver, which gets the matrix D A D. D makes the diagonal entries lie between 1/2 and 2, so that
-// pivots are their ratios to these entries within a factor of two. D has powers of two, so that scaling rounds nothing.
+// Factor by an outside solver, which gets the matrix D A D. D makes diagonal entries lie between 1/2 and 2, so that a
+// pivot is its ratio to the diagonal entry within a factor of two. D has powers of two, so that scaling rounds nothing.
 class ExternalCholesky final : public SparseCholesky {
  public:
   ExternalCholesky(std::shared_ptr<ExternalSolver> solver, std::string scratch) : solver_(std::move(solver)) {

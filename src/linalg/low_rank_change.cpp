@@ -57,8 +57,8 @@ bool LowRankChange::add(const Eigen::SparseMatrix<double>& columns, Change chang
   return true;
 }
 
-// Ratio by an eigenvalue problem: the resistances that removed columns R leave to motions, over those of B (A with the
-// added columns), are the eigenvalues of 1 - R^T B^-1 R.
+// Smallest ratio by an eigenvalue problem. With B = A + added columns and the removed columns R, the ratios of the
+// resistance of motions in the changed matrix to that in B are the eigenvalues of 1 - R^T B^-1 R.
 double LowRankChange::least_resistance_ratio_of(const Eigen::MatrixXd& middle) const {
   std::vector<Eigen::Index> added, removed;
   for (Eigen::Index k = 0; k < size(); ++k)

@@ -35,7 +35,7 @@ class SparseMinimumNorm {
   double shift_;
   Eigen::SparseMatrix<double> b_, bt_;
   UpLookingLDLT factor_;
-  std::vector<int> order_;  // of elimination; empty: no pattern yet
+  std::vector<int> order_;  // order of elimination; empty: no pattern yet
 };
 
 }  // namespace bempd::linalg

@@ -65,7 +65,7 @@ class Dissection {
     divide(upper_begin, upper_end);
   }
 
-  // Coordinate of a cut between nodes of different coordinates, with half of the nodes on each side if possible.
+  // Coordinate of a cut between nodes with different coordinates, with half of the nodes on each side if possible.
   double middle(Iterator begin, Iterator end, int axis) {
     coordinates_.clear();
     for (Iterator it = begin; it != end; ++it) coordinates_.push_back(graph_.positions[*it][axis]);

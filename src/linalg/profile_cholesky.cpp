@@ -88,7 +88,7 @@ std::vector<int> close_order(const std::vector<int>& start, const std::vector<in
   std::vector<int> order, seen(static_cast<std::size_t>(count), 0);
   order.reserve(static_cast<std::size_t>(count));
   const auto degree = [&](int node) { return start[node + 1] - start[node]; };
-  // Appends the part of the graph that is connected to `node`, by breadth-first search, and marks it.
+  // Appends the part of the graph that is connected to `node`, by breadth-first search, and marks its nodes.
   const auto sweep = [&](int node, int mark) {
     const std::size_t begin = order.size();
     seen[node] = mark;

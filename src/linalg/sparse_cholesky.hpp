@@ -28,7 +28,8 @@ class SparseCholesky : public SparseFactorization {
   // Second half of solve_in_place(): replaces values of solve_forward(), transposed (one row per set), by the unknowns
   // in the same order. The last `known` unknowns are given and stay.
   virtual void solve_backward(Eigen::Ref<Eigen::MatrixXd> transposed, int known) const = 0;
-  // Second half of a solution for the unknowns at `places` and those that they depend on; other entries may stay.
+  // Second half of a solution for the unknowns at `places` and those that they depend on. Other entries may be left
+  // unsolved.
   virtual void solve_backward_at(const std::vector<int>& places, Eigen::Ref<Eigen::MatrixXd> transposed,
                                  int known) const = 0;
 
@@ -44,7 +45,7 @@ class SparseCholesky : public SparseFactorization {
   virtual Eigen::MatrixXd eliminated_products(const Eigen::MatrixXd& a, const TwoColumns& b, int known) const;
 };
 
-// Factorization that the present call uses: the library's own, or one from outside (SolverScope).
+// Factorization that the present call uses: the library's own, or that of a solver from outside (SolverScope).
 std::unique_ptr<SparseCholesky> make_sparse_cholesky();
 
 // Factorization of the backend that the library was built with. Wide indices have 64 bits where the backend has a

@@ -13,7 +13,8 @@ struct CollocationRules {
   bool one_traction_at_corners = false;  // false: one traction for each edge
 };
 
-// Boundary elements of the scheme `paper`: collocation, with a material point at every node on an interface.
+// Boundary elements of the scheme `paper` (that of Yang and Liu 2021): collocation, with a material point at every node
+// on an interface.
 class CollocationMethod final : public regions::BoundaryMethod {
  public:
   explicit CollocationMethod(const CollocationRules& rules) : rules_(rules) {}

@@ -38,7 +38,7 @@ void add_off_element(const ElementPoints& y, const Point& x, PointMoments& momen
   moments.evaluations += y.count;
 }
 
-// Integrals over the part of an element on one side of the point xi0 of this element.
+// Integrals over the part of an element on one side of the element's own point xi0.
 class OwnElement {
  public:
   OwnElement(const ElementGeometry& element, double xi0, double tolerance, PointMoments& moments)

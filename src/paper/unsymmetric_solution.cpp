@@ -15,7 +15,7 @@ namespace {
 
 // Largest number of updates of a factor; more updates would cost more to apply than the factor itself.
 constexpr int most_updates = 120;
-// Largest number of refinement steps; a factor that has missed changes hardly ever converges in more.
+// Largest number of refinement steps. A factor that has missed changes hardly ever converges in more steps.
 constexpr int most_refinements = 4;
 
 // Reciprocal condition number below which a solution has no correct digit.
