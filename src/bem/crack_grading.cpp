@@ -39,8 +39,8 @@ constexpr double longest_along_gap = 2, growth_along_gap = 0.25;
 // limits elements along wide gaps, where longer elements would save little.
 constexpr double part_along_crack = 0.125, part_along_boundary = 0.25;
 
-// Growth of elements per distance from a mouth on an edge with fixed node spacing: each is up to 1.6 times the one
-// before.
+// Growth of elements per distance from a crack mouth on an edge with fixed node spacing: factor 1.6 from one to the
+// next.
 constexpr double growth_from_rows = 0.6;
 
 Segment segment(const CrackLine& line, std::size_t i) { return {line.points[i], line.points[i + 1]}; }

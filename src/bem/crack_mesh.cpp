@@ -171,8 +171,8 @@ class Mesher {
 
   // Adds boundary nodes around a joint at which a line between two pieces ends. The lines at the joint divide the body
   // into sectors, each with a node of its own. `sectors_` gets these nodes counter-clockwise: the node before each
-  // line, then the node behind the last line. At a mouth the first and the last node are those of the boundary; inside
-  // the body they are the same node.
+  // line, then the node behind the last line. At a crack mouth the first and the last node are those of the boundary;
+  // inside the body they are the same node.
   void add_sectors(int joint) {
     const std::vector<LineEnd>& around = mesh.pieces.around[joint];
     sectors_.emplace_back();

@@ -42,8 +42,8 @@ struct CrackMesh {
   std::vector<CutElement> cuts;
   std::vector<CrackTip> tips;
   std::vector<int> joint_of_node;  // joint at each opening node; -1: none
-  // Boundary nodes before and behind the mouth at each joint, in the direction of the boundary's loop; -1 if the joint
-  // is no mouth.
+  // Boundary nodes before and behind the mouth (where a crack meets the boundary) at each joint, in the direction of
+  // the boundary's loop; -1 if the joint is no mouth.
   std::vector<std::array<int, 2>> mouth_of_joint;
 
   // Matrix that gives all openings from the unknowns, which are the displacements of the boundary nodes, followed by
@@ -59,8 +59,8 @@ struct CrackMesh {
 };
 
 // Meshes the cracks, with elements that end at `stations` along each crack line, and splits the nodes of `mesh` at
-// mouths; new nodes are appended to its list. Faces of lines that cut the body are added to `mesh` as boundary elements
-// behind all others, with a panel for each straight part.
+// crack mouths; new nodes are appended to its list. Faces of lines that cut the body are added to `mesh` as boundary
+// elements behind all others, with a panel for each straight part.
 CrackMesh mesh_cracks(const CrackLines& cracks, const std::vector<std::vector<double>>& stations, BoundaryMesh& mesh,
                       double tolerance);
 

@@ -100,8 +100,8 @@ class Walks {
     return e.end == 0 ? Point(points[1] - points[0]) : Point(points[points.size() - 2] - points.back());
   }
 
-  // Sorts the lines at a joint by their angles. At a mouth, angles count from the boundary that starts at the mouth.
-  // The angle of a line along this boundary may be slightly negative by rounding.
+  // Sorts the lines at a joint by their angles. At a crack mouth, angles count from the boundary that starts at the
+  // mouth. The angle of a line along this boundary may be slightly negative by rounding.
   void sort_around(int joint) {
     Point axis(1, 0);
     double back = 2 * std::numbers::pi;

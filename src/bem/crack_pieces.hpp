@@ -18,8 +18,8 @@ struct CrackPieces {
   int count = 1;
   std::vector<int> of_element;  // piece of each boundary element, crack faces included; empty if there is one piece
   std::vector<std::array<int, 2>> of_line;  // pieces on the left and right of each line; empty if there is one
-  // Ends of crack lines at each joint, counter-clockwise. At a mouth they are ordered from the boundary that starts at
-  // the mouth to the boundary that ends at it.
+  // Ends of crack lines at each joint, counter-clockwise. At a crack mouth they are ordered from the boundary that
+  // starts at the mouth to the boundary that ends at it.
   std::vector<std::vector<LineEnd>> around;
 
   bool is_cut(int line) const { return count > 1 && of_line[line][0] != of_line[line][1]; }
@@ -30,9 +30,9 @@ struct CrackPieces {
 // Boundary elements of one piece, as a mesh with the nodes of the whole mesh.
 BoundaryMesh elements_of_piece(const BoundaryMesh& mesh, const CrackPieces& pieces, int piece);
 
-// Finds the pieces into which cracks cut a body. The nodes of `mesh` are split at mouths: `mouth_of_joint` has the
-// nodes before and behind each joint's mouth, -1 for joints inside the body. The first loop of the mesh is the outer
-// loop.
+// Finds the pieces into which cracks cut a body. The nodes of `mesh` are split at crack mouths: `mouth_of_joint` has
+// the nodes before and behind each joint's mouth, -1 for joints inside the body. The first loop of the mesh is the
+// outer loop.
 CrackPieces find_pieces(const CrackLines& cracks, const BoundaryMesh& mesh,
                         const std::vector<std::array<int, 2>>& mouth_of_joint);
 

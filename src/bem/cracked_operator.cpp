@@ -10,8 +10,8 @@ namespace bempd::bem {
 
 namespace {
 
-// Number of the position of each node at an end of elements. Nodes that were split at a mouth have the same number, and
-// so have the ends of cracks at a joint.
+// Number of the position of each node at an end of elements. Nodes that were split at a crack mouth have the same
+// number, and so have the ends of cracks at a joint.
 std::vector<int> position_numbers(const BoundaryMesh& mesh, const CrackMesh& cracks) {
   const int boundary = static_cast<int>(mesh.nodes.size());
   std::vector<int> places(static_cast<std::size_t>(boundary) + cracks.nodes.size());

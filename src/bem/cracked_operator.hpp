@@ -24,8 +24,8 @@ namespace bempd::bem {
 // stiffness of the boundary nodes, from which the openings are eliminated.
 class CrackedOperator final : public BoundaryOperator {
  public:
-  // Builds the operator on a boundary mesh whose nodes are split at mouths, and which contains both faces of the crack
-  // lines that cut the body into pieces. `before` is the operator of the body with shorter cracks (null: none).
+  // Builds the operator on a boundary mesh whose nodes are split at crack mouths, and which contains both faces of the
+  // crack lines that cut the body into pieces. `before` is the operator of the body with shorter cracks (null: none).
   // Integrals, the factor of V and products with this factor are copied from `before` where both bodies are the same.
   CrackedOperator(const BoundaryMesh& mesh, const CrackMesh& cracks, const PlaneElasticity& elasticity,
                   const AssemblyOptions& options = {}, const CrackedOperator* before = nullptr);

@@ -82,7 +82,7 @@ void mark_mouths(Path& path, const std::vector<Edge>& boundary, double tolerance
   }
 }
 
-// Merges marks at the same place; the merged mark is a mouth if one of them is.
+// Merges marks at the same place; the merged mark is a crack mouth if one of them is.
 void merge_marks(Path& path, double tolerance) {
   std::sort(path.marks.begin(), path.marks.end(), [](const Mark& a, const Mark& b) { return a.way < b.way; });
   std::vector<Mark> merged;
