@@ -7,8 +7,8 @@
 namespace bempd {
 
 // Thrown inside an event when the host wishes to end the step. The event is undone, and the step ends in the state
-// before the event. EventGivenUp is no error; only the loop over events or the step, which have permitted it, may catch
-// it.
+// before the event. EventGivenUp is no error. It ends in the loop over events or in the step, which have permitted it;
+// code between must throw it on.
 struct EventGivenUp {};
 
 // Scope in which check_cancelled() reads the host's requests, in the same thread. Long loops call check_cancelled()
