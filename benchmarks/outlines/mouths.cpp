@@ -84,7 +84,7 @@ void print_mouths() {
     Counts& counts = all[kind][longer];
     ++counts.tried;
     if (!body.is_exact()) continue;
-    ++(body.is_careful ? counts.careful : counts.plain);
+    ++(body.is_balanced_by_piece ? counts.careful : counts.plain);
     counts.patch = std::max(counts.patch, patch_error(body));
     for (const double factor : body.factors) counts.change = std::max(counts.change, std::abs(factor - 1));
     std::fprintf(stderr, "plate %d of %d\n", k + 1, plates);

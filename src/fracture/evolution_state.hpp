@@ -92,7 +92,8 @@ struct EvolutionState : BodyState, Sums {
   std::vector<double> reactions, reactions_before, support_displacements;
   std::vector<CrackExtension> extensions;
   // What lattice patches have followed: extensions by their places in the list, with a high bit if elements have got
-  // what lies behind them (regions::gives_back), or broken bonds, each a number below 0 (regions::BreakNearBorder).
+  // what lies behind them (regions::gives_back), or broken bonds, each a number below 0
+  // (regions::BrokenBondNearBorder).
   std::vector<std::int64_t> layouts;
 };
 

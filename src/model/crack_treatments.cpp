@@ -116,10 +116,11 @@ void CrackTreatments::remove_patches() noexcept {
 std::optional<std::vector<regions::Patch>> CrackTreatments::enlarged(const crack::Extension& e) const {
   if (patches().empty() || e.has_ended()) return std::nullopt;
   const Point from(e.from_x, e.from_y), to(e.x, e.y);
-  return regions::followed(model_.scene(), patches(), {to, (to - from).normalized()});
+  return regions::grown_ahead_of(model_.scene(), patches(), {to, (to - from).normalized()});
 }
 
-std::optional<std::vector<regions::Patch>> CrackTreatments::enlarged(const regions::BreakNearBorder& broken) const {
+std::optional<std::vector<regions::Patch>> CrackTreatments::enlarged(
+    const regions::BrokenBondNearBorder& broken) const {
   return regions::grown_around(model_.scene(), patches(), broken);
 }
 
@@ -136,7 +137,7 @@ bool CrackTreatments::repeat_layouts(std::span<const std::int64_t>& layouts, std
        layouts = layouts.subspan(1)) {
     const std::int64_t layout = layouts.front();
     std::optional<std::vector<regions::Patch>> next =
-        layout < 0 ? enlarged(regions::break_of(layout)) : enlarged(grown.back());
+        layout < 0 ? enlarged(regions::broken_bond_of(layout)) : enlarged(grown.back());
     std::optional<ShorterPatches> back;
     if (next && regions::gives_back(layout)) {
       back = model::shorter_patches(model_.scene(), *next, grown);

@@ -39,7 +39,7 @@ class CrackTreatments {
   // Patches that have more blocks around a line after an extension; empty if none needs or can have more.
   std::optional<std::vector<regions::Patch>> enlarged(const crack::Extension& extension) const;
   // Patches that have more blocks around a broken bond; empty if they cannot.
-  std::optional<std::vector<regions::Patch>> enlarged(const regions::BreakNearBorder& broken) const;
+  std::optional<std::vector<regions::Patch>> enlarged(const regions::BrokenBondNearBorder& broken) const;
   // What patches, which may not be in the scene yet, can give back behind the line that has grown last.
   std::optional<ShorterPatches> shorter_patches(const std::vector<regions::Patch>& patches,
                                                 std::span<const crack::Extension> extensions) const;

@@ -191,11 +191,11 @@ bool ElementCarrier::follow_breaks(const std::vector<coupling::StageChange>& bro
   bool has_no_room = false;
   for (const Point& place : places) {
     const std::size_t extensions = body().progress().extensions.size();
-    const auto near = regions::near_border(treatments.patches(), place, extensions);
+    const auto near = regions::broken_bond_near_border(treatments.patches(), place, extensions);
     if (!near) continue;
     auto larger = treatments.enlarged(*near);
-    if (larger && regions::near_border(*larger, place, extensions)) larger.reset();
-    if (larger && change_patches(std::move(*larger), std::nullopt, regions::number_of(*near))) continue;
+    if (larger && regions::broken_bond_near_border(*larger, place, extensions)) larger.reset();
+    if (larger && change_patches(std::move(*larger), std::nullopt, regions::layout_number(*near))) continue;
     has_no_room = true;
     say([&] { model_.reports().warn_of_break(place); });
   }

@@ -25,7 +25,8 @@ std::optional<fracture::RunLoads::Heat> LoadValues::heat(const regions::DofCondi
   if (conditions.swelling.empty()) return std::nullopt;
   system.condense();
   coupling::Rests rests = system.stress_free().rests();
-  rests.of_terms = regions::swell_again(model_.prepared().discretization, conditions.swelling, system.terms());
+  rests.of_terms =
+      regions::changed_rest_elongations(model_.prepared().discretization, conditions.swelling, system.terms());
   for (const auto& region : model_.prepared().discretization.regions) {
     if (!region->operators()) continue;
     for (const regions::OperatorNodes& one : region->operators()->nodes_of_operators())
@@ -157,7 +158,7 @@ void LoadValues::go_back_to(Before before) noexcept {
   // Regions have a copy of their swelling for results. If there is no memory to restore it, the next loads set it.
   say([&] {
     if (before.heat)
-      regions::swell_again(prepared.discretization, before.conditions.swelling, prepared.system->terms());
+      regions::changed_rest_elongations(prepared.discretization, before.conditions.swelling, prepared.system->terms());
   });
   prepared.conditions = std::move(before.conditions);
   present_.acting = before.acting;

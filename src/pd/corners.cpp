@@ -114,8 +114,8 @@ std::vector<Point> surface_vectors(const CellLattice& lattice, const CellGrid& c
   return surface;
 }
 
-bool close_corners(const CellLattice& lattice, const CellGrid& cells, int horizon_ratio, int threads,
-                   DraftBonds& draft) {
+bool balance_corners(const CellLattice& lattice, const CellGrid& cells, int horizon_ratio, int threads,
+                     DraftBonds& draft) {
   const std::vector<Point> surface = surface_vectors(lattice, cells);
   const std::vector<std::uint8_t> near =
       adjustable_points(lattice, cells, horizon_ratio, missing_moments(surface, draft));

@@ -154,7 +154,7 @@ std::vector<int> bonds_cut_by(const std::vector<Point>& points, const std::vecto
                               const std::vector<Point>& vertices, Touching touching) {
   const Polyline polyline(vertices);
   std::vector<char> bridges(points.size(), 0);
-  if (touching == Touching::of_ends_keeps) {
+  if (touching == Touching::spares_bonds_ending_on_it) {
     for (const int i : points_on(points, polyline)) bridges[i] = 1;
   }
   std::vector<int> cut;
@@ -170,8 +170,8 @@ std::vector<int> bonds_cut_by(const std::vector<Point>& points, const std::vecto
   return cut;
 }
 
-FeltEnd end_felt_at(const std::vector<Point>& points, const std::vector<Bond>& bonds, const Point& tip,
-                    const Point& direction, int horizon_ratio, double backward) {
+CutEnd cut_end_for_tip(const std::vector<Point>& points, const std::vector<Bond>& bonds, const Point& tip,
+                       const Point& direction, int horizon_ratio, double backward) {
   constexpr double largest_move = 1.5, whole = 1e-3;
   constexpr double weakened_more = 0.03;  // spacings by which a weakened bond counts more than its share, measured
   constexpr std::size_t fewest = 20;
@@ -182,11 +182,11 @@ FeltEnd end_felt_at(const std::vector<Point>& points, const std::vector<Bond>& b
   if (reach < 1) return {tip, {}};
   std::erase_if(crossings, [&](const LineCrossing& c) { return std::abs(c.place) > reach; });
   const Eigen::Vector2d even = even_growth(crossings, reach);
-  const double wanted = even[0] - (felt_ahead_of_cut(horizon_ratio) - weakened_more) * even[1];
+  const double wanted = even[0] - (effective_tip_ahead(horizon_ratio) - weakened_more) * even[1];
   double sum = 0, before = crossings.front().place - 1;
   for (std::size_t k = 0, next = 0; k < crossings.size(); k = next) {
     const double place = crossings[k].place;
-    FeltEnd found;
+    CutEnd found;
     double there = 0;
     for (; next < crossings.size() && crossings[next].place - place < same_place / 2; ++next) {
       there += crossings[next].weight;
@@ -196,7 +196,7 @@ FeltEnd end_felt_at(const std::vector<Point>& points, const std::vector<Bond>& b
     if (sum + (1 - whole) * there > wanted) {
       if (end < -std::min(backward, largest_move) || end > largest_move) break;
       found.end = tip + end * direction;
-      found.even_ahead = -felt_ahead_of_cut(horizon_ratio) - end;
+      found.even_ahead = -effective_tip_ahead(horizon_ratio) - end;
       found.share = 1 - std::max(0.0, wanted - sum) / there;
       if (found.share > 1 - whole) found.weakened.clear();
       return found;

@@ -66,10 +66,10 @@ struct LinearFit {
 };
 
 // Bonds of a network with their stretches under a displacement.
-class ShownStretches {
+class BondStretches {
  public:
-  ShownStretches(const Network& network, const BondStates& states,
-                 const Eigen::Ref<const Eigen::VectorXd>& displacements)
+  BondStretches(const Network& network, const BondStates& states,
+                const Eigen::Ref<const Eigen::VectorXd>& displacements)
       : network_(network), states_(states), displacements_(displacements) {
     for (const Bond& bond : network.bonds) stiffest_ = std::max(stiffest_, bond.stiffness);
   }
@@ -97,7 +97,7 @@ class ShownStretches {
   double stiffest_ = 0;
 };
 
-std::vector<PointBonds> collect(int point_count, const ShownStretches& bonds) {
+std::vector<PointBonds> collect(int point_count, const BondStretches& bonds) {
   std::vector<PointBonds> points(point_count);
   for (std::size_t b = 0; b < bonds.size(); ++b) {
     PointBonds &first = points[bonds.bond(b).first], &second = points[bonds.bond(b).second];
@@ -116,7 +116,7 @@ std::vector<PointBonds> collect(int point_count, const ShownStretches& bonds) {
 
 // Replaces the strains of points whose bonds lie on one side, as at faces, by those of a fit in which the strain varies
 // linearly around the point.
-void refine_at_faces(const std::vector<PointBonds>& points, const ShownStretches& bonds,
+void refine_at_faces(const std::vector<PointBonds>& points, const BondStretches& bonds,
                      std::vector<Vector3d>& strains) {
   std::vector<int> fit_of(points.size(), -1);
   std::vector<LinearFit> fits;
@@ -147,7 +147,7 @@ std::vector<Vector3d> bond_strains(int point_count, const Network& network, cons
   assert(states.share.empty() || states.share.size() == network.bonds.size());
   assert(states.rest_stretch.empty() || states.rest_stretch.size() == network.bonds.size());
   assert(displacements.size() == 2 * point_count);
-  const ShownStretches bonds(network, states, displacements);
+  const BondStretches bonds(network, states, displacements);
   const std::vector<PointBonds> points = collect(point_count, bonds);
   std::vector<Vector3d> strains;
   strains.reserve(points.size());

@@ -11,16 +11,16 @@ namespace {
 
 // Tolerances in spacings: up to the first one, points lie on the rows of a lattice; a point closer to a crack than the
 // second one lies on neither side of it.
-constexpr double on_row = 1e-6, no_side = 1e-9;
+constexpr double row_tolerance = 1e-6, side_tolerance = 1e-9;
 
 // Distances on both sides of a crack at which displacements are interpolated, in spacings: the first that is tried, the
 // step to the next, and the last.
-constexpr double nearest_side = 0.5, next_side = 0.1, farthest_side = 1.6;
+constexpr double nearest_distance = 0.5, distance_step = 0.1, farthest_distance = 1.6;
 
-constexpr double no_weight = 1e-9;
+constexpr double negligible_weight = 1e-9;
 
 // Tolerance, in spacings, within which the end of a piece of a crack lies on a column of the lattice.
-constexpr double on_a_line = 1e-9;
+constexpr double column_tolerance = 1e-9;
 
 Eigen::Vector2i rounded(const Point& p) { return p.array().round().cast<int>().matrix(); }
 
@@ -28,7 +28,7 @@ bool row_before(const Eigen::Vector2i& a, const Eigen::Vector2i& b) {
   return a.y() != b.y() ? a.y() < b.y() : a.x() < b.x();
 }
 
-bool is_on_rows(const Point& p) { return (p - rounded(p).cast<double>()).cwiseAbs().maxCoeff() < on_row; }
+bool is_on_rows(const Point& p) { return (p - rounded(p).cast<double>()).cwiseAbs().maxCoeff() < row_tolerance; }
 
 }  // namespace
 
@@ -42,7 +42,7 @@ Point FacePlaces::Lattice::from_rows(const Point& p) const {
 
 // Whether another lattice has the same rows, columns and stiffness, so that both form one network where they touch.
 bool FacePlaces::Lattice::continues(const FaceLattice& other, double its_stiffness) const {
-  return other.angle == lattice.angle && std::abs(other.spacing - lattice.spacing) < on_row * lattice.spacing &&
+  return other.angle == lattice.angle && std::abs(other.spacing - lattice.spacing) < row_tolerance * lattice.spacing &&
          its_stiffness == stiffness && is_on_rows(to_rows(other.origin));
 }
 
@@ -88,18 +88,18 @@ std::optional<double> FacePlaces::add_side(const Lattice& lattice, const Point& 
                                            const Reaches& reaches, std::vector<FacePlace::Pull>& pulls) const {
   const Point at = lattice.to_rows(place), along = Eigen::Rotation2Dd(-lattice.lattice.angle) * normal;
   for (int step = 0;; ++step) {
-    const double distance = nearest_side + step * next_side;
-    if (distance > farthest_side) return std::nullopt;
+    const double distance = nearest_distance + step * distance_step;
+    if (distance > farthest_distance) return std::nullopt;
     const Point p = at + sign * distance * along, corner = p.array().floor().matrix();
     const double x = p.x() - corner.x(), y = p.y() - corner.y();
     const std::array<double, 4> weights{(1 - x) * (1 - y), x * (1 - y), (1 - x) * y, x * y};
     std::vector<FacePlace::Pull> found;
     bool sound = true;
     for (int k = 0; k < 4 && sound; ++k) {
-      if (weights[k] < no_weight) continue;
+      if (weights[k] < negligible_weight) continue;
       const Eigen::Vector2i q = rounded(corner) + Eigen::Vector2i(k % 2, k / 2);
       const std::optional<int> node = lattice.node_at(q);
-      sound = node && sign * along.dot(q.cast<double>() - at) > no_side && (!reaches || reaches(*node, place));
+      sound = node && sign * along.dot(q.cast<double>() - at) > side_tolerance && (!reaches || reaches(*node, place));
       if (sound) found.push_back({*node, sign * weights[k] * normal});
     }
     if (!sound) continue;
@@ -127,8 +127,8 @@ std::vector<FacePlaces::Crossing> FacePlaces::crossings(int lattice, const Point
   const double low = std::min(from[axis], from[axis] + way[axis]), high = std::max(from[axis], from[axis] + way[axis]);
   const double whole = way.norm() / std::abs(way[axis]);
   std::vector<Crossing> found;
-  for (double line = std::ceil(low - on_a_line); line <= high + on_a_line; ++line) {
-    const bool is_end = line - low <= on_a_line || high - line <= on_a_line;
+  for (double line = std::ceil(low - column_tolerance); line <= high + column_tolerance; ++line) {
+    const bool is_end = line - low <= column_tolerance || high - line <= column_tolerance;
     const double fraction = std::clamp((line - from[axis]) / way[axis], 0.0, 1.0);
     found.push_back({one.from_rows(from + fraction * way), is_end ? 0.5 * whole : whole});
   }

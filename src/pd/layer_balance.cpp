@@ -19,7 +19,7 @@ using Eigen::Vector4d;
 using Eigen::VectorXd;
 using linalg::ProfileCholesky;
 
-constexpr double balanced = 1e-14;  // for values and equations of order one
+constexpr double balance_tolerance = 1e-14;  // for values and equations of order one
 
 // Least change of the stiffnesses in one part of a layer, by primal-dual active sets (Hintermueller, Ito, Kunisch 2002)
 // as in solve_long_least_change() of linalg, with the normal equations in the order of points along the outline.
@@ -71,7 +71,7 @@ class PartBalance {
       start_over();
       if (rough) {
         const double before = target_.lpNorm<Eigen::Infinity>();
-        if (approach(1, kernel_.size() > 0 ? 30 : 1) > hopeless * before) return false;
+        if (approach(1, kernel_.size() > 0 ? 30 : 1) > largest_remaining_part * before) return false;
         if (update_held()) {
           if (!is_new(known)) return false;
           continue;
@@ -88,7 +88,7 @@ class PartBalance {
 
  private:
   // Limit on the missing moments after one step, over those before: above it the equations contradict each other.
-  static constexpr double hopeless = 0.1;
+  static constexpr double largest_remaining_part = 0.1;
 
   struct Bond {
     int first, second;
@@ -136,9 +136,9 @@ class PartBalance {
       VectorXd r = target_;
       for (const Bond& b : bonds_) add_moment(b, -b.value, r);
       left = r.lpNorm<Eigen::Infinity>();
-      if (round == most_rounds || left <= balanced || left > 0.5 * before) break;
+      if (round == most_rounds || left <= balance_tolerance || left > 0.5 * before) break;
       before = left;
-      descend(std::move(r), std::max(1e-13 * left, balanced), most_steps);
+      descend(std::move(r), std::max(1e-13 * left, balance_tolerance), most_steps);
       is_rough_ = false;
     }
     return left;

@@ -131,7 +131,7 @@ Network build_network(const CellLattice& lattice, int horizon_ratio, const Plane
     remove_thin_cells(lattice, thick);
     thick.finish(3 * horizon_ratio);
     DraftBonds draft = draft_bonds(lattice, thick, templates);
-    if (close_corners(lattice, thick, horizon_ratio, threads, draft)) {
+    if (balance_corners(lattice, thick, horizon_ratio, threads, draft)) {
       add_thin_cells(lattice, thick, draft);
       Network network = finish_network(surface, std::move(draft), elasticity);
       if (network.max_residual < 1e-10 && network.min_weight_ratio > 0) return network;

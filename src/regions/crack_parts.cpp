@@ -83,7 +83,7 @@ std::vector<CrackCrossing> crossings_of(const Preparation& p, int crack, const s
 
 // Angle [rad] from which on a turn between two segments is a bend. Smaller turns occur in polygons that stand for a
 // curve.
-constexpr double least_bend = 0.2;
+constexpr double smallest_bend_angle = 0.2;
 
 // Distance along a polyline from the vertex `from`, forwards or backwards, to its next bend or its end.
 double way_to_bend(const std::vector<Point>& points, std::size_t from, bool forwards) {
@@ -95,7 +95,7 @@ double way_to_bend(const std::vector<Point>& points, std::size_t from, bool forw
     const Point along = ahead[i + 1] - ahead[i];
     if (i > 0) {
       const Point before = ahead[i] - ahead[i - 1];
-      if (std::abs(std::atan2(cross(before, along), before.dot(along))) > least_bend) break;
+      if (std::abs(std::atan2(cross(before, along), before.dot(along))) > smallest_bend_angle) break;
     }
     way += along.norm();
   }
@@ -103,7 +103,7 @@ double way_to_bend(const std::vector<Point>& points, std::size_t from, bool forw
 }
 
 // The crack as it was divided in the scene before, if it has not grown and has one part there; null if not.
-const PartedCrack* whole_before(const Preparation& p, int id, const scene::Crack& crack) {
+const PartedCrack* unchanged_before(const Preparation& p, int id, const scene::Crack& crack) {
   if (!p.cracks_before || static_cast<std::size_t>(id) > p.cracks_before->size()) return nullptr;
   const PartedCrack& before = (*p.cracks_before)[static_cast<std::size_t>(id) - 1];
   return before.parts.size() == 1 && before.crack == crack ? &before : nullptr;
@@ -111,7 +111,7 @@ const PartedCrack* whole_before(const Preparation& p, int id, const scene::Crack
 
 PartedCrack parted(const Preparation& p, int id, const scene::Crack& crack, std::vector<std::string>& warnings) {
   if (crack.points.empty()) return {};
-  if (const PartedCrack* same = whole_before(p, id, crack)) return *same;
+  if (const PartedCrack* same = unchanged_before(p, id, crack)) return *same;
   int region = 0;
   std::vector<CrackCrossing> crossings = crossings_of(p, id, crack.points, region);
   if (crossings.empty()) return {crack, {{region, crack.points, crack.grown_at_start, crack.grown_at_end}}};

@@ -19,8 +19,8 @@ namespace {
 
 // Distance in spacings by which a crack that would pass through material points is shifted aside. It is very small,
 // because any place between the same two rows cuts the same bonds. Then the number of directions tried.
-constexpr double aside = 1e-3;
-constexpr int ways_aside = 8;
+constexpr double crack_shift = 1e-3;
+constexpr int shift_directions = 8;
 
 // Distance in spacings from another lattice below which bonds of both lattices act on a tip.
 constexpr double beside_lattice = 1.5;
@@ -80,15 +80,16 @@ void shift_off_points(const Scene& scene, const Discretization& d, int number, L
   for (const auto& region : d.regions)
     if (const std::optional<LatticeGrid> grid = region->lattice_grid()) spacing = std::min(spacing, grid->spacing);
   if (std::isinf(spacing)) return;  // scheme paper
-  for (int way = 0; way < ways_aside; ++way) {
+  for (int direction = 0; direction < shift_directions; ++direction) {
     // Order of directions: to the right, to the left, then others between these.
-    const double angle = way < 2 ? way * std::numbers::pi : way * std::numbers::phi;
-    const scene::Crack beside = moved(scene, d, crack, aside * spacing, angle);
+    const double angle = direction < 2 ? direction * std::numbers::pi : direction * std::numbers::phi;
+    const scene::Crack beside = moved(scene, d, crack, crack_shift * spacing, angle);
     if (!points_met(beside, d).empty()) continue;
     crack = beside;
     found.warnings.push_back(text("crack ", number, " passes through ", met.size(), " material points, the first at (",
                                   met.front().x(), ", ", met.front().y(), "); it passes them by on its ",
-                                  way == 0 ? "right" : "left", ", where its faces lie up to half a spacing beside it"));
+                                  direction == 0 ? "right" : "left",
+                                  ", where its faces lie up to half a spacing beside it"));
     return;
   }
 }
@@ -102,8 +103,8 @@ bool are_alike(const Region& one, const Region& other) {
 // Whether the cut of an initial crack is placed so that its effective tip lies at `tip`, where the host described it.
 // So it is for cracks that grow as lines, except near a lattice of another kind: there bonds of both lattices determine
 // the effective tip.
-bool is_felt_as_described(const Scene& scene, const Discretization& d, const scene::Options& options,
-                          const Region& region, const Point& tip) {
+bool has_effective_tip_as_described(const Scene& scene, const Discretization& d, const scene::Options& options,
+                                    const Region& region, const Point& tip) {
   const std::optional<LatticeGrid> grid = region.lattice_grid();
   if (!grid || options.text_in_effect("crack.rule") == "bond") return false;
   return std::none_of(d.regions.begin(), d.regions.end(), [&](const auto& other) {
@@ -116,8 +117,8 @@ bool is_felt_as_described(const Scene& scene, const Discretization& d, const sce
 
 // End of the cut that puts the effective tip of a crack at `tip`, by the bonds of the region and of those that continue
 // its lattice. The cut ends at most `backward` [m] behind the tip.
-pd::FeltEnd end_felt_at(const Discretization& d, const Region& region, const Point& tip, const Point& direction,
-                        double backward) {
+pd::CutEnd cut_end_in_lattice(const Discretization& d, const Region& region, const Point& tip, const Point& direction,
+                              double backward) {
   const LatticeGrid grid = *region.lattice_grid();
   const int horizon_ratio = static_cast<int>(std::lround(grid.horizon / grid.spacing));
   std::vector<int> point_of(d.positions.size(), -1);
@@ -140,7 +141,7 @@ pd::FeltEnd end_felt_at(const Discretization& d, const Region& region, const Poi
     if (first < 0 || second < 0) continue;
     bonds.push_back({first, second, d.bonds.stiffness[t]}), term_of.push_back(static_cast<int>(t));
   }
-  pd::FeltEnd found = pd::end_felt_at(points, bonds, Point(0, 0), direction, horizon_ratio, backward / grid.spacing);
+  pd::CutEnd found = pd::cut_end_for_tip(points, bonds, Point(0, 0), direction, horizon_ratio, backward / grid.spacing);
   found.end = tip + grid.spacing * found.end;
   if (found.even_ahead) *found.even_ahead *= grid.spacing;
   for (int& bond : found.weakened) bond = term_of[static_cast<std::size_t>(bond)];
@@ -149,13 +150,13 @@ pd::FeltEnd end_felt_at(const Discretization& d, const Region& region, const Poi
 
 // End of the cut for a crack's tip, with the bonds that are weakened there. The effective tip is to lie at `tip`; where
 // that is not done the cut ends at `tip`. `part` is the share of the last segment by which the cut may be shortened.
-pd::FeltEnd end_of_cut(const Scene& scene, const Discretization& d, const scene::Options& options, const Point& tip,
-                       const Point& before, double part) {
+pd::CutEnd end_of_cut(const Scene& scene, const Discretization& d, const scene::Options& options, const Point& tip,
+                      const Point& before, double part) {
   const double length = (tip - before).norm();
   for (const auto& region : d.regions)
     if (locate(scene.region(region->id()).outline(), tip, d.tolerance) == Location::inside &&
-        is_felt_as_described(scene, d, options, *region, tip))
-      return end_felt_at(d, *region, tip, (tip - before) / length, part * length);
+        has_effective_tip_as_described(scene, d, options, *region, tip))
+      return cut_end_in_lattice(d, *region, tip, (tip - before) / length, part * length);
   return {tip, {}};
 }
 
@@ -175,7 +176,7 @@ void place_ends(const Scene& scene, const Discretization& d, const scene::Option
   crack.points[static_cast<std::size_t>(crack.grown_at_start)] = placed[0].end;
   crack.points.end()[-1 - crack.grown_at_end] = placed[1].end;
   found.even_ahead[c] = {placed[0].even_ahead, placed[1].even_ahead};
-  for (const pd::FeltEnd& end : placed)
+  for (const pd::CutEnd& end : placed)
     for (const int bond : end.weakened) found.weakened.push_back({bond, end.share, number});
 }
 

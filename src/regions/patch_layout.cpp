@@ -25,7 +25,7 @@ constexpr double blocks_of_room = 3;
 // Distance from a mouth, in blocks, within which elements and not the lattice carry a crack.
 constexpr double blocks_at_mouth = 5;
 
-constexpr double nearly = 1 - 1e-9;
+constexpr double just_below_one = 1 - 1e-9;
 
 std::string name_of(const CrackInBody& crack) { return text("crack ", crack.crack.id); }
 
@@ -51,7 +51,7 @@ void PatchWalls::add_crack(const Segment& piece, int crack) { walls_.push_back({
 
 const Wall* PatchWalls::beside(const Box& block) const {
   const Wall* nearest = nullptr;
-  double least = block.sizes().x() * nearly;
+  double least = block.sizes().x() * just_below_one;
   for (const Wall& wall : walls_) {
     const Point middle = wall.piece.at(0.5);
     if (block.exteriorDistance(middle) - 0.5 * wall.piece.length() >= least) continue;
@@ -147,7 +147,7 @@ Point PatchLayout::origin() const {
 
 // Throws Error (argument) if the lattice cannot reach two horizons around `along`, but for parts near a mouth.
 void PatchLayout::require_room(const CrackInBody& crack, const Segment& along, bool is_tip) {
-  for (const Block& block : grid_.near(along, grid_.size * nearly)) {
+  for (const Block& block : grid_.near(along, grid_.size * just_below_one)) {
     const Wall* wall = walls_.beside(grid_.box(block));
     if (!wall) continue;
     const Point centre = grid_.box(block).center();
@@ -162,7 +162,7 @@ void PatchLayout::require_room(const CrackInBody& crack, const Segment& along, b
 
 void PatchLayout::add_band(const CrackInBody& crack, double reach) {
   const auto add = [&](const Segment& line) {
-    for (const Block& block : grid_.near(line, reach * grid_.size * nearly))
+    for (const Block& block : grid_.near(line, reach * grid_.size * just_below_one))
       if (is_allowed(block)) blocks_.insert(block);
   };
   for (const Segment& piece : crack.pieces) require_room(crack, piece, false), add(piece);
@@ -173,12 +173,12 @@ void PatchLayout::add_band(const CrackInBody& crack, double reach) {
 }
 
 std::vector<Patch> PatchLayout::patches() {
-  const auto lay = [&](double reach) {
+  const auto lay_blocks = [&](double reach) {
     blocks_.clear();
     for (const CrackInBody& crack : cracks_) add_band(crack, reach);
     return close_gaps(blocks_, [&](const Block& block) { return is_allowed(block); });
   };
-  require(lay(usual_patch_reach) || lay(least_patch_reach), "lattice patches of body ", body_,
+  require(lay_blocks(usual_patch_reach) || lay_blocks(least_patch_reach), "lattice patches of body ", body_,
           " would enclose a hole or another crack; ", advice());
   std::vector<Patch> all;
   for (const Blocks& part : connected_parts(blocks_)) {

@@ -111,7 +111,7 @@ void add_patches(scene::Scene& scene, const std::vector<Patch>& patches) {
 
 void move_patches(scene::Scene& scene, const std::vector<Patch>& patches, int count) {
   for (const int id : scene.region_ids())
-    if (BoundaryDescription* boundary = boundary_in(scene, id)) boundary->make_whole();
+    if (BoundaryDescription* boundary = boundary_in(scene, id)) boundary->fill_cut_outs();
   if (scene.region_count() > count + static_cast<int>(patches.size()))
     remove_parts(scene, count + static_cast<int>(patches.size()));
   int id = count;
@@ -125,7 +125,7 @@ void move_patches(scene::Scene& scene, const std::vector<Patch>& patches, int co
 void remove_patches(scene::Scene& scene, int count) {
   remove_parts(scene, count);
   for (const int id : scene.region_ids())
-    if (BoundaryDescription* boundary = boundary_in(scene, id)) boundary->make_whole();
+    if (BoundaryDescription* boundary = boundary_in(scene, id)) boundary->fill_cut_outs();
 }
 
 namespace {
@@ -138,11 +138,11 @@ constexpr double least_ahead = 2, blocks_to_follow = 5;
 constexpr int blocks_between = 2;
 
 // Rounding of distances from blocks.
-constexpr double hardly_less = 1 - 1e-9;
+constexpr double just_below_one = 1 - 1e-9;
 
 // Block of a patch in which a place lies, or on whose border; empty if it lies in none.
 std::optional<Block> block_at(const Patch& patch, const Point& place) {
-  for (const Block& block : patch.grid.near({place, place}, (1 - hardly_less) * patch.grid.size))
+  for (const Block& block : patch.grid.near({place, place}, (1 - just_below_one) * patch.grid.size))
     if (patch.blocks.contains(block)) return block;
   return std::nullopt;
 }
@@ -186,7 +186,7 @@ class GrowingPatch {
 
   // All patches, where this one has got those of the `wanted` blocks that it may have. Empty if it has got none, or
   // does not have all `needed` ones.
-  std::optional<std::vector<Patch>> with(const Blocks& wanted, const Blocks& needed) const {
+  std::optional<std::vector<Patch>> with_added(const Blocks& wanted, const Blocks& needed) const {
     Blocks blocks = own().blocks;
     for (const Block& block : wanted)
       if (may_add(block)) blocks.insert(block);
@@ -221,21 +221,21 @@ std::size_t patch_around(const std::vector<Patch>& patches, const Point& place) 
   return static_cast<std::size_t>(found - patches.begin());
 }
 
-std::optional<std::vector<Patch>> followed(const scene::Scene& scene, const std::vector<Patch>& patches,
-                                           const FollowedTip& tip) {
+std::optional<std::vector<Patch>> grown_ahead_of(const scene::Scene& scene, const std::vector<Patch>& patches,
+                                                 const SteppedTip& tip) {
   const std::size_t number = patch_around(patches, tip.place);
   if (number == patches.size()) return std::nullopt;
   const BlockGrid& grid = patches[number].grid;
   const auto along = [&](double blocks, double reach) {
     const Segment way{tip.place, tip.place + blocks * grid.size * tip.direction};
-    return grid.near(way, reach * grid.size * hardly_less);
+    return grid.near(way, reach * grid.size * just_below_one);
   };
   const Blocks around = along(least_ahead, usual_patch_reach);
   if (has_all(patches[number].blocks, around)) return std::nullopt;
   const GrowingPatch patch(scene, patches, number);
   if (!patch.can_get_some(around)) return std::nullopt;
   for (const double reach : {usual_patch_reach, least_patch_reach})
-    if (auto all = patch.with(along(blocks_to_follow, reach), along(0, least_patch_reach))) return all;
+    if (auto all = patch.with_added(along(blocks_to_follow, reach), along(0, least_patch_reach))) return all;
   return std::nullopt;
 }
 
@@ -253,13 +253,13 @@ constexpr std::int64_t half_of_rows = 1 << 13, block_rows = 2 * half_of_rows, mo
 
 }  // namespace
 
-std::int64_t number_of(const BreakNearBorder& broken) {
+std::int64_t layout_number(const BrokenBondNearBorder& broken) {
   std::int64_t number = static_cast<std::int64_t>(broken.extensions) * most_patches + broken.patch;
   for (const int place : broken.block) number = number * block_rows + place + half_of_rows;
   return -1 - number;
 }
 
-BreakNearBorder break_of(std::int64_t number) {
+BrokenBondNearBorder broken_bond_of(std::int64_t number) {
   number = -1 - number;
   const auto next = [&](std::int64_t count) { return static_cast<int>(std::exchange(number, number / count) % count); };
   const int row = next(block_rows), column = next(block_rows), patch = next(most_patches);
@@ -268,17 +268,17 @@ BreakNearBorder break_of(std::int64_t number) {
           {column - static_cast<int>(half_of_rows), row - static_cast<int>(half_of_rows)}};
 }
 
-std::optional<BreakNearBorder> near_border(const std::vector<Patch>& patches, const Point& place,
-                                           std::size_t extensions) {
+std::optional<BrokenBondNearBorder> broken_bond_near_border(const std::vector<Patch>& patches, const Point& place,
+                                                            std::size_t extensions) {
   const std::size_t number = patch_around(patches, place);
   if (number == patches.size()) return std::nullopt;
   const BlockGrid& grid = patches[number].grid;
   if (has_all(patches[number].blocks, grid.near({place, place}, least_around_break * grid.size))) return std::nullopt;
-  return BreakNearBorder{extensions, static_cast<int>(number), *block_at(patches[number], place)};
+  return BrokenBondNearBorder{extensions, static_cast<int>(number), *block_at(patches[number], place)};
 }
 
 std::optional<std::vector<Patch>> grown_around(const scene::Scene& scene, const std::vector<Patch>& patches,
-                                               const BreakNearBorder& broken) {
+                                               const BrokenBondNearBorder& broken) {
   const auto number = static_cast<std::size_t>(broken.patch);
   const auto has_number = [](int place) { return std::abs(place) < half_of_rows; };
   if (number >= patches.size() || number >= most_patches || !std::ranges::all_of(broken.block, has_number))
@@ -288,7 +288,7 @@ std::optional<std::vector<Patch>> grown_around(const scene::Scene& scene, const 
   const Box centre = grid.box(broken.block);
   for (const Block& block : grid.near({centre.center(), centre.center()}, (blocks_around_break + 1) * grid.size))
     if (grid.box(block).exteriorDistance(centre) < blocks_around_break * grid.size) wanted.insert(block);
-  return GrowingPatch(scene, patches, number).with(wanted, {broken.block});
+  return GrowingPatch(scene, patches, number).with_added(wanted, {broken.block});
 }
 
 }  // namespace bempd::regions

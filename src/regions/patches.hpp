@@ -43,25 +43,25 @@ std::vector<Patch> lay_out_patches(const scene::Scene& scene, const std::vector<
                                    const std::map<int, BodyLattice>& lattices);
 
 // Tip of a crack line after a step, and the unit vector of that step.
-struct FollowedTip {
+struct SteppedTip {
   Point place, direction;
 };
 
 // Patches with more blocks around and ahead of a tip in one of them; the others stay. Blocks keep to the grid of the
 // patch, and keep the distances from edges, holes, cracks in elements and other patches. Empty if the tip lies in no
 // patch, has all the blocks around it that there can be, or has to leave its patch soon.
-std::optional<std::vector<Patch>> followed(const scene::Scene& scene, const std::vector<Patch>& patches,
-                                           const FollowedTip& tip);
+std::optional<std::vector<Patch>> grown_ahead_of(const scene::Scene& scene, const std::vector<Patch>& patches,
+                                                 const SteppedTip& tip);
 
 // Bond that has broken in a patch near its border.
-struct BreakNearBorder {
+struct BrokenBondNearBorder {
   std::size_t extensions;  // of cracks, before it
   int patch;               // number in the list
   Block block;             // of the patch's grid, which has the middle of the bond
 };
 // Number below 0 that stands for one, from which it can be told again.
-std::int64_t number_of(const BreakNearBorder& broken);
-BreakNearBorder break_of(std::int64_t number);
+std::int64_t layout_number(const BrokenBondNearBorder& broken);
+BrokenBondNearBorder broken_bond_of(std::int64_t number);
 
 // Number of a layout that follows an extension: its place in the list, with a high bit if the patch gives back blocks
 // as well (patches_back.hpp).
@@ -70,7 +70,7 @@ inline bool gives_back(std::int64_t layout) { return layout >= giving_back; }
 inline std::int64_t extension_of(std::int64_t layout) { return gives_back(layout) ? layout - giving_back : layout; }
 // Number of extensions that there were when a patch changed, by a layout of fracture::EvolutionState.
 inline std::size_t extensions_before(std::int64_t layout) {
-  return layout < 0 ? break_of(layout).extensions : static_cast<std::size_t>(extension_of(layout)) + 1;
+  return layout < 0 ? broken_bond_of(layout).extensions : static_cast<std::size_t>(extension_of(layout)) + 1;
 }
 
 // Number of the patch in which a place lies; that of all patches if it lies in none.
@@ -78,11 +78,11 @@ std::size_t patch_around(const std::vector<Patch>& patches, const Point& place);
 
 // Whether a place lies in a patch that does not have all blocks within two and a half horizons of it; empty if it does
 // not.
-std::optional<BreakNearBorder> near_border(const std::vector<Patch>& patches, const Point& place,
-                                           std::size_t extensions);
-// Patches with more blocks around a broken bond, otherwise like followed().
+std::optional<BrokenBondNearBorder> broken_bond_near_border(const std::vector<Patch>& patches, const Point& place,
+                                                            std::size_t extensions);
+// Patches with more blocks around a broken bond, otherwise like grown_ahead_of().
 std::optional<std::vector<Patch>> grown_around(const scene::Scene& scene, const std::vector<Patch>& patches,
-                                               const BreakNearBorder& broken);
+                                               const BrokenBondNearBorder& broken);
 
 // Id of the first region without elements through which a crack runs; 0 if there is none.
 int lattice_around(const scene::Scene& scene, int crack);

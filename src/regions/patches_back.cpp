@@ -62,14 +62,14 @@ class GivingPatch {
       const double entry = entry_before(at->way);
       if (at->way - entry < least_given * size) return std::nullopt;
       if (entry > 0) {
-        if (auto given = between(std::nullopt, *border, entry)) return given;
+        if (auto given = given_between(std::nullopt, *border, entry)) return given;
         continue;
       }
       for (const GridCrossing& other : crossings_) {
         if (other.way < least_behind * size) continue;
         if (at->way - other.way < least_given * size) break;
         if (const auto first = border_at(other, -1))
-          if (auto given = between(first, *border, other.way)) return given;
+          if (auto given = given_between(first, *border, other.way)) return given;
       }
     }
     return std::nullopt;
@@ -122,7 +122,8 @@ class GivingPatch {
 
   // Patches without the blocks between two borders, or before the second one; the path is among these blocks from the
   // way `from` on.
-  std::optional<GivenBack> between(const std::optional<NewBorder>& first, const NewBorder& second, double from) const {
+  std::optional<GivenBack> given_between(const std::optional<NewBorder>& first, const NewBorder& second,
+                                         double from) const {
     const double to = second.crossing.way;
     Blocks kept;
     for (const Block& block : own().blocks)
@@ -146,7 +147,7 @@ class GivingPatch {
     Blocks given;
     std::ranges::set_difference(own().blocks, kept, std::inserter(given, given.end()));
     if (!is_sound(kept, given, first, second, from)) return std::nullopt;
-    return GivenBack{with(parts), from, to, std::move(given), number_};
+    return GivenBack{patches_with(parts), from, to, std::move(given), number_};
   }
 
   bool is_left_behind(const Block& block, const std::optional<NewBorder>& first, const NewBorder& second) const {
@@ -212,7 +213,7 @@ class GivingPatch {
     });
   }
 
-  std::vector<Patch> with(const std::vector<Blocks>& parts) const {
+  std::vector<Patch> patches_with(const std::vector<Blocks>& parts) const {
     std::vector<Patch> all = patches_;
     for (std::size_t k = 0; k < parts.size(); ++k) {
       Patch& patch = k == 0 ? all[number_] : all.emplace_back(own());

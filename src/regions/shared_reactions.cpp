@@ -21,9 +21,9 @@ struct Side {
   std::vector<double> distances, weights;
 };
 
-class HeldParts {
+class SupportedParts {
  public:
-  HeldParts(const scene::Scene& scene, const Discretization& d)
+  SupportedParts(const scene::Scene& scene, const Discretization& d)
       : scene_(scene), d_(d), known_(scene.supports().size()) {}
 
   // Nodes of a support that is a part of an edge, from the start of the part on.
@@ -72,7 +72,7 @@ std::vector<SharedForce> force_of_tractions(const Side& side, int component) {
 // Sides of edges that meet in a node, by the supports that hold one of its components; nothing where the first support
 // has all.
 std::vector<Side> sides_at(int node, const std::vector<std::size_t>& supports, const scene::Scene& scene,
-                           const Discretization& d, HeldParts& parts) {
+                           const Discretization& d, SupportedParts& parts) {
   const auto is_point = [&](std::size_t s) { return scene.supports()[s].place->point().has_value(); };
   const bool is_one_edge = std::count_if(supports.begin(), supports.end(), is_point) + 1 == std::ssize(supports);
   std::vector<Side> sides;
@@ -135,7 +135,7 @@ coupling::SupportDofs dofs_of_supports(const scene::Scene& scene, const Discreti
                                        const DofConditions& conditions) {
   coupling::SupportDofs dofs{conditions.reaction_dofs, {}};
   dofs.shared.resize(dofs.own.size());
-  HeldParts parts(scene, d);
+  SupportedParts parts(scene, d);
   for (const auto& [dof, supports] : shared_dofs(conditions)) {
     const std::vector<Side> sides = sides_at(dof / 2, supports, scene, d, parts);
     if (!sides.empty() && (sides.size() > 1 || sides.front().support != supports.front()))

@@ -33,8 +33,8 @@ void swell(Discretization& d, const SwellingOfRegions& swelling) {
     if (const RegionSwelling* own = region->swelling()) own->set_rests(lattices, d.bonds);
 }
 
-std::array<std::vector<double>, 2> swell_again(Discretization& d, const SwellingOfRegions& swelling,
-                                               const coupling::Terms& terms) {
+std::array<std::vector<double>, 2> changed_rest_elongations(Discretization& d, const SwellingOfRegions& swelling,
+                                                            const coupling::Terms& terms) {
   LatticeSwelling lattices(d.positions);
   coupling::Terms rests;  // data of terms from which lattices find their rest elongations
   rests.length = terms.length;

@@ -18,7 +18,8 @@ void swell(Discretization& discretization, const SwellingOfRegions& swelling);
 
 // Swelling that changes after the operators exist: returns the new rest elongations of all terms (constant and
 // proportional part), which the caller sets in `terms`. Operators have theirs in Region::nodes_of_operators().
-std::array<std::vector<double>, 2> swell_again(Discretization& discretization, const SwellingOfRegions& swelling,
-                                               const coupling::Terms& terms);
+std::array<std::vector<double>, 2> changed_rest_elongations(Discretization& discretization,
+                                                            const SwellingOfRegions& swelling,
+                                                            const coupling::Terms& terms);
 
 }  // namespace bempd::regions

@@ -45,22 +45,22 @@ class Diagonal : public ::testing::Test {
 
 TEST_F(Diagonal, points_on_the_crack_stay_bonded_to_both_faces_if_wanted) {
   for (const Vector2i& other : {Vector2i(3, 5), Vector2i(5, 3), Vector2i(4, 6), Vector2i(7, 4)}) {
-    EXPECT_FALSE(cut({4, 4}, other, crack, Touching::of_ends_keeps)) << other.transpose();
-    EXPECT_FALSE(cut(other, {4, 4}, crack, Touching::of_ends_keeps)) << other.transpose();
-    EXPECT_TRUE(cut({4, 4}, other, crack, Touching::cuts)) << other.transpose();
+    EXPECT_FALSE(cut({4, 4}, other, crack, Touching::spares_bonds_ending_on_it)) << other.transpose();
+    EXPECT_FALSE(cut(other, {4, 4}, crack, Touching::spares_bonds_ending_on_it)) << other.transpose();
+    EXPECT_TRUE(cut({4, 4}, other, crack, Touching::cuts_all)) << other.transpose();
   }
 }
 
 TEST_F(Diagonal, bonds_along_the_crack_stay_with_the_points_on_it) {
-  EXPECT_FALSE(cut({3, 3}, {4, 4}, crack, Touching::of_ends_keeps));
-  EXPECT_FALSE(cut({6, 6}, {7, 7}, crack, Touching::of_ends_keeps));  // over the tip
-  EXPECT_FALSE(cut({1, 1}, {2, 2}, crack, Touching::of_ends_keeps));  // ends at the tip
-  EXPECT_TRUE(cut({3, 3}, {4, 4}, crack, Touching::cuts));
-  EXPECT_TRUE(cut({1, 1}, {2, 2}, crack, Touching::cuts));
+  EXPECT_FALSE(cut({3, 3}, {4, 4}, crack, Touching::spares_bonds_ending_on_it));
+  EXPECT_FALSE(cut({6, 6}, {7, 7}, crack, Touching::spares_bonds_ending_on_it));  // over the tip
+  EXPECT_FALSE(cut({1, 1}, {2, 2}, crack, Touching::spares_bonds_ending_on_it));  // ends at the tip
+  EXPECT_TRUE(cut({3, 3}, {4, 4}, crack, Touching::cuts_all));
+  EXPECT_TRUE(cut({1, 1}, {2, 2}, crack, Touching::cuts_all));
 }
 
 TEST_F(Diagonal, bonds_between_points_off_the_crack_are_cut_by_touching) {
-  for (const Touching touching : {Touching::cuts, Touching::of_ends_keeps}) {
+  for (const Touching touching : {Touching::cuts_all, Touching::spares_bonds_ending_on_it}) {
     EXPECT_TRUE(cut({3, 4}, {4, 3}, crack, touching));
     EXPECT_TRUE(cut({3, 5}, {5, 3}, crack, touching));                   // through a material point
     EXPECT_TRUE(cut({6, 7}, {7, 6}, crack, touching));                   // touches the tip
@@ -73,11 +73,11 @@ TEST_F(Diagonal, bonds_between_points_off_the_crack_are_cut_by_touching) {
 
 TEST_F(Diagonal, a_second_leg_of_the_crack_cuts_the_bonds_of_points_on_the_first) {
   const std::vector<Point> kinked{{2, 2}, {6, 6}, {6, 4.5}};
-  EXPECT_TRUE(cut({5, 5}, {7, 5}, kinked, Touching::of_ends_keeps));
-  EXPECT_FALSE(cut({5, 5}, {5, 3}, kinked, Touching::of_ends_keeps));
+  EXPECT_TRUE(cut({5, 5}, {7, 5}, kinked, Touching::spares_bonds_ending_on_it));
+  EXPECT_FALSE(cut({5, 5}, {5, 3}, kinked, Touching::spares_bonds_ending_on_it));
   // The tip of the second leg touches the bond between its ends.
-  EXPECT_TRUE(cut({5, 5}, {7, 4}, kinked, Touching::of_ends_keeps));
-  EXPECT_TRUE(cut({5, 5}, {7, 5}, {{2, 2}, {5, 5}, {6, 4}, {6, 5}}, Touching::of_ends_keeps));
+  EXPECT_TRUE(cut({5, 5}, {7, 4}, kinked, Touching::spares_bonds_ending_on_it));
+  EXPECT_TRUE(cut({5, 5}, {7, 5}, {{2, 2}, {5, 5}, {6, 4}, {6, 5}}, Touching::spares_bonds_ending_on_it));
 }
 
 // The segments of a polyline cut for themselves what it cuts.
@@ -113,9 +113,9 @@ TEST(Crack, fine_polyline_cuts_what_the_straight_line_cuts) {
   constexpr int count = 1000000;
   std::vector<Point> fine;
   for (int k = 0; k <= count; ++k) fine.push_back(from + (to - from) * k / count);
-  const std::vector<int> cut = bonds_cut_by(points, network.bonds, fine, Touching::of_ends_keeps);
+  const std::vector<int> cut = bonds_cut_by(points, network.bonds, fine, Touching::spares_bonds_ending_on_it);
   EXPECT_GT(cut.size(), 1000u);
-  EXPECT_EQ(cut, bonds_cut_by(points, network.bonds, {from, to}, Touching::of_ends_keeps));
+  EXPECT_EQ(cut, bonds_cut_by(points, network.bonds, {from, to}, Touching::spares_bonds_ending_on_it));
 }
 
 }  // namespace

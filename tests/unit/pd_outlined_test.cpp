@@ -102,7 +102,7 @@ TEST(OutlinedNetwork, is_exact_on_long_outlines_whose_chords_differ) {
     vertices.emplace_back(0, mouth + 0.5), vertices.emplace_back(0, mouth - 0.5);
     const OutlinedBody body =
         build_outlined_body(make_chords({polygon(vertices)}), {{0.0625, 0.375}, 20 * degree, true}, 3, bonds_alone, 1);
-    std::printf("mouth at %g: %s, patch test %.0e\n", mouth, body.is_careful ? "with care" : "without",
+    std::printf("mouth at %g: %s, patch test %.0e\n", mouth, body.is_balanced_by_piece ? "with care" : "without",
                 patch_error(body));
     EXPECT_TRUE(body.is_exact());
     EXPECT_LT(patch_error(body), 1e-11);

@@ -29,10 +29,10 @@ class Front {
   void add_side(int a, int b) {
     open_.insert({a, b});
     taken_.insert({b, a});
-    list(a, b);
+    store_side(a, b);
   }
 
-  FillingCells close() {
+  FillingCells triangulate() {
     FillingCells triangles;
     while (!open_.empty()) {
       check_cancelled();
@@ -42,23 +42,23 @@ class Front {
       const int c = best_point(a, b);
       if (c < 0) continue;  // no body there: chords that lie on each other up to rounding
       triangles.push_back({a, b, c, c});
-      put(b, c), put(c, a);
+      add_triangle_side(b, c), add_triangle_side(c, a);
     }
     return triangles;
   }
 
  private:
-  void list(int a, int b) {
+  void store_side(int a, int b) {
     Box box(points_[a]);
     box.extend(points_[b]);
     near_sides_.add(box, static_cast<int>(sides_.size()));
     sides_.push_back({a, b});
   }
   // Adds the directed side from a to b of a new triangle, which lies on its left.
-  void put(int a, int b) {
+  void add_triangle_side(int a, int b) {
     if (open_.erase({a, b}) == 0) {
       open_.insert({b, a});
-      list(a, b);
+      store_side(a, b);
     }
     taken_.insert({a, b});
   }
@@ -139,7 +139,7 @@ FillingCells fill_with_cells(const Chords& chords, const OutlinedPoints& points)
   for (int i = points.outline_count(); i < points.count(); ++i)
     if (!has_cell[i]) at_front.insert(i);
   for (const int i : at_front) front.add_point(i);
-  const FillingCells triangles = front.close();
+  const FillingCells triangles = front.triangulate();
   cells.insert(cells.end(), triangles.begin(), triangles.end());
   return cells;
 }

@@ -16,23 +16,23 @@ namespace {
 constexpr double smallest_outlined_ratio = 0.02;  // bound on a stiffness over that of the kernel
 
 struct Attempt {
-  double gap, free_depth, shift;  // of the lattice along both of its axes
-  bool is_careful = false;        // surface vectors balanced piece by piece, the kernel of the equations left
+  double gap, free_depth, shift;      // of the lattice along both of its axes
+  bool is_balanced_by_piece = false;  // surface vectors balanced piece by piece, the kernel of the equations left
 };
 
 // Attempts to build a network, in the order in which they are made. At a horizon ratio of 3 the best networks have
 // small gaps between outline and lattice, and stiffnesses must be free in a layer as deep as the horizon. At larger
 // ratios a layer of 3/4 of that depth comes first, because its errors in thin bodies are smaller.
-std::vector<Attempt> attempts_for(int horizon_ratio, bool may_move, bool is_careful) {
+std::vector<Attempt> attempts_for(int horizon_ratio, bool may_move, bool is_balanced_by_piece) {
   const bool is_short = horizon_ratio == 3;
   const double whole = horizon_ratio, less = is_short ? whole : 0.75 * horizon_ratio;
   const std::vector<double> gaps =
       is_short ? std::vector{0.65, 0.75, 0.55, 0.85, 0.95} : std::vector{0.85, 0.75, 0.95, 0.65};
   std::vector<Attempt> attempts;
-  if (!is_short) attempts.push_back({gaps.front(), less, 0, is_careful});
+  if (!is_short) attempts.push_back({gaps.front(), less, 0, is_balanced_by_piece});
   for (const double shift : {0.0, 0.5}) {
     if (shift > 0 && !may_move) break;
-    for (const double gap : gaps) attempts.push_back({gap, whole, shift, is_careful});
+    for (const double gap : gaps) attempts.push_back({gap, whole, shift, is_balanced_by_piece});
   }
   return attempts;
 }
@@ -62,16 +62,20 @@ OutlinedBody try_out(const Attempt& attempt, const Chords& chords, LatticePlace 
                      const PlaneElasticity& elasticity, int threads, const BondKernel& kernel) {
   place.origin += Eigen::Rotation2Dd(place.angle) * Point::Constant(attempt.shift);
   const OutlinedPoints points(chords, place, attempt.gap, 1 + layer_depth(attempt, horizon_ratio));
-  OutlinedBody body{
-      chords, points.points(), fill_with_cells(chords, points), {}, balancing_factors(chords, attempt.is_careful), {},
-      {}};
+  OutlinedBody body{chords,
+                    points.points(),
+                    fill_with_cells(chords, points),
+                    {},
+                    balancing_factors(chords, attempt.is_balanced_by_piece),
+                    {},
+                    {}};
   body.place = place;
-  body.is_careful = attempt.is_careful;
+  body.is_balanced_by_piece = attempt.is_balanced_by_piece;
   body.areas = areas_of_points(body.points, body.cells);
   std::vector<Point> surface(body.points.size(), Point::Zero());
   for (int i = 0; i < chords.count(); ++i) surface[i] = body.factors[i] * chords.surface_vector(i);
   DraftBonds bonds = draft_outlined_bonds(chords, points, horizon_ratio, kernel);
-  const std::vector<Point> places = attempt.is_careful ? body.points : std::vector<Point>();
+  const std::vector<Point> places = attempt.is_balanced_by_piece ? body.points : std::vector<Point>();
   for (const Layer& layer : layers_for(attempt, horizon_ratio)) {
     mark_layer(points, layer, bonds);
     share_by_area(body.areas, bonds);
@@ -89,9 +93,9 @@ OutlinedBody build_outlined_body(const Chords& chords, const LatticePlace& place
   std::optional<OutlinedBody> best;
   // Careful attempts come second: only long outlines with different chords need them, and the networks of other bodies
   // do not depend on them.
-  for (const bool is_careful : {false, true}) {
-    if (is_careful && balancing_factors(chords, true) == balancing_factors(chords)) break;
-    for (const Attempt& attempt : attempts_for(horizon_ratio, !place.fixed, is_careful)) {
+  for (const bool is_balanced_by_piece : {false, true}) {
+    if (is_balanced_by_piece && balancing_factors(chords, true) == balancing_factors(chords)) break;
+    for (const Attempt& attempt : attempts_for(horizon_ratio, !place.fixed, is_balanced_by_piece)) {
       OutlinedBody body = try_out(attempt, chords, place, horizon_ratio, elasticity, threads, kernel);
       if (body.is_exact()) return body;
       if (!best || body.network.max_residual < best->network.max_residual) best = std::move(body);

@@ -16,7 +16,7 @@ struct OutlinedBody {
   std::vector<double> factors;  // of the surface vectors of the outline's nodes, close to 1
   Network network;
   LatticePlace place;
-  bool is_careful = false;  // found with chords that count alike piece by piece (surface_balance.hpp)
+  bool is_balanced_by_piece = false;  // found with chords that count alike piece by piece (surface_balance.hpp)
 
   // Whether all stiffnesses are positive and every linear displacement field is reproduced.
   bool is_exact() const { return network.max_residual < 1e-11 && network.min_weight_ratio > 0; }

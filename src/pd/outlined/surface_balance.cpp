@@ -44,7 +44,7 @@ class LoopBalance {
   // Makes all chords of the loop count as if they had one length, by factors of the two nodes next to each end of every
   // piece with four or more chords. Factor changes a (1, -1, .., -1, 1) keep resultant and moment of a straight piece,
   // and add a l^3 (2 n - 6) to the sum of N s^2, in which chords of another length lack n l (l^2 - wanted) / 6.
-  void level(std::vector<double>& factors) const {
+  void equalize_chord_lengths(std::vector<double>& factors) const {
     const std::vector<int> pieces = own_pieces();
     const double wanted = wanted_square(pieces);
     for (const int piece : pieces) {
@@ -62,7 +62,7 @@ class LoopBalance {
   // Changes the factors so that the loop is balanced; returns false if that takes too large changes. `moments_a_piece`
   // is the number of moments of a constant load that every piece keeps: 0, 1 (the resultant) or 2 (the first moment,
   // too).
-  bool change(int moments_a_piece, std::vector<double>& factors) const {
+  bool change_factors(int moments_a_piece, std::vector<double>& factors) const {
     const std::vector<int> pieces = own_pieces();
     const Eigen::Index rows = 9 + static_cast<Eigen::Index>(pieces.size()) * moments_a_piece;
     MatrixXd equations = MatrixXd::Zero(rows, count_);
@@ -138,9 +138,9 @@ std::vector<double> balancing_factors(const Chords& chords, bool by_piece) {
   for (int loop = 0; loop < chords.loop_count(); ++loop) {
     const LoopBalance balance(chords, loop);
     if (balance.sums(factors).lpNorm<Eigen::Infinity>() <= negligible_number) continue;
-    if (by_piece) balance.level(factors);
+    if (by_piece) balance.equalize_chord_lengths(factors);
     for (int moments = 2; moments >= 0; --moments)
-      if (balance.change(moments, factors)) break;
+      if (balance.change_factors(moments, factors)) break;
   }
   return factors;
 }

@@ -95,7 +95,7 @@ void BoundaryDescription::cut_out(const std::vector<std::vector<Point>>& loops, 
   for (int edge = edges + 1; edge <= edge_count(); ++edge) own_mesh_[edge] = {element_length, 1};
 }
 
-void BoundaryDescription::make_whole() {
+void BoundaryDescription::fill_cut_outs() {
   if (!whole_) return;
   own_mesh_.erase(own_mesh_.upper_bound(whole_edges_), own_mesh_.end());
   take_outline(std::move(*whole_));

@@ -32,9 +32,9 @@ class BoundaryDescription final : public scene::Region {
   // Number of times that the region's elements are halved; if negative, elements are merged in pairs as often.
   int halvings() const { return refinement_.of_all + (is_body_ ? refinement_.of_bodies : 0); }
   // Cuts lattice patches out of a body: their loops, counter-clockwise, become its last holes, with elements of a
-  // length that is never halved. make_whole() fills them again.
+  // length that is never halved. fill_cut_outs() fills them again.
   void cut_out(const std::vector<std::vector<Point>>& loops, double element_length);
-  void make_whole();
+  void fill_cut_outs();
   const Outline& whole_outline() const { return whole_ ? *whole_ : outline(); }
   bool borders_patch(int edge) const { return whole_ && edge > whole_edges_; }
   void set_edge_mesh(int edge, const scene::EdgeMesh& mesh) override;

@@ -74,7 +74,7 @@ std::vector<Point> BoundaryLoads::forces_on_edge(const EdgeSpan& span, const std
 // Elements, 2nd ed., section 3.9).
 void BoundaryLoads::add_body_force(const BodyForce& body_force, Eigen::Ref<Eigen::VectorXd> force) const {
   if (body_force.is_zero()) return;
-  region_.scatter(mesh_.trace().transpose() * particulars_.force_besides(particulars_.of(body_force)), force);
+  region_.scatter(mesh_.trace().transpose() * particulars_.force_change(particulars_.of(body_force)), force);
 }
 
 Eigen::Matrix2d BoundaryLoads::work_within(const std::array<BodyForce, 2>& body_force,

@@ -104,7 +104,7 @@ std::vector<double> shared_stations(const Scene& scene, int region, int edge, co
 
 // Piece of a boundary that a panel comes from, with what supports hold and which loads act there.
 BoundaryPiece piece_of(const Scene& scene, int region, const PanelSource& source, const Arc& arc) {
-  BoundaryPiece piece{arc, Held::interface, 0, {}};
+  BoundaryPiece piece{arc, HeldComponents::interface, 0, {}};
   if (source.border != Border::free) return piece;
   const double middle = 0.5 * (source.from + source.to);
   const auto acts = [&](const Condition& one) {
@@ -115,9 +115,9 @@ BoundaryPiece piece_of(const Scene& scene, int region, const PanelSource& source
   for (std::size_t l = 0; l < scene.loads().size(); ++l)
     if (acts(scene.loads()[l])) piece.loads.push_back(static_cast<int>(l) + 1);
   constexpr int both = 3;
-  piece.held = piece.components == 0      ? Held::nothing
-               : piece.components == both ? Held::both_components
-                                          : Held::one_component;
+  piece.held = piece.components == 0      ? HeldComponents::none
+               : piece.components == both ? HeldComponents::both
+                                          : HeldComponents::one;
   return piece;
 }
 
@@ -166,10 +166,10 @@ void grade_corners(const Preparation& p, int region, BoundaryPanels& panels) {
       pieces.push_back(piece_of(p.scene, region, panels.sources[first + k], loop[k].arc()));
     const std::vector<EndDivisions> divisions = end_divisions(pieces, rule);
     for (std::size_t k = 0; k < loop.size(); ++k) {
-      if (pieces[k].held == Held::interface) continue;
+      if (pieces[k].held == HeldComponents::interface) continue;
       const bool is_chosen = described.has_own_mesh(panels.sources[first + k].edge);
-      loop[k].stations = divided(is_chosen ? near_cracks(p, region, loop[k], divisions[k]) : divisions[k],
-                                 loop[k].stations, shortest_graded * p.tolerance / loop[k].arc().length());
+      loop[k].stations = graded_stations(is_chosen ? near_cracks(p, region, loop[k], divisions[k]) : divisions[k],
+                                         loop[k].stations, shortest_graded * p.tolerance / loop[k].arc().length());
     }
     first += loop.size();
   }

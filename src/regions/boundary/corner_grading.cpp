@@ -21,15 +21,15 @@ constexpr int usual_count = 5;
 
 // Largest angle of a corner [rad] without a stress singularity, for the conditions on its two sides. A support that
 // holds one component counts as a plane of symmetry.
-double largest_regular_angle(Held a, Held b) {
+double largest_regular_angle(HeldComponents a, HeldComponents b) {
   constexpr double pi = std::numbers::pi;
-  if (a == b && a != Held::one_component) return pi;
-  if (a == Held::one_component || b == Held::one_component) return 0.5 * pi;
+  if (a == b && a != HeldComponents::one) return pi;
+  if (a == HeldComponents::one || b == HeldComponents::one) return 0.5 * pi;
   return pi / 3;
 }
 
 bool is_singular(const BoundaryPiece& before, const BoundaryPiece& after) {
-  if (before.held == Held::interface || after.held == Held::interface) return false;
+  if (before.held == HeldComponents::interface || after.held == HeldComponents::interface) return false;
   const Point along = before.arc.tangent(1), on = after.arc.tangent(0);
   const double turn = std::atan2(cross(along, on), along.dot(on));
   constexpr double slack = 0.02;  // about a degree: corners that are weaker than that do not matter
@@ -50,7 +50,7 @@ double exponent_at(const BoundaryPiece& before, const BoundaryPiece& after, cons
 // Whether tractions may jump where two pieces meet, so that stress depends on the direction there.
 bool has_jump(const BoundaryPiece& before, const BoundaryPiece& after) {
   constexpr double straight_on = 0.02;
-  if (before.held == Held::interface || after.held == Held::interface) return false;
+  if (before.held == HeldComponents::interface || after.held == HeldComponents::interface) return false;
   if (before.loads != after.loads) return true;
   const Point along = before.arc.tangent(1), on = after.arc.tangent(0);
   return !before.loads.empty() && std::abs(std::atan2(cross(along, on), along.dot(on))) > straight_on;
@@ -81,7 +81,7 @@ std::vector<EndDivisions> end_divisions(const std::vector<BoundaryPiece>& loop, 
   return ends;
 }
 
-std::vector<double> divided(const EndDivisions& wanted, const std::vector<double>& stations, double least) {
+std::vector<double> graded_stations(const EndDivisions& wanted, const std::vector<double>& stations, double least) {
   std::vector<double> all = stations;
   // A single element with two such ends is halved first, so that each half is divided towards one end.
   if (wanted.start > 0 && wanted.end > 0 && all.size() == 2) all = {0, 0.5, 1};

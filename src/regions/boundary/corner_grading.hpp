@@ -9,11 +9,11 @@
 namespace bempd::regions {
 
 // Displacement components that are held on a piece of a boundary.
-enum class Held { nothing, one_component, both_components, interface };
+enum class HeldComponents { none, one, both, interface };
 
 struct BoundaryPiece {
   Arc arc;
-  Held held;
+  HeldComponents held;
   int components = 0;      // that are held: 1 x, 2 y, 3 both
   std::vector<int> loads;  // ids, ascending
 };
@@ -40,6 +40,6 @@ std::vector<EndDivisions> end_divisions(const std::vector<BoundaryPiece>& loop, 
 
 // Element ends `stations` (fractions of the piece) with the elements at the piece's ends divided towards them, as often
 // as all elements stay longer than `least`, a fraction too.
-std::vector<double> divided(const EndDivisions& divisions, const std::vector<double>& stations, double least);
+std::vector<double> graded_stations(const EndDivisions& divisions, const std::vector<double>& stations, double least);
 
 }  // namespace bempd::regions

@@ -18,13 +18,13 @@ Eigen::VectorXd ParticularSolutions::displacement(const LinearBodyForce& particu
   return displacement;
 }
 
-Eigen::VectorXd ParticularSolutions::force_besides(const LinearBodyForce& particular) const {
+Eigen::VectorXd ParticularSolutions::force_change(const LinearBodyForce& particular) const {
   const BoundaryMesh& mesh = mesh_.mesh();
   const Eigen::VectorXd displacement = this->displacement(particular);
   const auto stress = [&](const Point& place) { return particular.stress(place); };
   Eigen::VectorXd forces;
   if (parts_.subdomains()) {
-    forces = parts_.subdomains()->forces_besides(displacement, stress, region_.elasticity().thickness);
+    forces = parts_.subdomains()->forces_less_stress(displacement, stress, region_.elasticity().thickness);
   } else {
     Eigen::VectorXd of_tractions = Eigen::VectorXd::Zero(displacement.size());
     bem::add_stress_forces(mesh, stress, region_.elasticity().thickness, of_tractions);
@@ -68,7 +68,7 @@ double ParticularSolutions::work(const BodyForce& body_force, const BodyForce& o
     in_volume +=
         bem::integral_of_homogeneous(mesh, centre, 4, [&](const Point& x) { return growth(x).dot(theirs.cubic(x)); });
   }
-  return region_.elasticity().thickness * in_volume - force_besides(of(body_force)).dot(displacement(theirs));
+  return region_.elasticity().thickness * in_volume - force_change(of(body_force)).dot(displacement(theirs));
 }
 
 }  // namespace bempd::regions

@@ -19,7 +19,7 @@ class ParticularSolutions {
   LinearBodyForce of(const Solution& solution) const { return of(solution.body_force(region_.id())); }
   // Displacements u_p at places(), and the forces K u_p - f(t_p) by which a particular solution changes nodal forces.
   Eigen::VectorXd displacement(const LinearBodyForce& particular) const;
-  Eigen::VectorXd force_besides(const LinearBodyForce& particular) const;
+  Eigen::VectorXd force_change(const LinearBodyForce& particular) const;
   // Particular solutions at the nodes and on the crack faces of a part.
   CrackedPart::Particulars in_part(const std::array<BodyForce, 2>& body_force, const CrackedPart& part) const;
   // Part of a body force's work [J] that nodal forces do not include; `other` is the body force of the state it works

@@ -18,7 +18,7 @@ constexpr double bytes_per_square_with_cracks = 600;
 
 // Limits for a warning: number of elements from which on preparing takes seconds, and ratio of a gap's width to the
 // crack's length below which the gap is given as the reason.
-constexpr double elements_to_tell_of = 500, narrow_gap = 0.03;
+constexpr double elements_to_warn_of = 500, narrow_gap = 0.03;
 
 // Calls visit(crack, its id, part) for all parts of cracks that have elements in the region.
 template <class Visit>
@@ -65,12 +65,12 @@ std::vector<bem::MouthOnRow> mouths_on_rows(const Preparation& p, int region) {
 
 // Largest length of elements at a mouth shared with another boundary element region, over the crack's distance from the
 // mouth to its next bend or end there.
-constexpr double longest_before_end = 0.5;
+constexpr double longest_element_at_mouth = 0.5;
 
 std::vector<bem::MouthOnRow> short_elements_at(const Preparation& p, int region, std::vector<bem::MouthOnRow> mouths) {
   for_each_part(p, region, [&](const scene::Crack&, int, const CrackPart& part) {
-    if (part.reach_before > 0) mouths.push_back({part.points.front(), longest_before_end * part.reach_before});
-    if (part.reach_behind > 0) mouths.push_back({part.points.back(), longest_before_end * part.reach_behind});
+    if (part.reach_before > 0) mouths.push_back({part.points.front(), longest_element_at_mouth * part.reach_before});
+    if (part.reach_behind > 0) mouths.push_back({part.points.back(), longest_element_at_mouth * part.reach_behind});
   });
   return mouths;
 }
@@ -133,7 +133,7 @@ double RegionCracks::memory_of(double elements) { return bytes_per_square_with_c
 
 void RegionCracks::require_memory(const BoundaryMesh& boundary, const scene::Options& options) const {
   const double elements = static_cast<double>(boundary.elements.size()) + elements_on_cracks();
-  if (elements < elements_to_tell_of) return;
+  if (elements < elements_to_warn_of) return;
   const bem::NarrowGap gap = sizes_.narrowest_gap();
   require_memory_for(memory_of(elements),
                      text(elements, " elements on the boundary and the cracks of region ", region_),
@@ -144,7 +144,7 @@ void RegionCracks::require_memory(const BoundaryMesh& boundary, const scene::Opt
 
 void RegionCracks::warn_of_gap(const BoundaryMesh& boundary, std::vector<std::string>& warnings) const {
   const double elements = static_cast<double>(boundary.elements.size()) + elements_on_cracks();
-  if (elements < elements_to_tell_of) return;
+  if (elements < elements_to_warn_of) return;
   const bem::NarrowGap gap = sizes_.narrowest_gap();
   if (gap.line < 0 || gap.width > narrow_gap * lines_.lines[gap.line].length()) return;
   warnings.push_back(text("region ", region_, " has ", elements,

@@ -241,9 +241,9 @@ Eigen::VectorXd RegionSubdomains::tractions(const Eigen::VectorXd& displacement,
   return sums;
 }
 
-Eigen::VectorXd RegionSubdomains::forces_besides(const Eigen::VectorXd& displacement,
-                                                 const std::function<Eigen::Vector3d(const Point&)>& stress,
-                                                 double thickness) const {
+Eigen::VectorXd RegionSubdomains::forces_less_stress(const Eigen::VectorXd& displacement,
+                                                     const std::function<Eigen::Vector3d(const Point&)>& stress,
+                                                     double thickness) const {
   Eigen::VectorXd forces = Eigen::VectorXd::Zero(displacement.size());
   for (std::size_t i = 0; i < count(); ++i) {
     const Subdomain& part = subdivision_.subdomains[i];

@@ -79,8 +79,9 @@ class RegionSubdomains {
   Eigen::VectorXd tractions(const Eigen::VectorXd& displacement, const std::vector<CrackedPart>& cracked,
                             const std::vector<bem::CrackedState>& states) const;
   // Nodal forces of a displacement less those of a stress field.
-  Eigen::VectorXd forces_besides(const Eigen::VectorXd& displacement,
-                                 const std::function<Eigen::Vector3d(const Point&)>& stress, double thickness) const;
+  Eigen::VectorXd forces_less_stress(const Eigen::VectorXd& displacement,
+                                     const std::function<Eigen::Vector3d(const Point&)>& stress,
+                                     double thickness) const;
   // Adds the evaluators of subdomains without cracks.
   void add_interiors(const PlaneElasticity& elasticity, const Eigen::VectorXd& displacement,
                      InteriorOfPieces& all) const;

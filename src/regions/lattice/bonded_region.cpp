@@ -127,7 +127,8 @@ void BondedRegion::cut(const scene::Crack& crack, int number, std::vector<int>& 
             0.5 * spacing(), ")");
     warnings.push_back(finding + "; they stay bonded to both of its faces and bridge it");
   }
-  const pd::Touching touching = cracks_may_meet_points() ? pd::Touching::of_ends_keeps : pd::Touching::cuts;
+  const pd::Touching touching =
+      cracks_may_meet_points() ? pd::Touching::spares_bonds_ending_on_it : pd::Touching::cuts_all;
   std::vector<Point> bond_ends = points_;
   bond_ends.insert(bond_ends.end(), bonds_.far_points.begin(), bonds_.far_points.end());
   for (int bond : pd::bonds_cut_by(bond_ends, network()->bonds, polyline, touching))
@@ -139,8 +140,8 @@ void BondedRegion::add_statistics(RegionStatistics& statistics) const {
   statistics.seconds_lattice += seconds_preparing;
 }
 
-PointRow BondedRegion::row_of(const std::vector<int>& points, double apart) const {
-  PointRow row{id(), {}, {}, apart};
+PointRow BondedRegion::row_of(const std::vector<int>& points, double point_distance) const {
+  PointRow row{id(), {}, {}, point_distance};
   for (const int point : points) {
     row.places.push_back(position(point));
     row.nodes.push_back(nodes_[static_cast<std::size_t>(point)]);

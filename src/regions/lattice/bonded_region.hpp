@@ -73,8 +73,8 @@ class BondedRegion : public Region,
   // Adds the bonds of the region's network to the scene's; they become consecutive there.
   void add_own_bonds(const Preparation& preparation, const Contributions& contributions);
 
-  // Row of points on a straight interface, in order and `apart` from each other.
-  PointRow row_of(const std::vector<int>& points, double apart) const;
+  // Row of points on a straight interface, in order and `point_distance` from each other.
+  PointRow row_of(const std::vector<int>& points, double point_distance) const;
 
   double critical_stretch(const scene::Options& options) const;
 

@@ -13,9 +13,9 @@ namespace {
 
 // Radius, over that asked for, up to which the crack has two sides: it is followed to there, and extended straight if
 // it is shorter.
-constexpr double parted = 3;
+constexpr double two_sided_reach = 3;
 // Length of a part of a face, and distance up to which nodes share its displacement, in spacings.
-constexpr double part_length = 0.25, sharing = 2.5;
+constexpr double part_length = 0.25, share_reach = 2.5;
 // Distance from the tip's line, over the radius or the spacing, up to which the crack lies on the line.
 constexpr double on_line = 1e-9;
 // Share of a part's length by which a piece may exceed a number of parts without one more, so that rounding does not
@@ -35,7 +35,7 @@ double angle_on_left(const Point& local) {
 BentCrack::BentCrack(const std::vector<Point>& path, double radius) {
   for (auto p = path.rbegin(); p != path.rend(); ++p) {
     path_.push_back(*p);
-    if (p->norm() > parted * radius) break;
+    if (p->norm() > two_sided_reach * radius) break;
   }
   const bool is_bent = std::any_of(path_.begin(), path_.end(),
                                    [&](const Point& p) { return std::max(std::abs(p.y()), p.x()) > on_line * radius; });
@@ -46,8 +46,8 @@ BentCrack::BentCrack(const std::vector<Point>& path, double radius) {
   beside_ = {Point(0, 0)};
   beside_.insert(beside_.end(), path_.begin(), path_.end());
   const Point last = path_.back();
-  if (last.norm() < parted * radius)
-    beside_.push_back(last + parted * radius * (last - path_[path_.size() - 2]).normalized());
+  if (last.norm() < two_sided_reach * radius)
+    beside_.push_back(last + two_sided_reach * radius * (last - path_[path_.size() - 2]).normalized());
   // The outline returns to the tip's line by a corner outside of the circle: a straight return would leave out places
   // within the radius.
   const double far = beside_.back().norm();
@@ -104,7 +104,7 @@ void BentCrack::add_part(const Part& part, const std::vector<Point>& nodes, doub
   double total = 0;
   Point mean = Point::Zero();
   for (std::size_t i = 0; i < nodes.size(); ++i) {
-    const double gap = (nodes[i] - part.middle).norm() / (sharing * spacing);
+    const double gap = (nodes[i] - part.middle).norm() / (share_reach * spacing);
     if (gap >= 1 || crosses({seen_from, nodes[i]})) continue;
     near.emplace_back(i, std::pow(1 - gap * gap, 2));
     total += near.back().second;

@@ -14,7 +14,7 @@ namespace {
 
 // Half axes of the ellipse in which material points on one side of the crack are taken for a fit, in spacings: along
 // the crack and across it. If it holds too few points, it is enlarged by a factor.
-constexpr double along = 2.5, off = 3, larger = 1.5;
+constexpr double half_axis_along = 2.5, half_axis_across = 3, enlargement = 1.5;
 constexpr int most_ellipses = 3;
 constexpr std::size_t enough_for_quadratic = 8, enough_for_linear = 4;
 
@@ -88,7 +88,7 @@ class OpeningsOfCrack {
 
   Point face(const Place& place, double side, const Eigen::VectorXd& displacement) const {
     double reach = 1;
-    for (int k = 0; k < most_ellipses; ++k, reach *= larger) {
+    for (int k = 0; k < most_ellipses; ++k, reach *= enlargement) {
       const std::vector<int> found = points(place, side, reach);
       if (found.size() >= enough_for_quadratic)
         if (const std::optional<Point> fit = fitted(place, reach, found, displacement, 6)) return *fit;
@@ -111,7 +111,8 @@ class OpeningsOfCrack {
   }
 
   static double weight(const Place& place, const Point& arm, double reach) {
-    const double x = arm.dot(place.tangent) / (along * reach), y = arm.dot(place.normal()) / (off * reach);
+    const double x = arm.dot(place.tangent) / (half_axis_along * reach),
+                 y = arm.dot(place.normal()) / (half_axis_across * reach);
     return std::sqrt(std::max(0.0, 1 - x * x - y * y));
   }
 

@@ -45,33 +45,33 @@ class BrokenFaces {
     return grid_.origin + grid_.spacing * (turn_ * Point(cell.first + 0.5, cell.second + 0.5));
   }
 
-  struct Way {
-    std::vector<Point> cells;  // to the farthest one, empty if there is none
-    std::vector<Point> all;    // that can be reached
+  struct CellPath {
+    std::vector<Point> cells;    // to the farthest one, empty if there is none
+    std::vector<Point> reached;  // that can be reached
   };
   // Path of broken cells from those around a crack's end to the cell that is the most steps away. Cells that share no
   // more than a corner are neighbours, too, because bonds along a slanted crack break later or never.
-  Way way_from(const Point& end) const {
+  CellPath path_from(const Point& end) const {
     std::map<Cell, Cell> came_from;
     std::queue<Cell> next;
     const Cell own = cell_at(end);
     for (const Cell& cell : broken_around(own)) came_from.emplace(cell, cell), next.push(cell);
-    Way way;
+    CellPath path;
     Cell last = own;
     while (!next.empty()) {
       last = next.front();
       next.pop();
-      way.all.push_back(middle_of(last));
+      path.reached.push_back(middle_of(last));
       for (const Cell& cell : broken_around(last))
         if (came_from.emplace(cell, last).second) next.push(cell);
     }
-    if (way.all.empty()) return way;
+    if (path.reached.empty()) return path;
     for (Cell cell = last;; cell = came_from.at(cell)) {
-      way.cells.push_back(middle_of(cell));
+      path.cells.push_back(middle_of(cell));
       if (came_from.at(cell) == cell) break;
     }
-    std::reverse(way.cells.begin(), way.cells.end());
-    return way;
+    std::reverse(path.cells.begin(), path.cells.end());
+    return path;
   }
 
  private:
@@ -181,18 +181,18 @@ class TipSearch {
     LatticeTip tip{crack,        end, region->id(), {path.back(), ahead, path, grid.spacing, region->elasticity()},
                    grid.horizon, 0,   false,        false};
     const BrokenFaces& faces = faces_of(*region, grid);
-    const BrokenFaces::Way way = faces.way_from(path.back());
-    if (way.cells.size() > 1) {
+    const BrokenFaces::CellPath broken = faces.path_from(path.back());
+    if (broken.cells.size() > 1) {
       tip.grown = true;
-      for (const Point& cell : way.cells)
+      for (const Point& cell : broken.cells)
         if (faces.cell_at(cell) != faces.cell_at(path.back())) tip.axes.path.push_back(cell);
       // A crack that has broken through to an edge has no tip at this end any more.
-      if (!std::all_of(way.all.begin(), way.all.end(),
+      if (!std::all_of(broken.reached.begin(), broken.reached.end(),
                        [&](const Point& cell) { return is_in(body_.scene, body_.discretization, cell, false); }))
         return;
       tip.axes.is_rough = true;
       fit_end(tip.axes, 2 * tip.horizon);
-      tip.branched = std::any_of(way.all.begin(), way.all.end(),
+      tip.branched = std::any_of(broken.reached.begin(), broken.reached.end(),
                                  [&](const Point& cell) { return distance_to(tip.axes.path, cell) > tip.horizon; });
     }
     if (is_in(body_.scene, body_.discretization, tip.axes.place, true)) tip.clear = clear_radius(tip, faces.middles());
