@@ -7,46 +7,49 @@
 
 namespace bempd::pd {
 
-// Bond while the network is made, for C1111 = thickness = 1.
+// Bond of a network that is being made, with a stiffness for C1111 = 1 and thickness 1.
 struct DraftBond {
   int first, second;
-  int offset;           // in the list of offsets
-  bool in_layer, free;  // whether its stiffness may differ from the bulk, and whether balance_layer() may change it
+  int offset;     // index in the list of offsets
+  bool in_layer;  // whether its stiffness may differ from the bulk stiffness
+  bool free;      // whether balance_layer() may change its stiffness
   double stiffness;
 };
 
-// Bonds of a body while its network is made. How they are drafted depends on the outline: along lattice rows from
-// templates (network.cpp), along other outlines from the kernel (outlined_bonds.hpp). What follows is the same.
+// Bonds of a body whose network is being made. For outlines along lattice rows the first stiffnesses come from
+// templates (network.cpp), for other outlines from the kernel (outlined_bonds.hpp). The corrections that follow are the
+// same for both kinds of outlines.
 struct DraftBonds {
   std::vector<BondOffset> offsets;
   std::vector<DraftBond> bonds;  // sorted by (first, second)
 };
 
-// Missing third moments 111, 112, 122, 222 of every point: what its bonds lack for balance with the tractions of every
-// constant stress on the faces there. `surface` has the surface vectors of the points.
+// Missing third moments (components 111, 112, 122, 222) of every point: the amounts by which the third moments of its
+// bonds fall short of balancing the tractions of any constant stress on the faces at the point. `surface` has the
+// surface vectors of the points (CellGrid::surface_vector()).
 std::vector<Eigen::Vector4d> missing_moments(const std::vector<Point>& surface, const DraftBonds& bonds);
 
 // Free bonds of a layer, divided into connected parts.
 struct LayerParts {
-  // Part of a layer: free bonds that share no point with those of other parts, and their points.
+  // Part of a layer: free bonds that share no point with free bonds of other parts, and the points of these bonds.
   struct Part {
     std::vector<int> bonds, points;
   };
   std::vector<Part> parts;
-  std::vector<int> number;  // of every point in its part
+  std::vector<int> number;  // number of every point within its part; -1 for a point of no part
 };
 
 LayerParts parts_of_layer(const DraftBonds& bonds, std::size_t point_count);
 
-// Number, for each part of a layer, of the first part that poses the same problem; often its own. One solution serves
-// both. `missing` has the missing third moments of all points.
+// Index of the first part that poses the same balance problem, for each part of a layer; often the index of the part
+// itself. Parts with the same problem have the same solution. `missing` has the missing third moments of all points.
 std::vector<std::size_t> alike_parts(const LayerParts& all, const DraftBonds& bonds,
                                      const std::vector<Eigen::Vector4d>& missing);
 
-// Order of a part's points in which points joined by bonds are near each other.
+// Order of the points of a part that keeps points joined by bonds close to each other. `number` is LayerParts::number.
 std::vector<int> order_of(const DraftBonds& bonds, const LayerParts::Part& part, const std::vector<int>& number);
 
-// Network of the drafted bonds, with the stiffnesses of the material.
+// Makes the network from drafted bonds: their stiffnesses are multiplied by the thickness and the material's C1111.
 Network finish_network(const std::vector<Point>& surface, DraftBonds draft, const PlaneElasticity& elasticity);
 
 }  // namespace bempd::pd

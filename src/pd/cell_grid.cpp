@@ -54,8 +54,8 @@ std::array<bool, 4> CellGrid::around(const Vector2i& p) const {
   return {cells_[c - width_ - 1] != 0, cells_[c - width_] != 0, cells_[c - 1] != 0, cells_[c] != 0};
 }
 
-// Depths of a point, each the smaller one of the cells on both sides of a grid line. A point on a face has cells on one
-// side only, whose depth counts.
+// Depths of a point. In each direction a grid line leads away from the point, and the smaller depth of the two cells on
+// both sides of this line counts. At a point on a face one of the two cells may be absent; then the other cell counts.
 CellGrid::Depth CellGrid::depth(const Vector2i& p) const {
   const auto combine = [](std::int16_t a, std::int16_t b) { return a == 0 ? b : b == 0 ? a : std::min(a, b); };
   const std::size_t c = index(p);
@@ -80,8 +80,7 @@ bool CellGrid::in_sight(const Vector2i& from, const Vector2i& step) const {
     }
     return true;
   }
-  // The bond crosses the interior of these cells: in each column the rows between its heights at the column's two
-  // sides.
+  // Cells that the bond crosses: in each column, the rows between the bond's heights at the two sides of the column.
   const int columns = std::abs(a), rise = std::abs(b), sx = a > 0 ? 1 : -1, sy = b > 0 ? 1 : -1;
   for (int i = 0; i < columns; ++i) {
     const int first = i * rise / columns, last = ((i + 1) * rise + columns - 1) / columns;

@@ -9,8 +9,9 @@
 
 namespace bempd::pd {
 
-// Copy of the cells of a lattice on a grid with a margin of empty cells, so that neighbours need no range checks. It
-// tells what bonds depend on: the depth of points below faces, visibility between points, and surface vectors.
+// Copy of the cells of a lattice on a grid with a margin of empty cells, so that access to neighbouring cells needs no
+// range check. The grid tells what the stiffness of bonds depends on: the depth of points below faces, visibility
+// between points, and surface vectors.
 class CellGrid {
  public:
   CellGrid(const CellLattice& lattice, int margin);
@@ -21,11 +22,11 @@ class CellGrid {
   // Prepares the queries below; to be called after the last removal of cells. Depths are limited to `depth_limit`.
   void finish(int depth_limit);
 
-  // Whether all cells are present whose lower left corners lie in [from, to).
+  // Whether the lattice has every cell whose lower left corner lies in [from, to).
   bool filled(const Eigen::Vector2i& from, const Eigen::Vector2i& to) const;
 
-  // Numbers of present cells in a row from a point to the next face: below, above, left and right, up to the depth
-  // limit.
+  // Depth of a point below the faces around it: numbers of cells from the point to the next face below, above, to the
+  // left and to the right, at most the depth limit.
   struct Depth {
     std::int16_t below = 0, above = 0, left = 0, right = 0;
   };
@@ -48,8 +49,8 @@ class CellGrid {
   Eigen::Vector2i origin_;
   int width_ = 0, height_ = 0;
   std::vector<std::uint8_t> cells_;
-  std::vector<int> sums_;    // cells below and left of a corner of the grid
-  std::vector<Depth> runs_;  // per cell, itself included
+  std::vector<int> sums_;    // number of cells below and to the left of each grid corner
+  std::vector<Depth> runs_;  // of each cell: numbers of cells to the next face, the cell itself included
 };
 
 }  // namespace bempd::pd

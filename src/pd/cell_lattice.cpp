@@ -79,8 +79,8 @@ CellLattice CellLattice::centres_of(const CellLattice& cells) {
   return out;
 }
 
-// Marks cells by scan lines through the middles of rows: cells lie between an odd crossing of the loops and the next
-// one.
+// Marks the cells inside the loops, row by row. Along the middle of a row, the cells between an odd crossing with the
+// loops and the next crossing lie inside.
 void CellLattice::mark_cells(const std::vector<std::vector<Eigen::Vector2i>>& loops) {
   const Eigen::Vector2i size = upper_ - lower_;
   std::vector<std::vector<int>> crossings(size.y());

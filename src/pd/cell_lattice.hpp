@@ -14,9 +14,10 @@ class CellLattice {
  public:
   explicit CellLattice(const std::vector<std::vector<Eigen::Vector2i>>& loops);
 
-  // Lattice whose material points are the centres of the cells of another lattice, `cells`. Its point (i, j) is the
-  // centre of that lattice's cell (i, j), so its coordinates are smaller by (1/2, 1/2). Its cells are the blocks of
-  // four neighbouring cells; where `cells` is one cell wide, points have no cell.
+  // Lattice whose material points are the centres of the cells of another lattice, `cells`. The point (i, j) of the new
+  // lattice is the centre of the cell (i, j) of `cells`, so coordinates are smaller by (1/2, 1/2). A cell of the new
+  // lattice joins the centres of four neighbouring cells of `cells`; where `cells` is one cell wide, points belong to
+  // no cell.
   static CellLattice centres_of(const CellLattice& cells);
 
   // Part of a union of lattices: all cells of one lattice, moved by a shift.
@@ -42,8 +43,8 @@ class CellLattice {
 
   // Number of present cells around a material point: 4 inside, 2 on a straight face, 1 or 3 at a corner.
   int cells_around(int point) const;
-  // Whether the body is pinched at a material point: only two cells around it are present, which share just this
-  // corner.
+  // Whether the body is pinched at a material point: only two of the four cells around the point are present, and they
+  // share just this corner.
   bool is_pinched(int point) const;
 
  private:

@@ -10,21 +10,23 @@
 
 namespace bempd::pd {
 
-// Isotropic materials of any Poisson's ratio on a lattice. Central bonds alone have only one ratio, that of lambda =
-// mu. Here the bonds have lambda = mu = beta = min(mu, (lambda + mu) / 2). The rest of the energy of a cell consists of
-// squares, terms in the square of what its four corners do,
+// Isotropic materials of any Poisson's ratio on a lattice. Central bonds alone can have only one Poisson's ratio, that
+// of lambda = mu. Here the bonds have lambda = mu = beta = min(mu, (lambda + mu) / 2). The rest of the energy of a
+// lattice cell consists of cell squares, energy terms that are squares of combinations of the displacements of its four
+// corners:
 //   lambda > mu: h (lambda - mu) / 4 (d1 + d2)^2
 //   lambda < mu: h m / 4 (d1 - d2)^2 + h m / 8 (a1 + a2 - b1 - b2)^2,  m = (mu - lambda) / 2
 // with the elongations d1, d2 of the diagonals, a1, a2 of the horizontal and b1, b2 of the vertical edges, and the
-// thickness h. For d1 + d2 is the dilatation at the cell's centre times sqrt(2) and the spacing, d1 - d2 twice the
-// shear strain times the same, and a1 + a2 - b1 - b2 the difference of the normal strains times two spacings. Under a
-// constant strain the forces of the cells around a point add up to the stress times the point's surface vector. So
-// faces, corners, holes and interfaces need no correction. All stiffnesses are positive for every ratio above -1.
+// thickness h. For d1 + d2 is the dilatation at the cell's centre times sqrt(2) and the spacing, d1 - d2 is twice the
+// shear strain times the same factors, and a1 + a2 - b1 - b2 is the difference of the normal strains times two
+// spacings. Under a constant strain the forces of the cells around a point add up to the stress times the point's
+// surface vector. So faces, corners, holes and interfaces need no correction. All stiffnesses are positive for every
+// ratio above -1.
 //
 // Docs: materials.md.
 
-// Whether bonds alone make the material, without squares: Poisson's ratio is that of lambda = mu up to 1e-6, so that
-// six digits suffice.
+// Whether bonds alone represent the material, without cell squares: its Poisson's ratio is that of lambda = mu up to
+// 1e-6, so that a ratio given with six digits is recognized.
 bool is_bond_based(const PlaneElasticity& elasticity);
 
 // Modulus beta of the bonds: Lame's constants lambda and mu of a material of the bonds alone, which are equal [Pa].
@@ -36,21 +38,21 @@ double bond_c1111(const PlaneElasticity& elasticity);
 // Stress (xx, yy, xy) of the bonds alone under a strain (xx, yy, xy).
 Eigen::Vector3d bond_stress(const Eigen::Vector3d& strain, const PlaneElasticity& elasticity);
 
-// Square: a term k/2 (sum of pull . u)^2 of a cell's energy, with the displacements u of its corners in the order lower
-// left, lower right, upper left, upper right.
+// Cell square: term k/2 (sum of pull . u)^2 of the energy of a lattice cell, with the displacements u of the cell's
+// corners in the order lower left, lower right, upper left, upper right.
 struct CellSquare {
   std::array<Eigen::Vector2d, 4> pull;
   double stiffness;  // k [N/m], thickness included
 };
 
-// Stress (xx, yy, xy), as the mean over the cell, due to a unit force in the square, for spacing and thickness 1.
+// Mean stress (xx, yy, xy) in a cell whose cell square carries a unit force, for spacing 1 and thickness 1.
 Eigen::Vector3d unit_stress(const CellSquare& square);
 
-// Squares (terms of the energy) of a cell, the same for every cell; none for a bond-based material.
+// Cell squares of one cell, the same for every cell of the material; none for a bond-based material.
 std::vector<CellSquare> cell_squares(const PlaneElasticity& elasticity);
 
-// Cell with its own bonds, along its edges and diagonals. When the first of these bonds breaks, the cell loses its
-// squares, the terms of the energy that go beyond bonds.
+// Lattice cell with its own bonds, which lie along its edges and diagonals. When the first of these bonds breaks, the
+// cell loses its cell squares.
 struct Cell {
   Eigen::Vector2i lower_left;
   std::array<int, 4> corners;

@@ -32,8 +32,8 @@ bool is_corner(const CellGrid& cells, const Vector2i& p) {
   return count == 1 || count == 3 || (count == 2 && ll == ur);
 }
 
-// Points whose bonds may change: those around corners, and those around other points with missing third moments
-// (missing_moments()).
+// Flags of the points whose bonds may change: points around corners, and points around any other point with missing
+// third moments (missing_moments()).
 std::vector<std::uint8_t> adjustable_points(const CellLattice& lattice, const CellGrid& cells, int m,
                                             const std::vector<Vector4d>& missing) {
   const int radius = 2 * m + 1;
@@ -72,8 +72,8 @@ bool symmetric_under(const CellLattice& lattice, const CellGrid& cells, const Ma
   return true;
 }
 
-// Replaces the stiffnesses of each bond and its mirror image by their mean. The moment equations still hold, and the
-// stiffnesses become symmetric to the last bit.
+// Replaces the stiffness of each bond in `free` by the mean of its own and that of its image under `map`. Missing
+// moments stay zero, and the stiffnesses become symmetric to the last bit.
 template <class Map>
 void average(const CellLattice& lattice, const std::vector<int>& free, const Map& map, DraftBonds& draft) {
   std::vector<double> means;
@@ -86,8 +86,8 @@ void average(const CellLattice& lattice, const std::vector<int>& free, const Map
   for (std::size_t k = 0; k < free.size(); ++k) draft.bonds[free[k]].stiffness = means[k];
 }
 
-// Makes stiffnesses symmetric where the lattice is: a symmetric body must break symmetrically, which rounding errors of
-// the solver would prevent.
+// Makes the stiffnesses symmetric if the lattice is symmetric. A symmetric body must break symmetrically, which
+// rounding errors of the solver would prevent.
 void symmetrise(const CellLattice& lattice, const CellGrid& cells, const std::vector<int>& free, DraftBonds& draft) {
   const Vector2i sum = lattice.lower() + lattice.upper(), size = lattice.upper() - lattice.lower();
   const Vector2i low = lattice.lower();

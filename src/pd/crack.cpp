@@ -51,8 +51,8 @@ class Polyline {
     tree_ = BoxTree(boxes);
   }
 
-  // Whether meets(from, to) holds for any segment of the polyline. It is asked only for segments that come within the
-  // tolerance of the segment from a to b.
+  // Whether meets(from, to) holds for some segment of the polyline. The function `meets` is called only for segments
+  // that come within about the tolerance of the segment from a to b.
   template <class Meets>
   bool any_near(const Point& a, const Point& b, const Meets& meets) const {
     Box around(a);
@@ -90,17 +90,19 @@ std::vector<int> points_on(const std::vector<Point>& points, const Polyline& pol
   return found;
 }
 
-// Places along a crack's line that are nearer to each other, in spacings, are the same.
+// Distance along a crack's line, in spacings, below which two places count as the same.
 constexpr double same_place = 1e-6;
 
-// Crossing of a bond with the line of a crack: its distance ahead of the tip, and the bond's stiffness across the line.
+// Crossing of a bond with the straight line of a crack: `place` is the distance of the crossing ahead of the tip,
+// `weight` the bond's stiffness across the line.
 struct LineCrossing {
   int bond;
   double place, weight;
 };
 
-// Crossings of bonds with the line through `tip` along `direction`, up to `reach` from the tip on both sides,
-// ascending. Places are rounded, so that the order of equal places does not depend on the unit of length.
+// Crossings of bonds with the line through `tip` along `direction`, ordered along the line, up to the distance `reach`
+// ahead of and behind the tip. Places are rounded, so that the order of equal places does not depend on the unit of
+// length.
 std::vector<LineCrossing> crossings_of_line(const std::vector<Point>& points, const std::vector<Bond>& bonds,
                                             const Point& tip, const Point& direction, double reach) {
   std::vector<LineCrossing> found;
@@ -120,8 +122,9 @@ std::vector<LineCrossing> crossings_of_line(const std::vector<Point>& points, co
   return found;
 }
 
-// Coefficients of the straight line a + b s that best fits the stiffness of all crossings before the place s along the
-// crack's line, as if crossings were spread evenly. Places in the middle of the reach, near the tip, weigh most.
+// Coefficients a and b of the line a + b s that best fits the summed stiffness of all crossings before the place s
+// along the crack's line. The line stands for crossings that are spread evenly. Places near the tip, which is the
+// middle of the fitted range, have the largest weights.
 Eigen::Vector2d even_growth(const std::vector<LineCrossing>& crossings, double reach) {
   constexpr int samples = 400;
   Eigen::Matrix2d normal = Eigen::Matrix2d::Zero();
@@ -139,7 +142,8 @@ Eigen::Vector2d even_growth(const std::vector<LineCrossing>& crossings, double r
   return normal.inverse() * right;
 }
 
-// Whether the segment from c to d meets the bond from a to b at a point between the bond's ends, not along the bond.
+// Whether the segment from c to d meets the bond from a to b at a point between the bond's ends, and the two are not
+// parallel.
 bool meets_between_ends(const Point& a, const Point& b, const Point& c, const Point& d) {
   if (!segments_meet(a, b, c, d)) return false;
   const double slope = cross(b - a, d - c), length = (b - a).norm();

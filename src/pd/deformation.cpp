@@ -33,18 +33,20 @@ Vector3d solve_semidefinite(const Matrix3d& a, const Vector3d& b) {
   return x;
 }
 
-// Sums over the bonds of one point, from which its strain follows: their stiffness tensors and their forces.
+// Sums over the bonds of one point, from which the strain at the point follows: the stiffness tensors of the bonds
+// (`response`) and their forces (`carried`).
 struct PointBonds {
   Matrix3d response = Matrix3d::Zero();
   Vector3d carried = Vector3d::Zero();
-  Vector2d side = Vector2d::Zero();  // where they lie, 0 if they are balanced
-  bool whole = true;                 // none is broken or softened
+  Vector2d side = Vector2d::Zero();  // weighted sum of bond vectors; 0 if bonds lie evenly on all sides
+  bool whole = true;                 // whether no bond is broken or softened
 
   bool one_sided() const { return side.norm() > 1e-6 * response.trace(); }
 };
 
-// Linear fit of the strain around a point. A bond measures the strain at its middle. Of the strain's gradient it
-// measures only the part that is symmetric in all three indices, which makes seven numbers in all.
+// Linear fit of the strain around a point, with seven unknowns: three components of the strain at the point, and four
+// of its gradient. A bond measures the strain at its middle, and of the gradient only the part that is symmetric in all
+// three indices, which has four components.
 struct LinearFit {
   Matrix7d response = Matrix7d::Zero();
   Vector7d carried = Vector7d::Zero();
@@ -114,8 +116,8 @@ std::vector<PointBonds> collect(int point_count, const BondStretches& bonds) {
   return points;
 }
 
-// Replaces the strains of points whose bonds lie on one side, as at faces, by those of a fit in which the strain varies
-// linearly around the point.
+// Replaces the strains of points whose bonds lie on one side, as at faces, by the strains of a fit in which the strain
+// varies linearly around the point.
 void refine_at_faces(const std::vector<PointBonds>& points, const BondStretches& bonds,
                      std::vector<Vector3d>& strains) {
   std::vector<int> fit_of(points.size(), -1);

@@ -8,21 +8,22 @@
 
 namespace bempd::pd {
 
-// States of bonds, one entry a bond: the share of its stiffness that is left (0 if it is broken or cut), and the
-// stretch at which it carries no force. Empty vectors mean 1 and 0 everywhere.
+// States of bonds, one entry for each bond: the share of the bond's stiffness that is left (0 if the bond is broken or
+// cut), and the stretch at which it carries no force. Empty vectors mean 1 and 0 everywhere.
 struct BondStates {
   std::vector<double> share, rest_stretch;
 };
 
-// Strains (xx, yy, xy) at every material point, from its bond forces. With f the force in a bond, xi the vector from
-// one end of the bond to the other, where half of each bond belongs to each of its points,
+// Strains (xx, yy, xy) at every material point, from the forces in its bonds. With f the force in a bond, xi the vector
+// from one end of the bond to the other, where half of each bond belongs to each of its points,
 //   sum f xi^T  over all bonds  =  (sum k xi xi^T xi xi^T / |xi|^2  over all bonds, intact stiffness k) : strain.
 // Far from faces the sum on the right is twice the volume of a cell times the elastic constants. The stress of this
 // strain is then the mean stress of the bonds, sum f xi^T / (2 V) (Silling and Lehoucq, J. Elasticity 93, 2008). At
-// faces the sum has the fewer bonds of the point, so that linear displacements give their strain everywhere. Bonds of
-// such points lie on one side: the strain is taken to vary linearly along them, unless some are broken or softened or
-// there are too few. A broken bond carries no force; a point without intact bonds has no stress. `displacements` are
-// over the spacing, with the components of point i in 2 i and 2 i + 1.
+// faces both sums have only the bonds that the point has, so that linear displacements give their exact strain
+// everywhere. The bonds of a point at a face lie on one side of it. The strain is therefore taken to vary linearly
+// along the bonds, unless bonds of the point are broken, softened or too few. A broken bond carries no force; a point
+// without intact bonds has no stress. `displacements` are divided by the spacing; the components of point i are at 2 i
+// and 2 i + 1.
 std::vector<Eigen::Vector3d> bond_strains(int point_count, const Network& network, const BondStates& states,
                                           const Eigen::Ref<const Eigen::VectorXd>& displacements);
 

@@ -9,17 +9,19 @@ namespace bempd::pd {
 
 namespace {
 
-// Tolerances in spacings: up to the first one, points lie on the rows of a lattice; a point closer to a crack than the
-// second one lies on neither side of it.
-constexpr double row_tolerance = 1e-6, side_tolerance = 1e-9;
+// Largest distance of a point from the rows of a lattice at which the point counts as on the rows [spacings].
+constexpr double row_tolerance = 1e-6;
 
-// Distances on both sides of a crack at which displacements are interpolated, in spacings: the first that is tried, the
-// step to the next, and the last.
+// Distance from a crack below which a point lies on neither side of the crack [spacings].
+constexpr double side_tolerance = 1e-9;
+
+// Distances from a crack at which displacements may be interpolated on one side [spacings]: the smallest, which is
+// tried first, the step to the next one, and the largest.
 constexpr double nearest_distance = 0.5, distance_step = 0.1, farthest_distance = 1.6;
 
 constexpr double negligible_weight = 1e-9;
 
-// Tolerance, in spacings, within which the end of a piece of a crack lies on a column of the lattice.
+// Tolerance within which the end of a piece of a crack lies on a column (or row) of the lattice [spacings].
 constexpr double column_tolerance = 1e-9;
 
 Eigen::Vector2i rounded(const Point& p) { return p.array().round().cast<int>().matrix(); }

@@ -18,18 +18,18 @@ struct FaceLattice {
 
 // Face place: a place at which the two faces of a crack in a lattice may touch. Its gap is the opening along the
 // crack's normal n, taken between the points x + h n and x - h' n on both sides of the place x, where displacements are
-// interpolated between material points. Rigid motions have no gap. Under a strain the gap is that of the material
-// between the two points.
+// interpolated between material points. A rigid motion does not change the gap. A strain changes the gap by the
+// elongation of the material between the two points.
 struct FacePlace {
   struct Pull {
     int node;
     Eigen::Vector2d pull;
   };
   std::vector<Pull> pulls;  // gap = sum of pull . displacement
-  double stiffness;         // of the material between, per gap [N/m]
+  double stiffness;         // of the material between the two points: force per gap [N/m]
 };
 
-// Makes the face places of cracks, places at which crack faces can touch, on the lattices of a body.
+// Makes the face places of cracks (places at which the two faces of a crack may touch) on the lattices of a body.
 //
 // Docs: materials.md.
 class FacePlaces {
@@ -37,7 +37,7 @@ class FacePlaces {
   struct Body {
     FaceLattice lattice;
     double stiffness;        // thickness times the modulus of a uniaxial stress in the plane [N/m]
-    std::vector<int> nodes;  // nodes at its points, except those off its rows
+    std::vector<int> nodes;  // nodes of the region; nodes off the lattice's rows are ignored
   };
   FacePlaces(const std::vector<Point>& positions, const std::vector<Body>& bodies);
   FacePlaces() = default;
@@ -45,19 +45,20 @@ class FacePlaces {
   std::size_t lattice_count() const { return lattices_.size(); }
   double spacing(int lattice) const { return lattices_[static_cast<std::size_t>(lattice)].lattice.spacing; }
 
-  // Number of a lattice in which two nodes are neighbours along a row or a column; empty if there is none.
+  // Number of a lattice in which two nodes are neighbours along a row or a column; empty if no lattice has them as
+  // such.
   std::optional<int> lattice_of_neighbours(int node, int other) const;
 
-  // Face place at `place` on a crack with this normal, which stands for `length` spacings of the crack. The points on
-  // both sides are the nearest ones whose material points all lie on the same side of the crack and satisfy
-  // reaches(node, place). Empty if one side has no such point.
+  // Face place at `place` on a crack with this normal; it represents `length` spacings of the crack. On each side of
+  // the crack, displacements are taken at the nearest point for which the material points around it all lie on that
+  // side and satisfy reaches(node, place). Empty if one side has no such point.
   using Reaches = std::function<bool(int node, const Point& place)>;
   std::optional<FacePlace> at(int lattice, const Point& place, const Point& normal, double length,
                               const Reaches& reaches = {}) const;
 
-  // Crossing of a straight piece of a crack with a column of a lattice, or with a row if it crosses more rows than
-  // columns. `length`, in spacings, is the part of the crack that it stands for: half as much where the piece ends on
-  // the line.
+  // Crossing of a straight piece of a crack with a column of a lattice, or with a row if the piece crosses more rows
+  // than columns. `length` is the length of crack that the crossing represents [spacings], half as much for a crossing
+  // at an end of the piece.
   struct Crossing {
     Point place;
     double length;
@@ -80,8 +81,9 @@ class FacePlaces {
     std::optional<int> node_at(const Eigen::Vector2i& at) const;
   };
 
-  // Interpolates the displacement on one side of a crack, as near to the place as possible: appends to `pulls` and
-  // returns the distance in spacings. Empty if no point on this side will do.
+  // Interpolates the displacement on one side of a crack, as near to the place as possible. Appends the coefficients of
+  // the nodes to `pulls` and returns the distance from the place in spacings; empty if no point on this side is
+  // suitable.
   std::optional<double> add_side(const Lattice& lattice, const Point& place, const Point& normal, double sign,
                                  const Reaches& reaches, std::vector<FacePlace::Pull>& pulls) const;
 

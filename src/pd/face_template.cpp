@@ -15,7 +15,8 @@ namespace bempd::pd {
 
 namespace {
 
-// Stiffness in the layered medium: the unknown number `index`, or the value `known` if that is -1.
+// Stiffness of a bond in the layered medium: the unknown with the number `index`, or the value `known` if `index` is
+// -1.
 struct Entry {
   int index = -1;
   double known = 0;
@@ -35,7 +36,8 @@ class Equations {
     targets_.back() -= coefficient * stiffness.known;
   }
 
-  // Solves the equations, with rows scaled to one size: they differ much in size, which means nothing.
+  // Solves the equations. Rows are scaled to one size first, because differences between the sizes of rows mean
+  // nothing.
   linalg::LeastChangeResult solve(const Eigen::VectorXd& bulk, double lower) {
     linalg::LeastChange problem;
     problem.start = problem.scale = bulk;
@@ -60,11 +62,11 @@ class Equations {
   std::vector<double> targets_;
 };
 
-// Function that returns the stiffness of a bond, given the row of its lower end and its step across and away from the
-// face.
+// Function that returns the stiffness of a bond, given the row of the bond's lower end and the bond's step along the
+// face (`across`) and away from the face.
 using Layers = std::function<Entry(int row, int across, int away)>;
 
-// Kind of bond by its step; kinds with across > 0 and away > 0 stand for two mirrored bonds (`pair`).
+// Kind of bond by its step. A kind with across > 0 and away > 0 stands for two mirrored bonds, so that `pair` is 2.
 struct Kind {
   int across, away;
   double bulk, pair;
@@ -98,9 +100,10 @@ void add_moments(Equations& equations, const std::vector<Kind>& kinds, const Lay
   }
 }
 
-// Weight of a bond in the flux conditions. Along a strip, moments of C1111 over its cross-section are conserved; they
-// belong to symmetric gradients of Killing tensors. The end of a strip can be closed only if these moments equal those
-// of the network assembled cell by cell (edges and diagonals of every cell C11 / 3), which is exact for every body.
+// Weight of a bond in the flux conditions: its contribution to the moment of the given order of C1111 over the
+// cross-section of a strip. Along a strip the moments of orders 0 to 2 are conserved; they belong to symmetric
+// gradients of Killing tensors. The end of a strip can be balanced only if these moments equal those of the cell
+// network, in which every edge and diagonal of a cell has the stiffness C1111 / 3 and which is exact for every body.
 double flux_weight(const Kind& kind, double y, int order) {
   const double a2 = kind.across * kind.across, b2 = kind.away * kind.away, common = kind.pair * a2 / (a2 + b2);
   if (order < 2) return common * a2 * (order == 0 ? 1 : y);
@@ -129,10 +132,10 @@ void add_strip_fluxes(Equations& equations, const std::vector<Kind>& kinds, cons
   }
 }
 
-// Adds the conditions under which strips of any height N >= 2 m (m: horizon ratio) have the moments of C1111
-// (flux_weight()) of the cell network, as conditions for one face. M0, M1, M2 are the moments, about the face, of the
-// differences between its stiffnesses and the bulk ones. About the strip's middle both faces add
-// F2 = 2 (M2 - N M1 + N^2/4 M0) to the second moment of the bulk stiffnesses; N = 2 m and N = 2 m + 1 determine M1 and
+// Adds the conditions under which strips of any height N >= 2 m (m: horizon ratio) have the moments of C1111 of the
+// cell network (flux_weight()), as conditions for one face. M0, M1, M2 are the moments, about the face, of the
+// differences between the face's stiffnesses and the bulk ones. About the strip's middle both faces add F2 = 2 (M2 - N
+// M1 + N^2/4 M0) to the second moment of the bulk stiffnesses. The two heights N = 2 m and N = 2 m + 1 determine M1 and
 // M2.
 void add_face_fluxes(Equations& equations, const std::vector<Kind>& kinds, const Layers& layers, int m) {
   const auto excess = [&](int cells, int order) {  // of the cell network over the bulk stiffnesses

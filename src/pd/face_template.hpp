@@ -26,18 +26,19 @@ class FaceTemplate {
   std::vector<double> ratio_;
 };
 
-// Stiffness templates shared by all bodies with one horizon ratio and one kernel; they do not depend on the material.
-// Bonds beside straight faces along lattice rows have these stiffnesses, and only those around corners are balanced for
-// each body. A builder without templates, as for other outlines, finds the same bonds, but the smallest stiffness falls
-// from 0.4 of the bulk's to 0.02 to 0.25, and large bodies take 2 to 6 times as long (benchmarks/run.sh outlines).
+// Stiffness templates shared by all bodies with one horizon ratio and one kernel; templates do not depend on the
+// material. Bonds beside straight faces along lattice rows have the stiffnesses of a template, and only bonds around
+// corners are balanced for each body. Without templates the smallest stiffness would be 0.02 to 0.25 of the bulk
+// stiffness in place of 0.4, and large bodies would take 2 to 6 times as long to build (benchmarks/run.sh outlines).
 struct LatticeTemplates {
   std::vector<BondOffset> family;
   FaceTemplate face;                 // one face, rows 0 .. m - 1; deeper bonds keep the bulk stiffness
   std::vector<FaceTemplate> strips;  // strips[n] for two faces n cells apart, 2 <= n < 2 m
   double residual = 0;               // largest error of the equations that define the templates
 
-  // Ratio of a bond's stiffness to the bulk value. `below` and `above` are the numbers of cells between the bond's ends
-  // and the faces beyond them; the bond steps `across` along the faces and `away` from one to the other.
+  // Ratio of a bond's stiffness to its bulk stiffness. `below` is the number of cells between the bond's lower end and
+  // the face below, `above` that between its upper end and the face above. The bond spans `across` cells along the
+  // faces and `away` cells from one face towards the other.
   double ratio(int below, int above, int across, int away) const;
   int horizon_ratio = 0;
 };

@@ -8,24 +8,25 @@
 
 namespace bempd::pd {
 
-// Facet that a crack opens between two neighbouring points when the bond between them, one spacing long, breaks: the
-// part of the crack that belongs to these points, across the bond. Facets that continue each other share the number of
-// an end.
+// Facet: piece of crack surface that opens between two neighbouring material points when the bond between these points,
+// one spacing long, breaks. The facet crosses the bond at its middle. Facets that continue each other share the number
+// of an end.
 struct CrackFacet {
-  int term;  // the bond, of the scene
+  int term;  // number of the bond in the scene
   Point from, to;
   std::array<int, 2> places;  // numbers of its ends
 };
 
 // Paths of a fluid in cracks among bonds, and the forces of its pressure.
 struct FluidPaths {
-  std::vector<CrackFacet> facets;  // of all bonds one spacing long, whole or not
-  // Force along each term due to a unit pressure on all sides of the body [N/Pa]. As in any constant stress, the forces
-  // of the terms across a line have the resultant of the pressure on it. So the pressure in a crack is applied as these
-  // forces, with the opposite sign, at the broken terms. Terms count with their whole stiffness, also weakened ones.
+  std::vector<CrackFacet> facets;  // of all bonds one spacing long, broken or not
+  // Force along each energy term (bond or cell square) due to a unit pressure on all sides of the body [N/Pa]. The
+  // forces of all terms across a line have the same resultant as the pressure on this line. The pressure in a crack is
+  // therefore applied as these forces, with the opposite sign, at the broken terms. A weakened term counts with its
+  // whole stiffness.
   std::vector<double> push;
-  // Weakened terms ahead of crack ends. In a pressurised crack the fluid acts there too, by `push` times the share of
-  // stiffness that they have lost.
+  // Weakened terms ahead of the ends of cracks. The fluid in a pressurised crack also acts at these terms, with `push`
+  // times the share of stiffness that the term has lost.
   std::vector<WeakenedTerm> weakened;
 };
 

@@ -52,16 +52,17 @@ class PartBalance {
     normal_ = std::make_unique<ProfileCholesky>(first);
   }
 
-  // Sets the null space of the normal equations (Killing tensor fields), to which multipliers are made orthogonal.
-  // Rounding errors in it would exceed multipliers that vary slowly along the outline, whose eigenvalues are tiny, too.
+  // Sets the null space of the normal equations (Killing tensor fields), to which the Lagrange multipliers are made
+  // orthogonal. Rounding errors in this space would exceed the multipliers that vary slowly along the outline, because
+  // the eigenvalues of these multipliers are tiny, too.
   void set_kernel(const std::vector<int>& points, const std::vector<Point>& places) {
     std::vector<Point> ordered;
     for (const int k : order_) ordered.push_back(places[points[k]]);
     kernel_ = killing_tensors(ordered);
   }
 
-  // Solves the part; returns false if that fails. A rough solution comes first, which usually tells the values that are
-  // held at the bound.
+  // Solves the part; returns false if that fails. A rough solution is computed first, because it usually shows which
+  // values are held at the bound.
   bool solve() {
     constexpr int most_rounds = 20;
     bool rough = true;
@@ -87,14 +88,15 @@ class PartBalance {
   double value(std::size_t bond) const { return bonds_[bond].value; }
 
  private:
-  // Limit on the missing moments after one step, over those before: above it the equations contradict each other.
+  // Limit on the largest missing moment after one step, relative to that before the step. Above the limit the equations
+  // contradict each other.
   static constexpr double largest_remaining_part = 0.1;
 
   struct Bond {
     int first, second;
-    Vector4d moment;      // of the kernel's stiffness
-    double start, value;  // over the kernel's
-    bool held;
+    Vector4d moment;      // for the bulk stiffness
+    double start, value;  // stiffness at first and now, relative to the bulk stiffness
+    bool held;            // at the bound
   };
 
   static void add_moment(const Bond& b, double value, VectorXd& sum) {
@@ -129,7 +131,8 @@ class PartBalance {
     is_rough_ = true;
   }
 
-  // Improves multipliers and free values by conjugate gradients; returns the largest missing moment.
+  // Improves the multipliers and the free values by conjugate gradients; returns the largest missing moment that is
+  // left.
   double approach(int most_rounds, int most_steps) {
     double left = 0, before = HUGE_VAL;
     for (int round = 0; round <= most_rounds; ++round) {
@@ -175,7 +178,8 @@ class PartBalance {
     const VectorXd along = kernel_.transpose() * x;
     x -= kernel_ * along;
   }
-  // Preconditioner F^-1, or F^-1 N F^-1 against rounding in the kernel of N (linalg/minimum_norm.hpp); F factorizes N.
+  // Applies the preconditioner: F^-1, where F is the factorized normal matrix N, or F^-1 N F^-1, which suppresses
+  // rounding errors in the null space of N (linalg/minimum_norm.hpp).
   VectorXd precondition(VectorXd r) const {
     project_off_kernel(r);
     normal_->solve_in_place(r);
@@ -207,7 +211,7 @@ class PartBalance {
     return true;
   }
 
-  // Holds at the bound the values that are below it; returns whether there were any.
+  // Holds all values below the bound at the bound; returns whether there were any.
   bool hold_more() {
     bool changed = false;
     for (Bond& b : bonds_)

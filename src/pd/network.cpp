@@ -16,9 +16,9 @@ namespace {
 
 using Eigen::Vector2i;
 
-// Removes thin cells from `cells`: those where the body is one cell wide. A thin cell gets a network of nearest
-// neighbours of its own, and the rest of the body then has faces there. Networks of disjoint parts add up to an exact
-// one, because the right-hand sides of the moment equations are sums over cells.
+// Removes thin cells from `cells`: cells where the body is one cell wide. Every thin cell gets a network of nearest
+// neighbours of its own, and the rest of the body has faces where thin cells were. Networks of disjoint parts add up to
+// an exact network, because the right-hand sides of the moment equations are sums over cells.
 void remove_thin_cells(const CellLattice& lattice, CellGrid& cells) {
   const auto thin = [&](const Vector2i& c) {
     const Vector2i x(1, 0), y(0, 1);
@@ -49,8 +49,8 @@ double cell_network_stiffness(const Vector2i& from, const Vector2i& step, const 
   return count / 3.0;
 }
 
-// Ratio of a bond's stiffness to the bulk stiffness, from the nearest faces in both directions. Their changes are
-// added, because the moment equations are linear; so the least correction is left for corners.
+// Ratio of a bond's stiffness to its bulk stiffness by the templates of the nearest faces along both axes. The changes
+// due to both templates are added, because the moment equations are linear; little is then left to correct at corners.
 double template_ratio(const LatticeTemplates& templates, const CellGrid& cells, const Vector2i& from,
                       const Vector2i& step) {
   const int a = std::abs(step.x()), b = step.y();
@@ -64,7 +64,7 @@ double template_ratio(const LatticeTemplates& templates, const CellGrid& cells, 
 }
 
 // Makes all bonds between points of the thick part that see each other, with template stiffnesses, and the bonds of
-// thin cells, still with the stiffness 0.
+// thin cells, whose stiffness is 0 until add_thin_cells() sets it.
 DraftBonds draft_bonds(const CellLattice& lattice, const CellGrid& cells, const LatticeTemplates& templates) {
   const int m = templates.horizon_ratio;
   const auto thin = [&](const Vector2i& c) { return lattice.has_cell(c) && !cells.has(c); };
@@ -94,7 +94,7 @@ DraftBonds draft_bonds(const CellLattice& lattice, const CellGrid& cells, const 
   return draft;
 }
 
-// Adds the network of nearest neighbours of the thin cells, those that are not in `thick`.
+// Adds the stiffnesses of the network of nearest neighbours for thin cells, which are the cells that `thick` lacks.
 void add_thin_cells(const CellLattice& lattice, const CellGrid& thick, DraftBonds& draft) {
   const auto thin = [&](const Vector2i& c) { return lattice.has_cell(c) && !thick.has(c); };
   for (DraftBond& b : draft.bonds) {

@@ -15,21 +15,21 @@ struct Bond {
   double stiffness;  // [N/m], thickness included
 };
 
-// Bonds of a body. Those of build_network() reproduce every linear displacement field exactly: under a constant strain
-// their forces equal the resultants of the tractions on the faces around each material point, everywhere in the body.
-// Bonds alone have Poisson's ratio 1/3 in plane stress and 1/4 in plane strain. For other ratios cell_squares.hpp adds
-// terms.
+// Bonds of a body. The bonds that build_network() makes reproduce every linear displacement field exactly: under a
+// constant strain their forces equal the resultants of the tractions on the faces around each material point,
+// everywhere in the body. Bonds alone have Poisson's ratio 1/3 in plane stress and 1/4 in plane strain. Materials of
+// other ratios need cell squares (cell_squares.hpp) as well.
 struct Network {
   std::vector<BondOffset> offsets;       // step from first to second, its length and direction; few distinct ones
   std::vector<Bond> bonds;               // sorted by (first, second)
-  std::vector<std::uint32_t> offset_of;  // one a bond: index into `offsets`
+  std::vector<std::uint32_t> offset_of;  // for each bond its index in `offsets`
   double max_residual = 0;               // largest error of a point's third moments, for C1111 = thickness = 1
-  double min_weight_ratio = 1;           // smallest stiffness over that of the same bond in the bulk
-  bool reduced = false;                  // no such network was found at this horizon: nearest neighbours only
+  double min_weight_ratio = 1;           // smallest ratio of a bond's stiffness to its bulk stiffness
+  bool reduced = false;  // no exact network was found for this horizon, so only nearest neighbours have bonds
 };
 
-// Builds the bonds of a lattice, 2 <= horizon_ratio <= 8. Parts of the body that are one cell wide, and all of it at
-// the ratio 2, get the network of nearest neighbours. `threads`: 0 for one per core.
+// Builds the bonds of a lattice, 2 <= horizon_ratio <= 8. Parts of the body that are one cell wide get the network of
+// nearest neighbours, and so does the whole body at horizon ratio 2. `threads`: 0 for one per core.
 Network build_network(const CellLattice& lattice, int horizon_ratio, const PlaneElasticity& elasticity, int threads = 0,
                       const BondKernel& kernel = quartic_kernel());
 

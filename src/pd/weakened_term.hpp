@@ -2,12 +2,12 @@
 
 namespace bempd::pd {
 
-// Term ahead of the end of a crack that has a share of its stiffness only, so that the crack is felt where it is said
-// to end.
+// Bond ahead of the end of a crack that keeps only a share of its stiffness, so that the effective tip of the crack
+// lies at the crack's described end.
 struct WeakenedTerm {
-  int term;  // of the scene
+  int term;  // number of the energy term in the scene
   double share;
-  int crack;  // id
+  int crack;  // id of the crack
 };
 
 }  // namespace bempd::pd

@@ -10,7 +10,7 @@ namespace {
 
 using CellsByEdge = std::map<std::pair<int, int>, int>;  // directed
 
-// Edge between two triangles, with the numbers of both.
+// Edge that two triangles share, with the numbers of the two triangles.
 struct Joint {
   double length;
   int one, other;
@@ -61,7 +61,7 @@ CellPatches make_patches(const std::vector<Point>& points, const FillingCells& c
   for (std::size_t c = 0; c < cells.size(); ++c)
     if (patch_of[c] < 0) put_alone(static_cast<int>(c));
 
-  // Edges of cells near patches at the outline are listed, to find the patches beside these.
+  // The edges of cells near the outline are listed, to find the patches beside each patch at the outline.
   std::vector<char> at_outline(made.cells.size(), 0), near(points.size(), 0);
   for (std::size_t c = 0; c < cells.size(); ++c)
     if (*std::min_element(cells[c].begin(), cells[c].end()) < outline_count) at_outline[patch_of[c]] = 1;

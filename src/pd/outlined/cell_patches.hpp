@@ -14,11 +14,12 @@ void for_each_edge(const std::array<int, 4>& cell, const Visit& visit) {
   for (int k = 0; k < count; ++k) visit(cell[k], cell[(k + 1) % count]);
 }
 
-// Patches: groups of cells that are taken together. Each whole lattice cell is a patch. Triangles form pairs across
-// their longest edges; a triangle that is left over joins a pair beside it.
+// Patches: groups of cells, each with one gradient stencil (cell_stencils.hpp). Each whole lattice cell is a patch.
+// Triangles form pairs across their longest edges; a triangle that is left over joins a pair beside it.
 struct CellPatches {
-  std::vector<std::vector<int>> cells;           // of each patch
-  std::vector<std::vector<int>> behind_an_edge;  // patches beside each patch that has points on the outline
+  std::vector<std::vector<int>> cells;  // of each patch
+  std::vector<std::vector<int>>
+      behind_an_edge;  // for each patch at the outline the patches beside it; empty for others
 };
 
 CellPatches make_patches(const std::vector<Point>& points, const FillingCells& cells, int outline_count);

@@ -68,10 +68,10 @@ MatrixXd blind_to_linear(const OutlinedBody& body, const std::vector<int>& point
   return q.rightCols(q.cols() - 3);
 }
 
-// Correction of the stencils at the outline, each of which has a gradient vector G for each of its points
-// (cell_stencils.hpp). The smallest changes of G are sought after which the vectors G of all stencils at a point add up
-// to its surface vector times its balancing factor (surface_balance.hpp). The gradients of linear displacements stay
-// exact.
+// Correction of the stencils at the outline, each of which has one gradient vector G for each of its points
+// (cell_stencils.hpp). The smallest changes of these vectors are sought after which the vectors of all stencils at a
+// point add up to the point's surface vector times its balancing factor (surface_balance.hpp). The gradients of linear
+// displacements stay exact.
 class Correction {
  public:
   Correction(const OutlinedBody& body, const CellPatches& patches) : body_(body) {

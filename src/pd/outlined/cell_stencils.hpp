@@ -8,19 +8,19 @@
 
 namespace bempd::pd {
 
-// Gradient stencils of patches of cells, for a body with any outline, in units of the spacing: vectors G_i such that
-// the sum of G_i u_i^T is the patch's area times the mean gradient of the displacement, exact for linear ones. In a
-// single cell G_i is the surface vector of its polygon at the point. Over all patches, the G of a point add up to the
-// point's surface vector, so that a constant stress is balanced by its tractions on the chords. If surface vectors have
-// factors (surface_balance.hpp), patches at the outline also use points of their neighbours, so that the sums include
-// the factors.
+// Gradient stencils of patches (groups of cells, cell_patches.hpp) for a body with any outline, in units of the
+// spacing. A stencil consists of vectors G_i such that the sum of G_i u_i^T is the patch's area times the mean gradient
+// of the displacement; this is exact for linear displacements. In a single cell G_i is the surface vector of the cell's
+// polygon at the point. Over all patches, the G of a point add up to the point's surface vector, so that a constant
+// stress is balanced by its tractions on the chords. If surface vectors have factors (surface_balance.hpp), patches at
+// the outline also use points of neighbouring patches, so that the sums include the factors.
 struct CellStencils {
   std::vector<std::size_t> start{0}, bond_start{0};  // per patch, and the end of the last
-  std::vector<int> point;                            // the patch's own come first
+  std::vector<int> point;                            // points of each patch, its own before those of neighbours
   std::vector<Eigen::Vector2d> gradient;             // G
-  std::vector<double> share;                         // of the patch's area that its point takes
+  std::vector<double> share;                         // part of the patch's area that belongs to the point
   std::vector<double> area;
-  std::vector<int> bond;  // bonds of patches; a patch is lost when its first bond breaks
+  std::vector<int> bond;  // bonds of each patch; a patch loses its squares when its first bond breaks
   double max_residual = 0;
 
   std::size_t count() const { return area.size(); }
@@ -39,12 +39,12 @@ struct CellStencils {
   }
 };
 
-// Makes the stencils of all patches: whole lattice cells, and groups of two or three triangles. Single triangles would
-// be too many constraints: nearly incompressible bodies could hardly deform.
+// Makes the stencils of all patches: whole lattice cells, and groups of two or three triangles. Stencils of single
+// triangles would be too many constraints, with which nearly incompressible bodies could hardly deform.
 CellStencils cell_stencils(const OutlinedBody& body);
 
-// Square: a term k/2 (sum of pull_i . u_i)^2 of the energy of a patch of any shape (as in cell_squares.hpp), over the
-// points of its stencil.
+// Cell square of a patch of any shape: energy term k/2 (sum of pull_i . u_i)^2 over the points of the patch's stencil
+// (as in cell_squares.hpp).
 struct StencilSquare {
   std::vector<Eigen::Vector2d> pull;
   double stiffness;  // k [N/m], thickness included

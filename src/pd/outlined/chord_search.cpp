@@ -105,8 +105,8 @@ std::vector<double> ChordSearch::meetings(const Point& from, const Point& to) co
   return found;
 }
 
-// Whether the segment stays inside. Between two meetings with chords it is all inside or all outside, so the middles
-// decide.
+// Whether the segment stays inside. Between two neighbouring meetings with chords the segment is either inside or
+// outside, so the middle of each such stretch decides.
 bool ChordSearch::in_sight(const Point& from, const Point& to) const {
   std::vector<double> stations = meetings(from, to);
   stations.insert(stations.begin(), 0.0);

@@ -15,8 +15,8 @@ class Buckets {
   Buckets(const Box& box, double side);
 
   void add(const Box& box, int item);
-  // Calls visit(item) for the items that may meet a box, until it returns true; some items may be visited several
-  // times.
+  // Calls visit(item) for all items that may meet a box, until a call returns true; returns whether one did. An item
+  // may be visited several times.
   template <class Visit>
   bool any_near(const Box& box, const Visit& visit) const {
     const Eigen::Array2i low = square_of(box.min()), high = square_of(box.max());
@@ -46,8 +46,9 @@ class ChordSearch {
   // Whether the segment between two points of the closed polygon stays in it; it may run along a chord.
   bool in_sight(const Point& from, const Point& to) const;
 
-  // View from a point of the closed polygon, up to the distance `reach`. A point there is seen if both lie on the inner
-  // side of all straight pieces nearby; else the segment between them is checked.
+  // View from a point of the closed polygon, up to the distance `reach`. Another point is seen if both points lie on
+  // the inner side of all straight pieces of the outline nearby; otherwise the segment between the two points is
+  // checked.
   class View {
    public:
     View(const ChordSearch& search, const Point& from, double reach);
@@ -58,7 +59,7 @@ class ChordSearch {
 
     const ChordSearch& search_;
     Point from_;
-    int count_ = 0;  // of the pieces around; more than most_pieces: too many, or round ones
+    int count_ = 0;  // number of pieces nearby; most_pieces + 1: too many, or a round one
     std::array<Segment, most_pieces> pieces_;
   };
 
@@ -69,7 +70,7 @@ class ChordSearch {
   const Chords& chords_;
   Buckets buckets_;
   double low_ = 0;
-  std::vector<std::vector<int>> rows_;  // chords by the spacings of height that they cross
+  std::vector<std::vector<int>> rows_;  // chords by the rows, one spacing high, that they cross
   std::vector<char> straight_;          // per piece
 };
 

@@ -16,8 +16,9 @@ int chord_count(const Arc& piece) {
   return std::max(1, static_cast<int>(std::max(by_length, by_turn)));
 }
 
-// Fraction of a piece at which node number `node` lies. A `swing` makes the distances of nodes vary as 1 + swing (cos 2
-// pi x - cos 4 pi x), which is 1 at the ends, where corners need equal chords.
+// Fraction of a piece at which node number `node` lies. With a `swing`, the distances between nodes vary along the
+// piece (x from 0 to 1) as 1 + swing (cos 2 pi x - cos 4 pi x), which is 1 at the ends, where corners need equal
+// chords.
 double node_fraction(int node, int count, double swing) {
   if (node == 0 || node == count) return node == 0 ? 0 : 1;
   const double x = static_cast<double>(node) / count, turn = 2 * std::numbers::pi;
@@ -25,7 +26,7 @@ double node_fraction(int node, int count, double swing) {
 }
 
 // Mean square of the chord lengths of a piece: sum of l^2 times the chord vectors, over the sum of the vectors. (Both
-// have the direction from end to end, by symmetry.) A loop is balanced if all of its pieces have the same mean square.
+// sums point from end to end, by symmetry.) A loop is balanced if all of its pieces have the same mean square.
 double mean_square(const Arc& piece, double swing) {
   const int count = chord_count(piece);
   Point sum = Point::Zero();
@@ -49,8 +50,8 @@ double swing_for(const Arc& piece, double wanted) {
   return 0.5 * (low + high);
 }
 
-// Swings (see node_fraction()) with which all pieces of a loop have the same mean square of chord lengths; zeros if
-// that is impossible. Only pieces with `may_vary` can have a swing.
+// Swings (node_fraction()) with which all pieces of a loop have the same mean square of chord lengths; zeros if no such
+// swings exist. Only pieces marked in `may_vary` can have a swing.
 std::vector<double> swings_of(const std::vector<Arc>& loop, const char* may_vary, bool any) {
   std::vector<double> swings(loop.size(), 0.0), squares;
   if (!any || std::none_of(may_vary, may_vary + loop.size(), [](char one) { return one != 0; })) return swings;

@@ -16,10 +16,10 @@ struct Chord {
 // Outline of a body as chords, of equal length on every piece, in units of the spacing. Chord k starts at node k.
 struct Chords {
   std::vector<Point> nodes;  // exactly on the outline
-  std::vector<char> kept{};  // nodes whose surface vectors others rely on; empty for none
+  std::vector<char> kept{};  // flags of nodes whose surface vectors must not get factors; empty: none
   std::vector<Chord> chords;
-  std::vector<int> loop_start;   // of the nodes, and the end of the last loop
-  std::vector<int> piece_start;  // of the chords, and the end of the last piece
+  std::vector<int> loop_start;   // first node of each loop, and the end of the last loop
+  std::vector<int> piece_start;  // first chord of each piece, and the end of the last piece
 
   int count() const { return static_cast<int>(nodes.size()); }
   int loop_count() const { return static_cast<int>(loop_start.size()) - 1; }
@@ -34,9 +34,9 @@ struct Chords {
   double angle(int node) const;
 };
 
-// Makes the chords of loops whose pieces have the body on their left; a piece gets as many chords as it is spacings
-// long. Chords of a piece are equal. Only on pieces with `may_vary` (by number) may they differ in length, where this
-// balances a loop (surface_balance.hpp) without factors.
+// Makes the chords of loops whose pieces have the body on their left. A piece gets about as many chords as its length
+// in spacings. The chords of a piece are equally long, except on pieces marked in `may_vary` (by number of the piece):
+// there the lengths vary if this balances the loop without factors (surface_balance.hpp).
 Chords make_chords(const std::vector<std::vector<Arc>>& loops, const std::vector<char>& may_vary = {});
 
 }  // namespace bempd::pd

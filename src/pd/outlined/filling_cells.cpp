@@ -17,8 +17,8 @@ using Eigen::Vector2i;
 using Side = std::pair<int, int>;  // directed
 
 // Advancing front of directed sides, with the area to be filled on their left. Each side forms a triangle with the
-// point that sees it under the largest angle, which makes a constrained Delaunay triangulation (Shewchuk, 1997). Points
-// on one circle tie; existing triangles decide between them.
+// point that sees it under the largest angle, which makes a constrained Delaunay triangulation (Shewchuk, 1997). If
+// several such points lie on one circle, existing triangles decide between these points.
 class Front {
  public:
   Front(const std::vector<Point>& points, const Box& box)
@@ -54,7 +54,7 @@ class Front {
     near_sides_.add(box, static_cast<int>(sides_.size()));
     sides_.push_back({a, b});
   }
-  // Adds the directed side from a to b of a new triangle, which lies on its left.
+  // Adds the directed side from a to b of a new triangle; the triangle lies on the left of the side.
   void add_triangle_side(int a, int b) {
     if (open_.erase({a, b}) == 0) {
       open_.insert({b, a});

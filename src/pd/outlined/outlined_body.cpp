@@ -16,8 +16,10 @@ namespace {
 constexpr double smallest_outlined_ratio = 0.02;  // bound on a stiffness over that of the kernel
 
 struct Attempt {
-  double gap, free_depth, shift;      // of the lattice along both of its axes
-  bool is_balanced_by_piece = false;  // surface vectors balanced piece by piece, the kernel of the equations left
+  double gap;                         // between the outline and the points inside
+  double free_depth;                  // of the layer whose stiffnesses may change
+  double shift;                       // of the lattice along both of its axes
+  bool is_balanced_by_piece = false;  // whether surface vectors are balanced piece by piece
 };
 
 // Attempts to build a network, in the order in which they are made. At a horizon ratio of 3 the best networks have
@@ -46,13 +48,14 @@ double longest_bond(int horizon_ratio) {
   return std::sqrt(longest);
 }
 
-// Depth of the layer of points that lack bonds. In short families a deeper layer gives a more exact stress at an edge.
+// Depth of the layer of points that lack bonds. At a horizon ratio of 3 a deeper layer gives a more exact stress at an
+// edge.
 double layer_depth(const Attempt& attempt, int horizon_ratio) {
   return longest_bond(horizon_ratio) + attempt.gap + (horizon_ratio == 3 ? 0.75 : 0);
 }
 
-// Layers that are tried one after the other. Short bonds suffice almost everywhere; their equations are few, between
-// points close to each other. Longer bonds follow where the short ones do not suffice.
+// Layers of bonds that are tried one after the other. Short bonds suffice almost everywhere; their equations are few,
+// and between points close to each other. Longer bonds are added where short bonds do not suffice.
 std::vector<Layer> layers_for(const Attempt& attempt, int horizon_ratio) {
   const double reach = horizon_ratio == 3 ? HUGE_VAL : 0.8 * horizon_ratio;
   return {{attempt.free_depth, layer_depth(attempt, horizon_ratio), reach}, {attempt.free_depth, HUGE_VAL, HUGE_VAL}};
@@ -91,8 +94,8 @@ OutlinedBody build_outlined_body(const Chords& chords, const LatticePlace& place
                                  const PlaneElasticity& elasticity, int threads, const BondKernel& kernel) {
   assert(horizon_ratio >= 3 && horizon_ratio <= 8);
   std::optional<OutlinedBody> best;
-  // Careful attempts come second: only long outlines with different chords need them, and the networks of other bodies
-  // do not depend on them.
+  // Attempts that are balanced piece by piece come second. Only long outlines with chords of different lengths need
+  // them.
   for (const bool is_balanced_by_piece : {false, true}) {
     if (is_balanced_by_piece && balancing_factors(chords, true) == balancing_factors(chords)) break;
     for (const Attempt& attempt : attempts_for(horizon_ratio, !place.fixed, is_balanced_by_piece)) {

@@ -16,7 +16,7 @@ struct OutlinedBody {
   std::vector<double> factors;  // of the surface vectors of the outline's nodes, close to 1
   Network network;
   LatticePlace place;
-  bool is_balanced_by_piece = false;  // found with chords that count alike piece by piece (surface_balance.hpp)
+  bool is_balanced_by_piece = false;  // whether surface vectors are balanced piece by piece (balancing_factors())
 
   // Whether all stiffnesses are positive and every linear displacement field is reproduced.
   bool is_exact() const { return network.max_residual < 1e-11 && network.min_weight_ratio > 0; }
@@ -31,15 +31,15 @@ OutlinedBody build_outlined_body(const Chords& chords, const LatticePlace& place
                                  const PlaneElasticity& elasticity, int threads = 0,
                                  const BondKernel& kernel = quartic_kernel());
 
-// Corner of an outline whose surface vector (half the sum of its chords' normals times lengths) no bonds of positive
-// stiffness can balance. At a corner of the angle alpha <= 180 degrees the sum of the bonds' pulls lies between 30
-// degrees off one edge and 30 degrees off the other. Proof: over the bonds, with angles theta from an edge,
-// k L sin(3 theta + 60) adds up to zero, so k L sin(theta - 30) has the same sum as k L f(theta) with f =
+// Corner of an outline whose surface vector (half the sum of the normals of its two chords, times their lengths) cannot
+// be balanced by bonds of positive stiffness. At a corner of the angle alpha <= 180 degrees the sum of the bonds' pulls
+// lies between 30 degrees off one edge and 30 degrees off the other. Proof: over the bonds, with angles theta from an
+// edge, k L sin(3 theta + 60) adds up to zero, so k L sin(theta - 30) has the same sum as k L f(theta) with f =
 // sin(theta - 30) + sin(3 theta + 60) / sqrt(3) >= 0.
 struct ImpossibleCorner {
   int node;
   double angle;           // [rad]
-  double before, behind;  // lengths of its chords
+  double before, behind;  // lengths of the chords before and behind the node
 };
 std::optional<ImpossibleCorner> find_impossible_corner(const Chords& chords);
 

@@ -119,8 +119,8 @@ void share_by_area(const std::vector<double>& areas, DraftBonds& bonds) {
   constexpr double volume_stiffness = 8.0 / 3;
   constexpr int rounds = 10;
   struct Shared {
-    int first, second;  // among the points of such bonds
-    double half;        // of k L^2
+    int first, second;  // numbers of the ends among the points of the layer's bonds
+    double half;        // half of k L^2
   };
   std::vector<int> number(areas.size(), -1);
   std::vector<double> wanted, of_others, factor;

@@ -7,23 +7,25 @@
 
 namespace bempd::pd {
 
-// Makes the bonds between all pairs of points closer than the horizon that see each other. Between lattice points they
-// have the bulk stiffness, at points of the outline that of the kernel at their length. Offsets are those of the
-// lattice, turned, then one for each bond with an end on the outline.
+// Makes the bonds between all pairs of points that are closer than the horizon and see each other. A bond between two
+// lattice points has the bulk stiffness, a bond with an end on the outline the kernel's stiffness for its length. The
+// list of offsets has the turned offsets of the lattice, followed by one offset for each bond with an end on the
+// outline.
 DraftBonds draft_outlined_bonds(const Chords& chords, const OutlinedPoints& points, int horizon_ratio,
                                 const BondKernel& kernel);
 
-// Layer of bonds at the outline whose stiffness may differ from the bulk: one end is less deep than `depth`, the other
-// less deep than `deepest`. Those shorter than `reach` are free. Points deeper than the longest bond plus the gap at
-// the outline have no missing moments.
+// Layer of bonds at the outline whose stiffness may differ from the bulk stiffness: bonds with one end less deep than
+// `depth` and the other end less deep than `deepest`. Bonds of the layer that are shorter than `reach` are free, which
+// means that balance_layer() may change them. Points deeper than the longest bond plus the gap at the outline have no
+// missing moments.
 struct Layer {
   double depth, deepest, reach;
 };
 void mark_layer(const OutlinedPoints& points, const Layer& layer, DraftBonds& bonds);
 
-// Multiplies the stiffness k of every bond in the layer by a factor of either end, so that points resist a change of
-// volume in proportion to their area. Half of the sum of k L^2 over a point's bonds of lengths L becomes 8/3 C1111
-// times its area.
+// Multiplies the stiffness k of every bond in the layer by one factor for each of its two ends, so that points resist a
+// change of volume in proportion to their area. Half of the sum of k L^2 over a point's bonds of lengths L becomes
+// about 8/3 C1111 times the point's area.
 void share_by_area(const std::vector<double>& areas, DraftBonds& bonds);
 
 }  // namespace bempd::pd

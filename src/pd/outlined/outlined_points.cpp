@@ -11,7 +11,7 @@ using Eigen::Vector2i;
 
 namespace {
 
-// Half of a cell's diagonal, rounded up: the outline does not touch a cell whose middle is farther from it than this.
+// Half of a cell's diagonal, rounded up: the outline does not touch a cell whose middle is farther from the outline.
 constexpr double half_diagonal = 0.7072;
 
 }  // namespace
@@ -59,7 +59,8 @@ bool OutlinedPoints::has_cell(const Vector2i& at) const {
          find_point(at + Vector2i(0, 1)) >= 0 && find_point(at + Vector2i(1, 1)) >= 0;
 }
 
-// Marks the lattice points inside the outline, row by row, between an odd crossing and the next one.
+// Marks the lattice points inside the outline, row by row: the points between an odd crossing of the row with the
+// outline and the next crossing lie inside.
 void OutlinedPoints::mark_inside(const std::vector<Point>& nodes, const Chords& chords,
                                  std::vector<char>& inside) const {
   std::vector<std::vector<double>> crossings(static_cast<std::size_t>(upper_.y() - lower_.y()) + 1);

@@ -11,7 +11,7 @@ namespace bempd::pd {
 struct LatticePlace {
   Point origin = Point::Zero();
   double angle = 0;    // [rad]
-  bool fixed = false;  // false: it may be moved where no network is found
+  bool fixed = false;  // false: the lattice may be moved if no network is found
 };
 
 // Material points of a body with any outline, in units of the spacing: first the nodes of its chords, then the points
@@ -48,7 +48,8 @@ class OutlinedPoints {
     return (at.array() >= lower_.array()).all() && (at.array() <= upper_.array()).all();
   }
   void mark_inside(const std::vector<Point>& nodes, const Chords& chords, std::vector<char>& inside) const;
-  // Distances from the nearest chord, at most `deepest`, of all points of the grid moved by `shift` along both axes.
+  // Distances from the nearest chord, at most `deepest`, for all points of the lattice grid moved by `shift` along both
+  // axes.
   std::vector<double> distances(const std::vector<Point>& nodes, const Chords& chords, double shift,
                                 double deepest) const;
 

@@ -102,7 +102,8 @@ class LoopBalance {
     }
     return pieces;
   }
-  // Square of the length that all chords are to count as: that of pieces too short to be changed, or else the mean.
+  // Square of the length that all chords are to count as: the mean over pieces with fewer than four chords, whose
+  // factors cannot be changed, or over all pieces if there are none.
   double wanted_square(const std::vector<int>& pieces) const {
     double sum = 0, of_short = 0, length = 0, length_of_short = 0;
     for (const int piece : pieces) {
