@@ -11,39 +11,39 @@ namespace bempd::regions {
 
 // Uniform pressure of a fluid on the faces of a crack that cuts bonds, as an affine function of the load factor [Pa].
 struct CrackPressure {
-  int crack;                 // id
-  Eigen::RowVector2d value;  // constant and proportional part
+  int crack;                 // id of the crack
+  Eigen::RowVector2d value;  // constant part, and part proportional to the load factor
 };
 
 // Supports and loads of the scene as values on its degrees of freedom, numbered 2 * node + component.
 struct DofConditions {
-  std::vector<char> prescribed;        // per degree of freedom
-  coupling::Affine displacement;       // of prescribed degrees of freedom [m]
-  coupling::Affine force;              // [N]
-  coupling::Affine body_force;         // x, y, growth of every region, from 3 * (region - 1) on; part of `force`
-  std::vector<CrackLoad> crack_loads;  // their effect on nodes is part of `force`
-  std::vector<CrackPressure> crack_pressures;   // follow as cracks grow; not part of `force`
-  std::vector<std::vector<int>> reaction_dofs;  // per support; a shared degree of freedom counts for the first one
+  std::vector<char> prescribed;        // by degree of freedom: 1 if a support prescribes its displacement
+  coupling::Affine displacement;       // displacements of prescribed degrees of freedom [m]
+  coupling::Affine force;              // nodal forces [N]
+  coupling::Affine body_force;         // BodyForce (x, y, growth) of region r from row 3 (r - 1) on; part of `force`
+  std::vector<CrackLoad> crack_loads;  // on cracks with elements; their nodal forces are part of `force`
+  std::vector<CrackPressure> crack_pressures;   // in cracks that cut bonds, also in what grows; not part of `force`
+  std::vector<std::vector<int>> reaction_dofs;  // by support: reactions that count for it, of several the first's
 
-  // Swelling strains that temperature loads cause, by region id; their effect is not part of `force`.
+  // Swelling strains due to temperature loads, by region id; `force` does not include their effect.
   std::map<int, std::vector<Swelling>> swelling;
 
-  std::vector<std::vector<int>> held_dofs;  // degrees of freedom of each support, also those that count for another one
+  std::vector<std::vector<int>> held_dofs;  // by support: all that it holds, also those of `reaction_dofs` of another
 
-  // Gaps of crack faces due to loads inside regions (body forces, loads on faces), for the exact contact constraints of
-  // all regions, one region after the other [m].
+  // Gaps of crack faces due to loads inside regions (body forces, loads on crack faces), one for each exact contact
+  // constraint [m]. The constraints are ordered by region.
   coupling::Affine face_offsets{0, 2};
 
-  // Work of the loads that `force` does not include, as a quadratic form W: at the load factor f it is (1, f) W (1,
-  // f)^T / 2 [J].
+  // Work of the loads that `force` does not include [J], as a quadratic form W: at the load factor f the work is (1, f)
+  // W (1, f)^T / 2.
   Eigen::Matrix2d work_within = Eigen::Matrix2d::Zero();
 
   // Body forces at a load factor, one for each region id from 1 on.
   std::vector<BodyForce> body_forces(double load_factor) const;
 };
 
-// Body force of one region (an id) out of `all`, which is DofConditions::body_force: parts[0] times its constant part
-// plus parts[1] times its proportional part.
+// Body force of the region with the id `region`, taken from `all` (DofConditions::body_force): parts[0] times its
+// constant part plus parts[1] times its proportional part.
 BodyForce body_force_of(const coupling::Affine& all, int region, const Eigen::Vector2d& parts);
 
 // Applies all supports and loads of the scene. Throws Error (argument) for supports that contradict each other,

@@ -12,39 +12,40 @@ namespace bempd::regions {
 
 // Crossing: place where a crack passes from one region to another.
 struct CrackCrossing {
-  double way;              // along the crack, as described [m]
-  Point place, direction;  // direction: of the crack, a unit vector
-  int before, after;       // regions that have elements on it; 0: it cuts bonds
-  double spacing = 0;      // of the material points beside `place`, once it lies half way between two of them [m]
+  double way;              // distance along the described crack [m]
+  Point place, direction;  // direction: unit vector along the crack
+  int before, after;       // ids of the regions with elements before and behind it; 0: the crack cuts bonds there
+  double spacing = 0;      // distance of the material points between which it was moved [m]; 0: it was not
 
   bool among_elements() const { return before > 0 && after > 0; }
 };
 
-// Moves the crossings between boundary elements and lattices to the middle between two material points on the
-// interface. Elsewhere the crack would have different lengths for the elements and for the bonds. `length` is the
-// crack's. Throws Error (argument) for interfaces that no crack can cross; adds a warning for each crossing that is
-// moved.
+// Moves each crossing between boundary elements and a lattice to the middle between two material points on the
+// interface. At any other place the crack would have one length for the elements and another for the bonds. `length` is
+// the length of the crack. Throws Error (argument) for interfaces that no crack can cross; adds a warning for each
+// crossing that is moved.
 void move_between_rows(const Preparation& preparation, int crack, std::vector<CrackCrossing>& crossings, double length,
                        std::vector<std::string>& warnings);
 
-// Crack that passes through its crossings with interfaces after these have been moved. It is bent within a few spacings
-// of a crossing into a lattice; crossings between two boundary element regions do not bend it.
+// Crack whose crossings with interfaces have been moved. The crack is bent within a few spacings of each crossing into
+// a lattice; a crossing between two boundary element regions does not bend the crack.
 struct MovedCrack {
   std::vector<Point> points;
-  std::vector<char> grown;             // by segment
-  std::vector<std::size_t> crossings;  // points, by crossing
+  std::vector<char> grown;             // by segment: 1 if growth has added it
+  std::vector<std::size_t> crossings;  // by crossing: its index in `points`
 
   // Numbers of segments that growth has added at the start and at the end of the piece between the points `from` and
   // `to`.
   std::pair<int, int> grown_at_ends(std::size_t from, std::size_t to) const;
   scene::Crack crack() const;
 };
-// Bends a crack so that it passes through the places of its crossings. Vertices closer to each other than `same` become
-// one.
+// Bends a crack so that it passes through the places of its crossings. A vertex of the crack closer than `same` [m] to
+// a crossing between two boundary element regions is replaced by the crossing.
 MovedCrack bent_to(const scene::Crack& crack, const std::vector<CrackCrossing>& crossings, double same);
 
-// Mouth of a crack on the interface of two boundary element regions that it passes through. Both regions have two nodes
-// there, one on each face of the crack, and share them. `before` and `behind` are the neighbouring points of the crack.
+// Place where a crack passes through the interface of two boundary element regions. Two nodes lie at this place, one on
+// each face of the crack, and both regions share these nodes. `before` and `behind` are the points of the crack next to
+// the place.
 struct SharedMouth {
   Point place, before, behind;
 

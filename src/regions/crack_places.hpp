@@ -7,11 +7,12 @@
 
 namespace bempd::regions {
 
-// Lattices of the body in which crack faces can touch, with their stiffness per gap.
+// Lattices of all regions in which crack faces can touch each other, with the stiffness of their material.
 pd::FacePlaces face_lattices(const Discretization& discretization);
 
-// Contact places of initial cracks in lattices: where the two faces of the cut can touch. One lies at each crossing of
-// a crack with the columns or rows of a lattice.
+// Contact places of initial cracks in lattices, at which the two faces of a crack can touch. A contact place lies at
+// each crossing of a crack with the columns or rows of a lattice that has material points on both sides of the crack
+// nearby.
 std::vector<pd::FacePlace> places_on_cracks(const std::vector<scene::Crack>& cracks,
                                             const Discretization& discretization, const pd::FacePlaces& lattices);
 

@@ -15,18 +15,18 @@
 namespace bempd::regions {
 
 struct Discretization {
-  double tolerance;  // distance below which places are the same
+  double tolerance;  // distance below which places count as the same [m]
   Arrangement arrangement;
-  std::vector<Point> positions;                  // of the scene's nodes
+  std::vector<Point> positions;                  // places of the scene's nodes [m]
   std::vector<std::unique_ptr<Region>> regions;  // by ascending id
-  coupling::Terms bonds;
-  coupling::NodeTies ties;               // of nodes that follow the elements of an interface that do not match
-  std::vector<double> critical_stretch;  // per term of `bonds`
+  coupling::Terms bonds;                         // energy terms: bonds and cell squares
+  coupling::NodeTies ties;               // of nodes that follow the elements beyond interfaces that do not match
+  std::vector<double> critical_stretch;  // of each term of `bonds`
   std::vector<std::string> warnings;
-  std::string gap;                  // narrowest gap between regions that nearly touch, in words; empty if there is none
-  std::vector<PartedCrack> cracks;  // by the regions that have elements on them or bonds that they cut
+  std::string gap;  // sentence about the narrowest gap between regions that nearly touch; empty if there is none
+  std::vector<PartedCrack> cracks;  // divided into parts by the regions through which they run
 
-  const Region& region(int id) const;  // one that the scene has
+  const Region& region(int id) const;  // with an id that the scene has
   std::vector<coupling::DenseOperator> dense_operators() const;
   RegionStatistics statistics() const;
   // Names the regions that have any of the nodes, such as "region 2" or "regions 1 and 3".

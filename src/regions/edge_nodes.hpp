@@ -6,14 +6,14 @@
 #include "regions/boundary_conditions.hpp"
 #include "regions/discretization.hpp"
 
-// Node on an edge, and the quantities that belong to it.
+// Nodes on edges of regions, and quantities that belong to such nodes.
 namespace bempd::regions {
 
 struct EdgeNode {
-  int node;         // of the scene
-  int entry;        // in fields of the region's nodes
-  double fraction;  // of the edge
-  double weight;    // integral of its shape function along the edge [m]
+  int node;         // number in the scene
+  int entry;        // index in fields given at the region's nodes; -1: none
+  double fraction;  // place as a fraction of the edge
+  double weight;    // integral of the node's shape function along the edge [m]
 };
 
 // Nodes on the part `span` of an edge, in order along it, each node once.
@@ -24,11 +24,12 @@ std::vector<EdgeNode> edge_nodes(const scene::Scene& scene, const Discretization
 // along the edge.
 std::vector<int> edge_cells(const Discretization& discretization, int region, const std::vector<EdgeNode>& nodes);
 
-// Ids of the regions that form one bonded body with a region, because bonds connect them, itself included. A region
-// without bonds is a body of its own.
+// Ids of the regions that bonds connect to a region, directly or through other regions, including the region itself. A
+// region without bonds is alone.
 std::vector<int> regions_of_body(const Discretization& discretization, int region);
 
-// Nodal forces of the present loads on some regions (ids), including the loads on cracks that have elements there.
+// Nodal forces of the loads on some regions (ids), including loads on cracks that have elements in these regions. Loads
+// that are built into operators (changes of temperature) are left out.
 coupling::Affine loads_on(const scene::Scene& scene, const Discretization& discretization,
                           const std::vector<int>& regions);
 

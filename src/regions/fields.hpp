@@ -50,15 +50,16 @@ struct CrackLoad {
 struct Solution {
   const Eigen::VectorXd& displacement;  // [m], 2 * node + component
   const coupling::Terms& bonds;
-  const std::vector<char>& intact;     // per bond
-  std::vector<BodyForce> body_forces;  // per region
-  // The next two members are needed for cracks with elements; null if there are none.
-  const coupling::Affine* parts = nullptr;  // of the displacement
+  const std::vector<char>& intact;     // by term: 1 if it is intact
+  std::vector<BodyForce> body_forces;  // by region id, from 1 on
+  // Constant and proportional part of the displacement; needed for cracks with elements, null if there are none.
+  const coupling::Affine* parts = nullptr;
+  // Loads on the faces of cracks with elements; null if there are no such cracks.
   const std::vector<CrackLoad>* crack_loads = nullptr;
   double load_factor = 0;
-  const std::vector<std::uint8_t>* stages = nullptr;  // stages of bonds in their laws; null: bonds are intact or broken
+  const std::vector<std::uint8_t>* stages = nullptr;  // damage stages of bonds; null: bonds are whole or broken
 
-  // Contact state of each region's crack faces: flags of the places that are closed; empty if no face is closed.
+  // Flags of the contact constraints of crack faces that are closed, by region; empty if no face is closed.
   std::vector<std::vector<char>> closed_faces = {};
   const coupling::Affine* body_force_parts = nullptr;  // DofConditions::body_force; null: none
 
@@ -76,7 +77,7 @@ struct PointValue {
   Eigen::Vector3d stress = Eigen::Vector3d::Zero();
 };
 
-// Function that returns a field of one region for one solution; it computes the field when it is first asked for.
+// Function that returns a field of one region for one solution. A field is computed when it is first asked for.
 using FieldsOfRegion = std::function<const FieldValues&(Field)>;
 
 // Evaluates displacement and stress at any place in one region, for one solution.
@@ -84,8 +85,8 @@ class Evaluator {
  public:
   virtual ~Evaluator() = default;
   virtual PointValue at(const Point& place) = 0;
-  // Chooses which face's values are returned for places on cracks with elements: the right face's (as seen from the
-  // crack's first point) if true, else the left face's.
+  // Chooses the face of a crack with elements whose values are returned for places on the crack: the right face (as
+  // seen from the crack's first point) if `right`, else the left face.
   virtual void choose_right_face(bool /*right*/) {}
   virtual std::int64_t kernel_evaluations() const { return 0; }
 };

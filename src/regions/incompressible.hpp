@@ -6,13 +6,13 @@
 
 namespace bempd::regions {
 
-// Throws Error (unsolvable) if supports hold the volume of incompressible regions, one alone or several together, so
-// that the pressure there acts on no free displacement and is undetermined.
+// Throws Error (unsolvable) if supports hold the volume of one incompressible region, or of several together. The
+// pressure in these regions then acts on no free displacement and is undetermined.
 void require_determined_pressure(const Discretization& discretization, const std::vector<char>& prescribed);
 
-// Relative accuracy that remains for the pressure in nearly incompressible regions whose whole boundary is held. It is
-// 1 - 2 nu, because the pressure is the change of volume divided by about this number; 1 if there is no such region.
-// Adds a warning for each region that loses many digits.
+// Condition of the pressure in nearly incompressible regions whose whole boundary is held: the smallest 1 - 2 nu of
+// these regions (in plane strain), because the pressure is the change of volume divided by about this number; 1 if
+// there is no such region. Adds a warning for each region whose pressure loses many digits.
 double condition_of_held_pressure(const scene::Scene& scene, const Discretization& discretization,
                                   const std::vector<char>& prescribed, std::vector<std::string>& warnings);
 

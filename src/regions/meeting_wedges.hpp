@@ -8,15 +8,15 @@
 
 namespace bempd::regions {
 
-// Wedge of the sectors around a place that are bonded to each other, of one material or several.
+// Wedge at a place: the sectors of regions around the place that are bonded to each other, of one material or several.
 struct MeetingWedge {
   Wedge wedge;
-  int region;     // the first one
-  bool at_crack;  // a face of a crack is one of its sides
+  int region;     // id of the region of its first sector
+  bool at_crack;  // whether a face of a crack bounds a sector
 };
 
-// Finds the wedges that meet at a place on the scene's outlines or cracks; their angles and supports give the stress
-// singularity there.
+// Finds the wedges that meet at a place on the scene's outlines or cracks. The angles and supports of a wedge determine
+// the stress singularity at the place.
 class WedgeFinder {
  public:
   WedgeFinder(const scene::Scene& scene, const Discretization& discretization);
@@ -27,7 +27,7 @@ class WedgeFinder {
   // Ray from the place along a side of a sector: an edge of a region's outline, or a crack.
   struct Ray {
     double angle;
-    int held = 0;  // components
+    int held = 0;  // components that supports hold: 1 x, 2 y, 3 both
     bool crack = false;
   };
   struct Sector {

@@ -8,17 +8,18 @@
 
 namespace bempd::regions {
 
-// Numbers the nodes of all regions. Nodes of different regions that lie at the same place on an interface become one.
+// Numbers the nodes of all regions. Nodes of different regions that lie at the same place on an interface become one
+// node.
 class NodeRegistry {
  public:
   NodeRegistry(const Point& origin, double tolerance) : origin_(origin), tolerance_(tolerance) {}
 
-  // Adds a node that belongs to one region only.
+  // Adds a node that belongs to one region only, and returns its number.
   int add(const Point& position);
 
-  // Returns a node on an interface: the one that another region has added at this place, or a new one. Where a crack
-  // crosses the interface, each face of the crack has a node: `side` is 1 on the crack's left, -1 on its right, 0 for
-  // all other nodes.
+  // Returns the number of a node on an interface: the node that another region has added at this place, or a new one.
+  // Where a crack crosses the interface, each face of the crack has a node of its own: `side` is 1 on the crack's left,
+  // -1 on its right, 0 for all other nodes.
   int add_shared(const Point& position, int region, int side = 0);
 
   const std::vector<Point>& positions() const { return positions_; }

@@ -10,21 +10,22 @@
 
 namespace bempd::regions {
 
-// Straight piece of what bounds a patch: of a body's edge or of another crack.
+// Wall: straight piece of an edge of a body or of a crack with elements, from which lattice patches keep a distance.
 struct Wall {
   Segment piece;
-  int loop;          // of the outline; -1: of a crack
+  int loop;          // number of the outline's loop; -1: a crack
   std::string name;  // for messages
 };
 
-// What keeps the blocks of patches in a body away: its edges and holes, and cracks that have elements.
+// Walls in a body, from which the blocks of lattice patches (squares of 2 x 2 horizons) keep a distance: edges of the
+// body and of its holes, and cracks that have elements.
 class PatchWalls {
  public:
   explicit PatchWalls(const Outline& body);
 
   void add_crack(const Segment& piece, int crack);
-  // The wall nearest to a block that is closer than a block's size; null if there is none. A block outside of the body
-  // has the first wall.
+  // Wall nearest to a block, if it is nearer than the size of a block; null if no wall is so near. A block outside of
+  // the body gets the first wall.
   const Wall* beside(const Box& block) const;
   const std::vector<Wall>& all() const { return walls_; }
 
@@ -33,23 +34,27 @@ class PatchWalls {
   std::vector<Edge> edges_;
 };
 
-// Pieces of a polyline between the places at which it meets edges.
+// Pieces into which edges divide the segments of a polyline.
 std::vector<Segment> pieces_between(const std::vector<Point>& points, const std::vector<Edge>& edges);
 
-// Distances from a crack, in blocks, within which it has lattice: as usual, and where more would enclose a hole or
-// another crack. With two horizons single loads are up to 4e-3 off those of a large lattice, with three 5e-4.
-inline constexpr double usual_patch_reach = 1.5, least_patch_reach = 1;
+// Usual distance from a crack, in blocks of two horizons, within which the patch has lattice. Single loads are then up
+// to 5e-4 off the loads of a large lattice.
+inline constexpr double usual_patch_reach = 1.5;
 
-// Part of a crack inside a body.
+// Distance from a crack, in blocks, within which the patch has lattice where the usual distance would enclose a hole or
+// another crack. Single loads are then up to 4e-3 off the loads of a large lattice.
+inline constexpr double least_patch_reach = 1;
+
+// Part of a crack that lies in one body (region whose elements the library chooses).
 struct CrackInBody {
   LatticeCrack crack;
   std::vector<Segment> pieces;
   struct Tip {
-    Point place, direction;  // unit vector
+    Point place, direction;  // direction: unit vector
     bool grows;
   };
   std::vector<Tip> tips;
-  std::vector<std::pair<Point, int>> mouths;  // places on the outline, and the loops
+  std::vector<std::pair<Point, int>> mouths;  // places on the outline, and the loops' numbers
 
   double length() const {
     double sum = 0;
@@ -58,7 +63,7 @@ struct CrackInBody {
   }
 };
 
-// Patches of one body.
+// Lays out the lattice patches of one body: blocks of lattice cells around its cracks.
 class PatchLayout {
  public:
   PatchLayout(const scene::Scene& scene, int body, std::vector<CrackInBody> cracks, const BodyLattice& lattice);

@@ -8,20 +8,20 @@
 
 namespace bempd::regions {
 
-// Patches after one of them has given blocks that a crack's tip has left behind back to the elements of its body, and
-// the ways along the crack's path [m] between which it has elements from then on. A patch that falls into two is also
-// the last one of the list.
+// Lattice patches after one of them has given back blocks that the tip of a crack has left behind: these blocks become
+// part of the body with boundary elements again. The crack then has elements between the distances `from` and `to`
+// along its path [m]. If the patch falls into two parts, the second part is the last patch of the list.
 struct GivenBack {
   std::vector<Patch> patches;
   double from, to;
-  Blocks blocks;       // given back
-  std::size_t number;  // of the patch, in both lists
+  Blocks blocks;       // that the patch gives back
+  std::size_t number;  // index of the patch in the lists before and after
 };
 
-// Lets the patch around a tip give back what lies more than six horizons behind the tip, and behind the crack's other
-// end if that is in the patch, too. `paths` are those of all cracks, by id. Empty if this is less than three blocks of
-// the path, or where the path would not cross the new border straight and away from corners, or where other cracks are
-// near.
+// Lets the patch around the tip at an end of a crack give back blocks that lie more than six horizons behind the tip.
+// If the crack's other end lies in the patch, too, blocks within six horizons of that end stay. `paths` are the paths
+// of all cracks, by id. Empty if the blocks have less than three block lengths of the path, if the path does not cross
+// the new border straight and away from corners, or if other cracks are near.
 std::optional<GivenBack> given_back(const std::vector<Patch>& patches, const std::vector<std::vector<Point>>& paths,
                                     int crack, int end);
 

@@ -25,12 +25,12 @@ struct Preparation {
   const scene::Options& options;
   const Scheme& scheme;
   const Arrangement& arrangement;
-  double tolerance;                                     // distance below which places are the same
+  double tolerance;                                     // distance below which places count as the same [m]
   const std::vector<std::unique_ptr<Region>>& regions;  // all of them, by ascending id
-  const std::vector<PartedCrack>& cracks;               // once all regions are there
+  const std::vector<PartedCrack>& cracks;               // divided into parts once all regions exist
   // Regions of the same scene with shorter cracks, whose unchanged operators are reused; null if there are none.
   const std::vector<std::unique_ptr<Region>>* before;
-  const std::vector<PartedCrack>* cracks_before;  // likewise
+  const std::vector<PartedCrack>* cracks_before;  // the cracks before they grew; null if there are none
 };
 
 // Lists of the scene to which regions add their nodes, terms and warnings.
@@ -44,10 +44,10 @@ struct Contributions {
   struct Breaking {
     double limit;        // stretch
     int law;             // of `terms`
-    double contraction;  // 0: compression across a bond is not counted apart
+    double contraction;  // Poisson's ratio for the effect of compression across a bond; 0: not corrected
 
-    // Breaking behaviour of a bond between two nodes. `energy_shares` are the nodes' shares of the material's fracture
-    // energy; if empty, the bond has all of it.
+    // Breaking behaviour of a bond between two points. `energy_shares` has the fracture energy at each point, relative
+    // to that of the material; if empty, it is the material's everywhere.
     Breaking between(const std::vector<double>& energy_shares, int first, int second) const {
       if (energy_shares.empty()) return *this;
       const double at_first = energy_shares[static_cast<std::size_t>(first)];
@@ -55,11 +55,13 @@ struct Contributions {
       return {limit * std::sqrt((at_first + at_second) / 2), law, contraction};
     }
   };
-  // Adds a bond between two nodes of the scene. `step` is the vector from one to the other in spacings, `spacing` [m].
+  // Adds a bond between two nodes of the scene. `step` is the vector from the bond's first node to its second in
+  // spacings, `spacing` is the spacing [m].
   void add_bond(const pd::Bond& between_nodes, const Point& step, double spacing, const Breaking& breaking) const;
-  // Adds the squares of all cells: terms of four nodes whose energy is the square of a combination of the corners'
-  // displacements. A square breaks with any bond of its cell. `node` maps points of the grid to the scene's nodes,
-  // `term` maps bonds of the grid to the scene's terms. Returns SceneBonds::squares.
+  // Adds the cell squares of all cells: energy terms of four nodes, whose energy is the square of a linear combination
+  // of the displacements at the cell's corners. A cell square breaks with the first bond of its cell. `node` maps
+  // points of the grid to the scene's nodes, `term` maps bonds of the grid to the scene's terms. Returns
+  // SceneBonds::squares.
   std::vector<int> add_squares(const pd::CellLattice& grid, const std::vector<pd::Bond>& of_grid,
                                const PlaneElasticity& elasticity, double spacing, const std::function<int(int)>& node,
                                const std::function<int(int)>& term) const;

@@ -25,9 +25,9 @@ struct LatticeGrid {
   double angle = 0;         // [rad]
 };
 
-// Region: its nodes, and the parts that it hands out. A kind of region implements build(), loads(), results() and
-// add_statistics(), and of the other parts those that it has. Its own nodes are numbered from 0; `nodes()` gives their
-// numbers in the scene.
+// Region of a discretized scene: its nodes, and its parts, such as loads, results, operators and bonds. A class for a
+// kind of region implements build(), loads(), results() and add_statistics(), and overrides the functions of those
+// other parts that the kind has. The region numbers its own nodes from 0; nodes() gives their numbers in the scene.
 class Region {
  public:
   Region(int id, const scene::Material& material) : id_(id), material_(material) {}
@@ -42,13 +42,13 @@ class Region {
   void vary_toughness(pd::VariedEnergy toughness) { toughness_ = std::move(toughness); }
   const std::vector<int>& nodes() const { return nodes_; }
 
-  // --- Preparation: every step is done for all regions in the order of their ids before the next step begins.
+  // --- Preparation: mesh() is called for all regions in the order of their ids, then build() in the same order.
 
   virtual void mesh(const Preparation& /*preparation*/) {}
   // Numbers the region's nodes, builds its operators, and adds its bonds to the scene's.
   virtual void build(const Preparation& preparation, Contributions& contributions) = 0;
 
-  // --- Parts; null, or empty, where the region has none
+  // --- Parts of the region; null, or empty, if the region does not have the part
 
   virtual const RegionLoads& loads() const = 0;
   virtual const RegionResults& results() const = 0;
@@ -64,8 +64,9 @@ class Region {
 
   virtual void add_statistics(RegionStatistics& statistics) const = 0;
 
-  // gather(): values of the region's nodes (two each) out of all nodes'. scatter(): adds them to those of all nodes.
+  // Values at the region's nodes (two for each node), taken from the values at all nodes of the scene.
   Eigen::VectorXd gather(const Eigen::VectorXd& of_scene) const;
+  // Adds values at the region's nodes to the values at all nodes of the scene.
   void scatter(const Eigen::VectorXd& own, Eigen::Ref<Eigen::VectorXd> of_scene) const;
 
   double seconds_preparing = 0;

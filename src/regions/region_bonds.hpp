@@ -13,27 +13,29 @@
 
 namespace bempd::regions {
 
-// Bonds of a region, which cracks cut.
+// Bonds of a region, and the functions by which cracks cut them.
 class RegionBonds {
  public:
   virtual ~RegionBonds() = default;
 
-  // Bonds of the region as pairs of its own nodes, the scene's bonds from first_bond() on. Bonds of the scene across
-  // interfaces belong to no region.
+  // Bonds between nodes of the region, as pairs of its own node numbers. They are consecutive in the scene, from
+  // first_bond() on. Bonds between different regions are in the list of no region.
   virtual std::span<const pd::Bond> list() const = 0;
   virtual std::size_t first_bond() const = 0;
-  // Numbers of the scene's terms at the region's nodes, each once, including those that connect it to other lattices.
+  // Numbers of the scene's energy terms (bonds and cell squares) at the region's nodes, each once, including terms that
+  // connect the region to other lattices.
   virtual std::vector<int> terms() const = 0;
-  // Area of each node's cells over that of a full cell of the lattice.
+  // Area of the cells that belongs to each node, relative to the area of a full cell of the lattice.
   virtual std::vector<double> cell_shares() const = 0;
-  // Material points on which a crack lies. It must not: they would belong to neither face.
+  // Material points that lie on a crack. A crack must not pass through material points, because these would belong to
+  // neither face. Empty for lattices in which a crack may pass through them.
   virtual std::vector<Point> points_on_crack(const scene::Crack& crack) const = 0;
-  // Adds the scene's bonds that a crack cuts to `bonds`; `number` is the crack's id.
+  // Adds to `bonds` the numbers of the scene's bonds that a crack cuts; `number` is the crack's id.
   virtual void cut(const scene::Crack& crack, int number, std::vector<int>& bonds,
                    std::vector<std::string>& warnings) const = 0;
-  // Data for the growth of crack lines in the region; empty if cracks cannot grow as lines in it.
+  // Data for cracks that grow as lines (in steps of one lattice spacing); empty if cracks do not grow so in the region.
   virtual std::optional<pd::TipLaw> tip_law(const scene::Options& /*options*/) const { return std::nullopt; }
-  // Lattice on whose rows contact of crack faces is possible; empty if it is not.
+  // Lattice in which faces of cracks can press on each other; empty if contact is not possible in the region.
   virtual std::optional<pd::FaceLattice> face_lattice() const { return std::nullopt; }
 };
 

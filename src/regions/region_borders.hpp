@@ -9,11 +9,12 @@
 
 namespace bempd::regions {
 
-// Boundary elements along a straight interface that the nodes of the other region follow, where meshes do not match.
-// `places` and `nodes`: the start of the first element, then the middle and the end of every element.
+// Boundary elements along a straight interface with a lattice whose points do not match the elements. The points of the
+// lattice follow the elements. `places` and `nodes` have the start of the first element, then the middle and the end of
+// every element.
 struct LeadingElements {
-  int edge;      // of the region that has the elements
-  int follower;  // id of the other region
+  int edge;      // number of the edge of the region that has the elements
+  int follower;  // id of the other region, whose points follow
   std::vector<Point> places;
   std::vector<int> nodes;  // of the scene
 };
@@ -23,9 +24,11 @@ class ElementBorders {
  public:
   virtual ~ElementBorders() = default;
 
-  // Elements on interfaces that do not match, which nodes on the other side follow; known once nodes are numbered.
+  // Elements on interfaces with lattices whose points do not match them. The function may be called once nodes are
+  // numbered.
   virtual std::vector<LeadingElements> leading_elements() const = 0;
-  // Places of the region's nodes on interfaces with another region; known once the region is meshed [m].
+  // Places of the region's nodes on interfaces with another region [m]. The function may be called once the region is
+  // meshed.
   virtual std::vector<Point> places_facing(int other_region) const = 0;
 };
 
@@ -34,9 +37,10 @@ class PointBorders {
  public:
   virtual ~PointBorders() = default;
 
-  // Material points on an interface, in order along this region's edge [m]. Neighbours may ask before it is meshed.
+  // Material points on an interface, in order along this region's edge [m]. Neighbours may call the function before
+  // this region is meshed.
   virtual std::vector<Point> interface_points(const Preparation& preparation, const Contact& own) = 0;
-  // Ties the region's nodes to elements of the region `leader`.
+  // Ties the region's nodes on an interface to the elements of the region `leader` (an id).
   virtual void follow(const LeadingElements& leading, int leader, coupling::NodeTies& ties) const = 0;
 };
 

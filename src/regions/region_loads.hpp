@@ -23,7 +23,7 @@ struct PlacedNode {
   double fraction;
 };
 
-// Places of supports and loads in a region, and the nodal forces of loads.
+// Nodes of a region at which supports and loads act, and the nodal forces of loads.
 class RegionLoads {
  public:
   virtual ~RegionLoads() = default;
@@ -33,13 +33,14 @@ class RegionLoads {
   // Adds nodal forces [N] of a traction [Pa] on a part of a free edge to entries 2 * scene node + component.
   virtual void add_traction(const EdgeSpan& span, const std::function<Point(const Point&)>& traction,
                             Eigen::Ref<Eigen::VectorXd> force) const = 0;
-  // Force [N] of the tractions on this edge at each node. Edges that meet in a node share its reaction in this ratio.
+  // Force [N] that the tractions on an edge make at each of some nodes. Edges that meet at a node share the node's
+  // reaction in the ratio of these forces.
   virtual std::vector<Point> forces_on_edge(const EdgeSpan& span, const std::vector<int>& nodes_of_scene,
                                             const FieldsOfRegion& fields) const = 0;
   // Adds nodal forces [N] of a body force to `force`.
   virtual void add_body_force(const BodyForce& body_force, Eigen::Ref<Eigen::VectorXd> force) const = 0;
   // Work [J] of loads inside the region (body forces, tractions on cracks) that nodal forces do not include. Entry (i,
-  // j): loads of part i on displacements of part j; parts are 0 (constant) and 1 (proportional).
+  // j) is the work of part i of the loads on part j of the displacements; part 0 is constant, part 1 proportional.
   virtual Eigen::Matrix2d work_within(const std::array<BodyForce, 2>& /*body_force*/,
                                       const std::vector<CrackLoad>& /*crack_loads*/) const {
     return Eigen::Matrix2d::Zero();

@@ -17,13 +17,13 @@ struct Cells {
   std::vector<std::int32_t> nodes;  // in the region's own numbering
 };
 
-// Cells of a region as a picture shows them, split along cracks, with the points that this adds.
+// Cells of a region as a picture shows them, split along cracks, with the points that are added where cells are split.
 struct RegionPicture {
-  std::vector<AddedPoint> added;  // numbered after the nodes
+  std::vector<AddedPoint> added;  // numbered after the region's nodes
   Cells cells;
 };
 
-// Block of a snapshot file to which a region is written, together with other regions that give the same name.
+// Block of a snapshot file. All regions whose blocks have the same name are written to one block.
 struct SnapshotBlock {
   std::string name;
   int number;  // blocks are written in this order
@@ -51,11 +51,12 @@ class RegionResults {
   virtual Cells cells() const = 0;
   virtual SnapshotBlock snapshot_block() const = 0;
   virtual RegionPicture picture(const Solution& /*solution*/) const { return {{}, cells()}; }
-  // Whether its cells are boundary elements, so that its interior needs a picture of its own.
+  // Whether the region's cells are boundary elements, so that its interior needs a picture of its own.
   virtual bool has_inside() const { return false; }
   // Field as written to snapshots, with one entry for each node.
   virtual FieldValues at_nodes(Field /*field*/, const FieldValues& values) const { return values; }
-  // Evaluator for places inside. `fields` and `solution` must outlive it; it has no stresses unless `with_stress`.
+  // Creates an evaluator for places in the region. `fields` and `solution` must outlive the evaluator; stresses are
+  // evaluated only if `with_stress`.
   virtual std::unique_ptr<Evaluator> evaluator(const Solution& solution, const FieldsOfRegion& fields,
                                                bool with_stress) const = 0;
   // Rank at interfaces: the region with the highest rank gives the values of places on an interface.

@@ -9,16 +9,19 @@ namespace bempd::regions {
 
 class LatticeSwelling;
 
-// Swelling of a region: strains of the free material, caused by temperature; set before operators are asked for.
+// Swelling of a region: strains that a change of temperature causes in the free material. They are set before operators
+// are asked for.
 class RegionSwelling {
  public:
   virtual ~RegionSwelling() = default;
 
-  // Takes a swelling strain. Throws Error (argument) if the region cannot swell in that way.
+  // Sets the swelling strain. Throws Error (argument) if the region cannot represent this field of strains.
   virtual void swell(const Swelling& strain, LatticeSwelling& lattices) = 0;
-  // Sets the rest elongations of the region's terms, if it has terms. Called after swell() of all regions.
+  // Sets the rest elongations of the region's energy terms (bonds and cell squares), if it has any. The function is
+  // called after swell() of all regions.
   virtual void set_rests(const LatticeSwelling& /*lattices*/, coupling::Terms& /*terms*/) const {}
-  // Displacement when the region swells freely (columns: constant, proportional part); empty if that causes stress.
+  // Displacement of a place when the region swells freely (columns: constant, proportional part); empty if free
+  // swelling causes stress.
   virtual std::optional<Eigen::Matrix2d> free_displacement(const Point& place) const = 0;
 };
 

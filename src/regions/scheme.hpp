@@ -32,7 +32,7 @@ class Scheme {
 // Creates the scheme that the option `scheme` names.
 std::unique_ptr<Scheme> make_scheme(const scene::Options& options);
 
-// Options that only the scheme in force has; all of them change its operators.
+// Options that only the chosen scheme has; each of them changes the scheme's operators.
 const std::vector<scene::OptionDescription>& scheme_options(const scene::Options& options);
 
 // Words that the option `scheme` may have.
@@ -47,8 +47,8 @@ struct SchemeEntry {
   std::vector<scene::OptionDescription> options;
 };
 
-// Adds a scheme to the list of schemes when an object of static duration is created in the scheme's own files. Nothing
-// else names the scheme, so a build without these files lacks it.
+// Adds a scheme to the list of schemes. The scheme's own files create an object of this class with static duration. No
+// other file names the scheme, so a build without the scheme's files lacks it.
 class SchemeRegistration {
  public:
   explicit SchemeRegistration(SchemeEntry entry);

@@ -9,11 +9,11 @@ namespace bempd::regions {
 
 enum class SingularKind { corner = 1, interface, crack, point };
 
-// Place where the stress of the elastic body is unbounded: near it displacements vary with the distance r as
-// r^exponent. At a loaded or held single point the exponent is 0 (logarithm).
+// Place where the stress of the elastic body is unbounded. Near the place, displacements vary as r^exponent with the
+// distance r. At a single point with a force or support the exponent is 0 (logarithm).
 struct SingularPlace {
   SingularKind kind;
-  int region;  // one that is there
+  int region;  // id of a region at the place
   Point place;
   std::complex<double> exponent;
 };

@@ -9,15 +9,17 @@
 
 namespace bempd::regions {
 
-// Swelling strains that temperature loads cause, by region id; those of several loads add up.
+// Swelling strains due to temperature loads, by region id. Strains of several loads on one region add up.
 using SwellingOfRegions = std::map<int, std::vector<Swelling>>;
 
-// Sets the rest lengths of bonds, cell squares and boundary elements for a swelling, before operators are asked for.
-// Throws Error (argument) for a boundary element region that cannot swell in that way.
+// Sets the rest elongations of bonds and cell squares (energy terms of lattice cells) and the rest displacements of
+// boundary elements for swelling strains. It is called before operators are made. Throws Error (argument) for a strain
+// that is not linear in x and y in a boundary element region.
 void swell(Discretization& discretization, const SwellingOfRegions& swelling);
 
-// Swelling that changes after the operators exist: returns the new rest elongations of all terms (constant and
-// proportional part), which the caller sets in `terms`. Operators have theirs in Region::nodes_of_operators().
+// Rest elongations of all energy terms (constant and proportional part) for swelling strains that change after the
+// operators exist. The caller sets them in `terms`. RegionOperators::nodes_of_operators() has the new rest
+// displacements.
 std::array<std::vector<double>, 2> changed_rest_elongations(Discretization& discretization,
                                                             const SwellingOfRegions& swelling,
                                                             const coupling::Terms& terms);
