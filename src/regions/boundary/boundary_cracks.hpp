@@ -4,7 +4,7 @@
 
 namespace bempd::regions {
 
-// Cracks with elements in a boundary element region: loads on their faces, tips, openings.
+// Cracks with elements in a boundary element region: loads on crack faces, tips, openings.
 class BoundaryCracks final : public CrackElements {
  public:
   BoundaryCracks(const Region& region, const NumberedMesh& mesh, const BoundaryParts& parts,

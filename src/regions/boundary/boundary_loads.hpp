@@ -4,7 +4,7 @@
 
 namespace bempd::regions {
 
-// Places of supports and loads in a boundary element region, and nodal forces of tractions and body forces.
+// Nodes of a boundary element region at which supports and loads act, and nodal forces of tractions and body forces.
 class BoundaryLoads final : public RegionLoads {
  public:
   BoundaryLoads(const Region& region, const NumberedMesh& mesh, const BoundaryParts& parts,

@@ -10,7 +10,7 @@
 
 namespace bempd::regions {
 
-// Elements of a region: their mesh, where its panels come from, and the material.
+// Elements of a region: their mesh, the sources of the mesh's panels, and the material.
 struct ElementsOfRegion {
   int region;  // id
   const BoundaryMesh& mesh;
@@ -18,22 +18,25 @@ struct ElementsOfRegion {
   const PlaneElasticity& elasticity;
 };
 
-// Method of boundary elements: what a scheme does in its own way in boundary element regions.
+// Method of boundary elements: what differs between schemes in boundary element regions.
 class BoundaryMethod {
  public:
   virtual ~BoundaryMethod() = default;
 
-  // Whether the method puts elements on cracks, and whether it may cut large regions into subdomains.
+  // Whether the method puts elements on cracks.
   virtual bool has_crack_elements() const = 0;
+  // Whether the method may cut large regions into subdomains.
   virtual bool cuts_large_regions() const = 0;
   virtual MeshingRules meshing_rules(const scene::Options& options) const = 0;
   virtual BoundaryMesh make_mesh(const std::vector<std::vector<Panel>>& loops) const = 0;
   // Solver for systems that contain the stiffness of a region.
   virtual const coupling::SolutionMethod& solution_method() const = 0;
-  // Builds the operator of a region without cracks. Throws Error (argument) for a material that it cannot have.
+  // Builds the operator of a region without cracks. Throws Error (argument) for a material that the method cannot
+  // treat.
   virtual std::shared_ptr<const bem::BoundaryOperator> make_operator(const ElementsOfRegion& elements,
                                                                      const bem::AssemblyOptions& assembly) const = 0;
-  // Stiffness where it depends on the neighbours of edges; empty to keep that of the operator.
+  // Stiffness of a region, if it depends on the neighbours of the region's edges; empty to use the stiffness of
+  // `whole`.
   virtual Eigen::MatrixXd own_stiffness(const scene::Scene& /*scene*/, const ElementsOfRegion& /*elements*/,
                                         const bem::BoundaryOperator& /*whole*/) const {
     return {};

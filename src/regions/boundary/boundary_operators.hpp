@@ -8,8 +8,9 @@
 
 namespace bempd::regions {
 
-// Operators of a boundary element region: the one of the whole region, or those of its parts, as stiffnesses on its
-// nodes. Regions that are alike share them, and unchanged ones are kept while cracks grow.
+// Operators of a boundary element region, as stiffness matrices on its nodes: one operator of the whole region, or one
+// of each subdomain. Regions of equal mesh and material share operators. Operators that the growth of cracks does not
+// change are kept.
 class BoundaryOperators final : public RegionOperators {
  public:
   BoundaryOperators(const Region& region, const BoundaryMethod& method, const NumberedMesh& mesh, BoundaryParts& parts,
@@ -17,10 +18,10 @@ class BoundaryOperators final : public RegionOperators {
       : region_(region), method_(method), mesh_(mesh), parts_(parts), swelling_(swelling) {}
 
   void build(const Preparation& preparation);
-  // Parts of the region in the scene with shorter cracks; null without that.
+  // Parts that the region had before its cracks grew; null if there is no discretization from before.
   const BoundaryParts* parts_before_growth(const Preparation& preparation) const;
 
-  // Operator of the whole region; null if subdomains have theirs.
+  // Operator of the whole region; null if the region is cut into subdomains, which have operators of their own.
   const bem::BoundaryOperator* whole() const { return whole_.get(); }
   // Stiffness of the whole region on the nodes of its mesh.
   const Eigen::MatrixXd& mesh_stiffness() const { return stiffness_.size() > 0 ? stiffness_ : whole_->stiffness(); }
@@ -43,7 +44,7 @@ class BoundaryOperators final : public RegionOperators {
   BoundaryParts& parts_;
   const BoundarySwelling& swelling_;
   std::shared_ptr<const bem::BoundaryOperator> whole_;  // shared by regions that are alike
-  Eigen::MatrixXd stiffness_;                           // on the mesh's nodes, if not the operator's own
+  Eigen::MatrixXd stiffness_;                           // on the mesh's nodes; empty if it is that of the operator
 };
 
 }  // namespace bempd::regions

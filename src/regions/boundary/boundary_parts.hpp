@@ -13,38 +13,43 @@
 
 namespace bempd::regions {
 
-// Parts of a boundary element region with operators of their own: subdomains, into which a large region is cut, and
-// what contains cracks, which is one or more of the subdomains or the whole region.
+// Parts of a boundary element region that have operators of their own: the subdomains into which a large region is cut,
+// and the parts with cracks. A part with cracks is a subdomain, or the whole region if the region is not cut.
 class BoundaryParts {
  public:
   explicit BoundaryParts(const Region& region) : region_(region) {}
 
-  // --- Preparation, in this order; `before` are the parts of the region with shorter cracks, null without that.
+  // --- Preparation, in this order. `before` are the parts of the region before its cracks grew; null if there are
+  // none.
 
-  // Finds the region's cracks, and makes the panels of its edges, which end at their mouths.
+  // Finds the region's cracks, and makes the panels of the region's edges, which end at the mouths of cracks.
   BoundaryPanels find_cracks(const Preparation& preparation, const MeshingRules& rules);
-  // Cuts the region with this mesh into subdomains if it is large and the method does that.
+  // Cuts the region with this mesh into subdomains if it is large and the method allows cuts.
   void cut_if_large(const Preparation& preparation, const BoundaryMethod& method, const BoundaryMesh& mesh,
                     const BoundaryParts* before);
   // Meshes the cracks, which adds nodes and faces to the region's mesh.
   void mesh_cracks(const scene::Options& options, BoundaryMesh& mesh, std::vector<PanelSource>& panels);
-  // Builds the operators of subdomains, some of which the subdomains `lent` already have, and of parts with cracks.
+  // Builds the operators of subdomains and of parts with cracks. Operators that subdomains in `lent` already have are
+  // used again.
   void build(const Preparation& preparation, const bem::AssemblyOptions& assembly, const BoundaryMesh& mesh,
              const std::vector<const RegionSubdomains*>& lent, const BoundaryParts* before);
 
   // --- Parts
 
-  const RegionCracks* cracks() const { return cracks_.get(); }              // null without
+  const RegionCracks* cracks() const { return cracks_.get(); }              // null if there are none
   const RegionSubdomains* subdomains() const { return subdomains_.get(); }  // null if one operator serves the region
   const std::vector<CrackedPart>& cracked() const { return cracked_; }
   bool is_whole_with_cracks() const { return cracks_ && !subdomains_; }
   // Whether cracks cut the region, or a subdomain of it, into pieces.
   bool are_in_pieces() const;
-  // Pairs of the mesh's nodes at joints of cracks that may continue in a lattice, which those in subdomains do not.
+  // Pairs of the mesh's nodes before and behind the mouth at each joint of cracks (negative numbers for a joint
+  // inside). Empty if the region has no cracks, or is cut into subdomains, whose cracks do not continue in a lattice.
   std::span<const std::array<int, 2>> mouths() const;
-  // Adds a warning if there are many elements in a narrow gap beside a crack of a region in one part.
+  // Adds a warning if a narrow gap beside a crack takes many elements; only for a region that is not cut into
+  // subdomains.
   void warn_of_gap(const BoundaryMesh& mesh, std::vector<std::string>& warnings) const;
-  // Estimated memory [B] that preparing takes with `times` the number of `elements` on the boundary.
+  // Estimated memory [B] that preparing takes with `times` as many elements, of which there are `elements` on the
+  // boundary.
   double memory_of_preparing(double elements, double times) const;
 
  private:

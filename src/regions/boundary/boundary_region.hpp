@@ -9,7 +9,8 @@
 
 namespace bempd::regions {
 
-// Boundary element region: its mesh and nodes, its operators, and what follows from them. The method is the scheme's.
+// Boundary element region: its mesh and nodes, its operators, and the loads and results that follow from them. The
+// scheme chooses the method.
 class BoundaryRegion final : public Region {
  public:
   BoundaryRegion(int id, const scene::Material& material, std::unique_ptr<const BoundaryMethod> method);

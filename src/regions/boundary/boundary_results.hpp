@@ -4,7 +4,7 @@
 
 namespace bempd::regions {
 
-// Fields on the boundary of a boundary element region, and values inside.
+// Fields on the boundary of a boundary element region, and values at places inside the region.
 class BoundaryResults final : public RegionResults {
  public:
   BoundaryResults(const Region& region, const NumberedMesh& mesh, const BoundarySwelling& swelling,

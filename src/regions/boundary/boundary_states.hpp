@@ -8,8 +8,8 @@
 
 namespace bempd::regions {
 
-// State of a boundary element region in a solution: displacements, tractions, and openings of cracks without those of
-// free swelling and of the particular solution of its body force, from which the values inside follow.
+// State of a boundary element region in a solution: displacements, tractions, and openings of cracks, from which values
+// inside the region follow. Free swelling and the particular solution of the body force are subtracted from them.
 class BoundaryStates {
  public:
   BoundaryStates(const Region& region, const NumberedMesh& mesh, const BoundaryParts& parts,
@@ -22,21 +22,24 @@ class BoundaryStates {
         swelling_(swelling),
         particulars_(particulars) {}
 
-  // Openings and tractions of each part with cracks: in a solution; and for displacements of the scene's nodes and the
-  // loads on faces, `constant` and `proportional` being the factors of the two parts of loads and swelling.
+  // State (openings and tractions) of each part with cracks in a solution.
   std::vector<bem::CrackedState> of_cracked_parts(const Solution& solution) const;
+  // State of each part with cracks for displacements of the scene's nodes. `constant` and `proportional` are factors of
+  // the constant and of the proportional part of loads and swelling.
   std::vector<bem::CrackedState> of_cracked_parts(const Eigen::VectorXd& displacement, const Solution& solution,
                                                   double constant, double proportional) const;
-  // Tractions on the traction nodes of the boundary.
+  // Tractions at the traction nodes of the boundary.
   Eigen::VectorXd tractions(const LinearBodyForce& particular, const Solution& solution) const;
   // Stress (xx, yy, xy) at the three nodes of each element of the boundary.
   std::vector<double> element_stress(const LinearBodyForce& particular, const Solution& solution) const;
-  // Evaluators of the interior, one for each piece into which cracks cut the region.
+  // Evaluator of the region's interior, which has one evaluator for each piece into which cracks or cuts divide the
+  // region.
   InteriorOfPieces inside(const LinearBodyForce& particular, const Solution& solution) const;
 
  private:
-  // Displacements of places() without those of free swelling; then also without those of the particular solution.
+  // Displacements at NumberedMesh::places() without those of free swelling.
   Eigen::VectorXd elastic(const Eigen::VectorXd& displacement, double constant, double proportional) const;
+  // Displacements at NumberedMesh::places() without those of free swelling and of the particular solution.
   Eigen::VectorXd displacement(const LinearBodyForce& particular, const Solution& solution) const;
   bem::InteriorEvaluator inside_of_one_piece(const LinearBodyForce& particular, const Solution& solution) const;
 

@@ -10,10 +10,11 @@ class BoundarySwelling final : public RegionSwelling {
  public:
   BoundarySwelling(const Region& region, const NumberedMesh& mesh) : region_(region), mesh_(mesh) {}
 
-  // Takes a swelling strain. Throws Error (argument) for one that is not linear: it causes stress in the interior.
+  // Sets the swelling strain. Throws Error (argument) for a strain that is not linear in x and y, because it causes
+  // stress in the interior.
   void swell(const Swelling& strain, LatticeSwelling& lattices) override;
   std::optional<Eigen::Matrix2d> free_displacement(const Point& place) const override;
-  // Rest displacements of the region's nodes; without rows if it does not swell.
+  // Rest displacements of the region's nodes (in free swelling); no rows if the region does not swell.
   const coupling::Affine& rest() const { return rest_; }
 
  private:

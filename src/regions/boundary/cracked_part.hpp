@@ -14,22 +14,22 @@
 
 namespace bempd::regions {
 
-// Traction of a particular solution on a plane with this normal.
+// Traction of a particular solution at a place x on a plane with this normal.
 Point traction_of(const LinearBodyForce& particular, const Point& x, const Point& normal);
 
-// Part of a boundary element region with cracks that has an operator of its own: the whole region, or a subdomain.
+// Part with cracks of a boundary element region, which has an operator of its own: a subdomain, or the whole region.
 struct CrackedPart {
   std::unique_ptr<const MeshedCracks> cracks;
   std::size_t subdomain = 0;
-  std::vector<int> nodes;  // of each of its nodes: the number among the region's places; empty for the whole region
+  std::vector<int> nodes;  // numbers of its nodes among the region's places; empty for the whole region
   std::shared_ptr<const bem::CrackedOperator> body;
-  std::shared_ptr<const bem::NormalOpenings> closing;  // null unless cracks close
+  std::shared_ptr<const bem::NormalOpenings> closing;  // null if crack faces cannot close
 
-  // Builds the operator, and what closes the faces if `faces_close`. What it has in common with `before` (null: none),
-  // the part with shorter cracks, is taken from there.
+  // Builds the operator and, if `faces_close`, the contact constraints of crack faces. `before` is the part before its
+  // cracks grew (null: none); what has not changed is taken from there.
   void build(const BoundaryMesh& mesh, const PlaneElasticity& elasticity, const bem::AssemblyOptions& assembly,
              bool faces_close, const CrackedPart* before);
-  // Whether a crack has elements in both parts.
+  // Whether some crack has elements in this part and in `other`.
   bool shares_crack_with(const CrackedPart& other) const;
 
   const bem::CrackMesh& elements() const { return cracks->elements(); }
@@ -40,34 +40,39 @@ struct CrackedPart {
   // Adds values at the part's nodes to those at all places of the region.
   void add(const Eigen::VectorXd& own, Eigen::VectorXd& all) const;
 
-  // Pieces into which cracks cut the part; none if they do not. `node_at` gives the scene's node at a place of the
-  // region, -1 where nodes follow others.
+  // Pieces into which cracks cut the part; none if the part stays in one piece. `node_at` gives the scene's node at a
+  // place of the region, or -1 if the displacement there follows from other nodes.
   std::vector<coupling::BodyPiece> pieces(const std::function<int(int)>& node_at) const;
-  // Nodal forces on the openings of cracks: those of a traction on their faces (empty: 0), of a particular solution's
-  // tractions, and of loads, constant part (column 0) and proportional part (column 1).
+  // Nodal forces, on the openings of cracks, of a traction on crack faces; zeros if the traction is empty.
   Eigen::VectorXd forces_of(const bem::FaceTraction& traction) const;
+  // Nodal forces, on the openings of cracks, of the tractions of a particular solution.
   Eigen::VectorXd forces_of(const LinearBodyForce& particular) const;
+  // Nodal forces, on the openings of cracks, of loads: constant part (column 0) and proportional part (column 1).
   Eigen::MatrixX2d forces_of(const std::vector<CrackLoad>& loads) const;
   // Nodal forces on the boundary that a traction on crack faces causes.
   Eigen::VectorXd on_boundary(const bem::FaceTraction& traction) const;
-  // Gaps between faces that close, for displacements of the part's nodes and forces on openings.
+  // Gaps at the contact constraints of crack faces, for displacements of the part's nodes and forces on the openings
+  // (columns: constant and proportional part) [m].
   coupling::Affine gaps(const Eigen::MatrixX2d& displacements, const Eigen::MatrixX2d& forces) const;
-  // Constraints of crack faces that close, by displacements of the nodes that `trace` refers to; null without them.
+  // Contact constraints of crack faces, in terms of the displacements of nodes; null if crack faces cannot close. The
+  // matrix `trace` gives the displacements of the part's nodes from those of these nodes.
   std::shared_ptr<const coupling::ExactConstraints> constraints_for(const Eigen::SparseMatrix<double>& trace) const;
-  // Openings and tractions for displacements at all places, a traction on the faces, and faces that are closed.
+  // State (openings and tractions) of the part for displacements at all places of the region, a traction on crack
+  // faces, and flags of the contact constraints that are closed.
   bem::CrackedState state(const Eigen::VectorXd& displacements, bem::FaceTraction traction,
                           const std::vector<char>& closed) const;
 
-  // Particular solutions of body forces, of the constant and of the proportional part: displacements of the part's
-  // nodes, and the forces of their tractions on crack faces.
+  // Particular solutions of the constant and of the proportional part of a body force (columns): displacements of the
+  // part's nodes, and nodal forces of the solutions' tractions on crack faces.
   struct Particulars {
     Eigen::MatrixX2d displacements, face_forces;
   };
   // Work of loads inside the body that nodal forces do not include. The stiffness K couples the boundary's
-  // displacements u and the openings  w = K_ww^-1 (f - K_wu u)  due to forces f on crack faces. These do the work f.w,
-  // of which the nodal forces contain the part that depends on u. A body force has a particular solution u_p with
-  // forces f_p on the faces; u and f are then without these. By Betti's theorem a force f does the additional work
-  // -v.f, with v = K_ww^-1 (f_p - K_wu u_p).
+  // displacements u and the openings  w = K_ww^-1 (f - K_wu u)  due to forces f on crack faces. The forces f do the
+  // work f.w on the openings. Nodal forces contain the part of this work that depends on u, so that f.K_ww^-1 f is
+  // left. If there is a body force, u and f are taken without its particular solution u_p and without the forces f_p of
+  // that solution on the faces. By Betti's theorem the work then has the additional terms v.f_p - f.v - v.f, with v =
+  // K_ww^-1 (f_p - K_wu u_p).
   Eigen::Matrix2d work_of(const Eigen::MatrixX2d& forces, const Particulars& particular) const;
 };
 

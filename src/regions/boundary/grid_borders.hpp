@@ -4,8 +4,8 @@
 
 #include "regions/boundary/boundary_meshing.hpp"
 
-// Elements on interfaces with a region that has nodes at fixed places (grid points or points on its outline). Pieces of
-// such interfaces end at these points, or at the mouth of a crack half way between two of them.
+// Elements on interfaces with a region that has nodes at fixed places (grid points, or points on its outline). Pieces
+// of such interfaces end at nodes of that region, or at the mouth of a crack half way between two such nodes.
 namespace bempd::regions {
 
 class OutlinedRegion;

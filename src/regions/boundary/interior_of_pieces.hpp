@@ -8,20 +8,22 @@
 
 namespace bempd::regions {
 
-// Evaluates displacement and stress inside a region of several pieces, into which cracks or the library have cut it, by
-// the evaluator of the piece in which a place lies.
+// Evaluates displacement and stress inside a boundary element region that cracks or cuts divide into pieces. Each piece
+// has an evaluator of its own for the places that lie in it.
 class InteriorOfPieces {
  public:
-  // Creates the evaluator for a region of one piece.
+  // Creates the evaluator of a region that is one piece from the evaluator `whole` of that piece.
   explicit InteriorOfPieces(bem::InteriorEvaluator whole) { interiors_.push_back(std::move(whole)); }
   InteriorOfPieces() = default;
-  // Adds a piece with this boundary, or all pieces of a part that has cracks.
+  // Adds a piece; `mesh` is the mesh of its boundary.
   void add(bem::InteriorEvaluator piece, const BoundaryMesh& mesh);
+  // Adds all pieces of a part with cracks. Places closer to a crack than `tolerance` count as lying on the crack.
   void add(const bem::CrackedOperator& body, const bem::CrackedState& state, double tolerance);
 
   bem::InteriorEvaluator::Value at(const Point& x) const { return interiors_[piece_at(x)].at(x); }
   Point displacement_at(const Point& x) const { return interiors_[piece_at(x)].displacement_at(x); }
-  // Chooses the right face for places on cracks, including those between two pieces; the left face if `right` is false.
+  // Chooses the face of cracks whose values are returned for places on a crack, inside a piece or between two pieces:
+  // the right face, or the left face if `right` is false.
   void choose_right_face(bool right);
   std::int64_t kernel_evaluations() const;
 
@@ -33,8 +35,8 @@ class InteriorOfPieces {
   std::size_t piece_at(const Point& x) const;
 
   std::vector<bem::InteriorEvaluator> interiors_;
-  std::vector<std::vector<Edge>> edges_;  // of each piece
-  std::vector<Box> boxes_;                // around them
+  std::vector<std::vector<Edge>> edges_;  // outline of each piece
+  std::vector<Box> boxes_;                // around the pieces
   std::vector<Cut> cuts_;
   double tolerance_ = 0;
   bool from_right_ = false;

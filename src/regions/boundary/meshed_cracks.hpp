@@ -11,13 +11,14 @@
 
 namespace bempd::regions {
 
-// Extent of a piece of a crack along the crack [m].
+// Extent of a piece of a crack, as distances and lengths along the crack [m].
 struct CrackExtent {
-  double start, length;             // of the piece's start; of all of the crack
-  double given_from, given_length;  // start and length of the crack before it grew
+  double start, length;             // start of the piece; length of the whole crack
+  double given_from, given_length;  // start and length of the part that the host described
 };
 
-// Lines of cracks with the ends of their elements, as ways along each line. A line's `crack` is the number of its path.
+// Lines into which tips, joints and mouths divide cracks, with the ends of the elements on each line (`stations`), as
+// distances along the line. The member `crack` of a line is the index of the line's path in `paths`.
 struct CracksToMesh {
   std::vector<CrackPath> paths;
   std::vector<CrackExtent> extents;
@@ -25,19 +26,19 @@ struct CracksToMesh {
   std::vector<std::vector<double>> stations;
 };
 
-// Cracks with elements in one body that has one operator: a region, or a subdomain of it. It knows the openings and the
-// tractions on the faces.
+// Elements on the cracks of a part of a region that has one operator (the whole region or a subdomain), with the
+// openings of the cracks and the tractions on their faces.
 class MeshedCracks {
  public:
-  // Meshes the cracks. It splits nodes of the boundary's mesh at mouths, and adds to that mesh the faces of cracks that
-  // separate two pieces.
+  // Meshes the cracks. Nodes of the mesh `boundary` are split at mouths of cracks, and faces of cracks that separate
+  // two pieces are added to that mesh.
   MeshedCracks(CracksToMesh cracks, BoundaryMesh& boundary, double tolerance);
 
   const bem::CrackMesh& elements() const { return mesh_; }
   double tolerance() const { return tolerance_; }
 
   const CrackLines& lines() const { return lines_; }
-  // Cracks that have elements here, by their numbers in the scene.
+  // Ids of the cracks that have elements in the part, ascending.
   std::vector<int> ids() const;
   bool has(int crack) const;
   int id_of(const bem::CrackTip& tip) const { return paths_[lines_.lines[tip.line].crack].id; }
@@ -48,28 +49,28 @@ class MeshedCracks {
     return tip.end == bem::TipEnd::end ? std::max(0.0, behind) : extent.given_from;
   }
   // Traction on crack faces: constant part of the loads times `constant` plus proportional part times `proportional`;
-  // empty without loads.
+  // empty if no load acts on the part's cracks.
   bem::FaceTraction traction(const std::vector<CrackLoad>& loads, double constant, double proportional) const;
   // Opening at a fraction of a crack's length: tangential and normal component [m].
   Point opening_at(int crack, double fraction, const bem::CrackedState& state) const;
   std::vector<CrackPicture> pictures(const bem::CrackedState& state) const;
   std::optional<Overlap> overlap(const bem::CrackedState& state) const;
-  // Whether part of the crack lies inside a piece, so that it does not separate two pieces.
+  // Whether some part of the crack lies inside a piece, so that this part does not separate two pieces.
   bool has_inside(int crack) const;
 
  private:
   // Element on a crack, inside a piece or between two pieces, with its openings.
   struct Opened {
     int line;
-    double from, to;  // ways along its line
+    double from, to;  // distances along its line [m]
     bem::TipEnd tip;
     std::array<Point, 3> places, openings;
   };
   std::vector<Opened> opened(const bem::CrackedState& state) const;
   static std::array<Point, 3> openings_on(const bem::CrackElement& element, const bem::CrackedState& state);
   static std::array<Point, 3> openings_on(const bem::CutElement& element, const bem::CrackedState& state);
-  // Fraction of the crack's original length at a place on a line. Loads refer to it, so that they stay in place when
-  // the crack grows; beyond the original ends it stays 0 or 1.
+  // Fraction of the described crack's length at a place on a line; 0 or 1 beyond the described ends. Loads are
+  // functions of this fraction, so that they stay in place when the crack grows.
   double fraction_at(int line, const Point& x) const;
 
   double tolerance_;
@@ -77,7 +78,7 @@ class MeshedCracks {
   std::vector<CrackExtent> extents_;
   CrackLines lines_;
   bem::CrackMesh mesh_;
-  std::vector<std::array<Point, 3>> cut_places_;  // of its elements between pieces
+  std::vector<std::array<Point, 3>> cut_places_;  // places of the nodes of elements between two pieces
 };
 
 }  // namespace bempd::regions

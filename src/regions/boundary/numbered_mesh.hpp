@@ -11,19 +11,20 @@
 
 namespace bempd::regions {
 
-// Mesh of a boundary element region, where its elements come from, and its nodes in the scene. Mid nodes of elements at
-// a grid are not nodes of the scene: the displacement there is linear between grid points, so that a constant traction
-// has its exact nodal forces.
+// Mesh of a boundary element region, the sources of its panels, and the numbers of its nodes in the scene. The mid node
+// of an element at a grid is not a node of the scene. The displacement is linear between grid points there, so that a
+// constant traction has its exact nodal forces.
 class NumberedMesh final : public ElementBorders {
  public:
   explicit NumberedMesh(const Region& region) : region_(region) {}
 
   // Takes the mesh, the sources of its panels, and the places of nodes on cuts between subdomains.
-  // `middles_follow_ends`: at grids that the elements follow.
+  // `middles_follow_ends`: whether the mid node of an element that follows a grid has the mean displacement of the
+  // element's ends.
   void take(BoundaryMesh mesh, std::vector<PanelSource> panels, const std::vector<Point>& on_cuts,
             bool middles_follow_ends);
-  // Numbers the nodes, and returns their numbers in the scene. `mouths` are the nodes before and behind the mouth at
-  // each joint of cracks that may continue in a lattice; the first is negative for a joint inside.
+  // Numbers the nodes, and returns their numbers in the scene. `mouths` has the nodes before and behind the mouth at
+  // each joint of cracks that may continue in a lattice; the first number is negative for a joint inside the region.
   std::vector<int> number(const Preparation& preparation, NodeRegistry& registry,
                           std::span<const std::array<int, 2>> mouths);
 
@@ -32,12 +33,13 @@ class NumberedMesh final : public ElementBorders {
   const PanelSource& source_of(const BoundaryElement& element) const {
     return panels_[static_cast<std::size_t>(element.panel)];
   }
-  // Places of the mesh's nodes, and of those on cuts between subdomains.
+  // Places of the mesh's nodes, followed by the places of the nodes on cuts between subdomains.
   const std::vector<Point>& places() const { return places_; }
   // Matrix that gives the displacements at places() from those of the region's nodes.
   const Eigen::SparseMatrix<double>& trace() const { return trace_; }
-  // Node of the scene for each node of the mesh, or (node_at) for one of places(); -1 where a node follows others.
+  // Node of the scene for each node of the mesh; -1 if the node's displacement follows from other nodes.
   const std::vector<int>& scene_nodes() const { return scene_nodes_; }
+  // Node of the scene at one of places(); -1 if the displacement there follows from other nodes.
   int node_at(int place) const;
 
   std::vector<LeadingElements> leading_elements() const override;

@@ -6,8 +6,8 @@
 
 namespace bempd::regions {
 
-// Particular solutions of body forces in a boundary element region: each carries its body force without regard to the
-// boundary.
+// Particular solutions of body forces in a boundary element region: displacement fields that are in equilibrium with a
+// body force, whatever the conditions on the boundary.
 class ParticularSolutions {
  public:
   ParticularSolutions(const Region& region, const NumberedMesh& mesh, const BoundaryParts& parts,
@@ -17,13 +17,14 @@ class ParticularSolutions {
   LinearBodyForce of(const BodyForce& body_force) const;
   // Particular solution of the body force that the region has in a solution.
   LinearBodyForce of(const Solution& solution) const { return of(solution.body_force(region_.id())); }
-  // Displacements u_p at places(), and the forces K u_p - f(t_p) by which a particular solution changes nodal forces.
+  // Displacements u_p of a particular solution at NumberedMesh::places().
   Eigen::VectorXd displacement(const LinearBodyForce& particular) const;
+  // Forces K u_p - f(t_p) by which a particular solution u_p with the tractions t_p changes nodal forces.
   Eigen::VectorXd force_change(const LinearBodyForce& particular) const;
   // Particular solutions at the nodes and on the crack faces of a part.
   CrackedPart::Particulars in_part(const std::array<BodyForce, 2>& body_force, const CrackedPart& part) const;
-  // Part of a body force's work [J] that nodal forces do not include; `other` is the body force of the state it works
-  // on.
+  // Part of a body force's work [J] that nodal forces do not include. `other` is the body force of the state on whose
+  // displacements the work is done.
   double work(const BodyForce& body_force, const BodyForce& other) const;
 
  private:

@@ -9,8 +9,8 @@
 
 namespace bempd::regions {
 
-// Regions of one kind that act as one with a region, touching it directly or through others, itself included; by
-// ascending id.
+// Regions of the class `Kind` that form one lattice with a region: those that touch the region, directly or through
+// other such regions, and the region itself; by ascending id.
 template <class Kind>
 std::vector<Kind*> touching_that_act_as_one(Kind& region, const Preparation& preparation) {
   const auto& contacts = preparation.arrangement.contacts;

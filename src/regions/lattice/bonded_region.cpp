@@ -63,8 +63,8 @@ void BondedRegion::add_own_bonds(const Preparation& preparation, const Contribut
                            breaking.between(shares, bond.first, bond.second));
 }
 
-// Nodal force at each node by the tractions on this edge alone, which are those of the stress at the node. (Edges that
-// meet in a node share its reaction in the ratio of these forces.)
+// Force at each node that the tractions on this edge alone make; they are the tractions of the stress at the node.
+// (Edges that meet at a node share the node's reaction in the ratio of these forces.)
 std::vector<Point> BondedRegion::forces_on_edge(const EdgeSpan& span, const std::vector<int>& nodes_of_scene,
                                                 const FieldsOfRegion& fields) const {
   const std::vector<double>& stress = fields(Field::stress).values;

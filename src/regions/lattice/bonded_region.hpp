@@ -44,7 +44,8 @@ class BondedRegion : public Region,
   std::size_t first_bond() const override { return bonds_.first; }
   std::vector<int> terms() const override;
 
-  // Squares of the region's cells; null if it can have none.
+  // Cell squares of the region (energy terms of cells, for other Poisson's ratios than that of bonds); null if this
+  // class of regions has none.
   virtual const RegionSquares* squares() const { return nullptr; }
   // Whether bonds connect this region to another one where the two touch.
   virtual bool shares_bonds_with(const BondedRegion& other) const { return this == &other; }
@@ -66,14 +67,16 @@ class BondedRegion : public Region,
  protected:
   // Damage of each point: 1 - number of intact bonds / number of bonds without any crack.
   virtual FieldValues damage(const std::vector<char>& intact) const;
-  // Crack in grid coordinates; and whether it may pass through material points, which stay bonded to both faces.
+  // Crack in grid coordinates.
   std::vector<Point> on_grid(const scene::Crack& crack) const;
+  // Whether cracks may pass through material points, which then stay bonded to both faces.
   virtual bool cracks_may_meet_points() const { return false; }
 
-  // Adds the bonds of the region's network to the scene's; they become consecutive there.
+  // Adds the bonds of the region's network to the scene's bonds, where they become consecutive.
   void add_own_bonds(const Preparation& preparation, const Contributions& contributions);
 
-  // Row of points on a straight interface, in order and `point_distance` from each other.
+  // Row of material points on a straight interface, in order, with the distance `point_distance` between neighbours
+  // [m].
   PointRow row_of(const std::vector<int>& points, double point_distance) const;
 
   double critical_stretch(const scene::Options& options) const;

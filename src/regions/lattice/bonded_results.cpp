@@ -62,7 +62,7 @@ FieldValues BondedRegion::stress(const Solution& solution) const {
   displacement /= spacing();
   const pd::BondStates states = bonds_.states(solution);
   auto strains = pd::bond_strains(count, *network(), states, displacement);
-  strains.resize(own);  // at the others some bonds are missing
+  strains.resize(own);  // only own points have all of their bonds
   std::vector<Eigen::Vector3d> stresses;
   stresses.reserve(strains.size());
   for (const Eigen::Vector3d& strain : strains) stresses.push_back(pd::stress_of(strain, elasticity()));

@@ -17,8 +17,9 @@ std::vector<Eigen::RowVector2d> BondedSwelling::strains_of_points(const LatticeS
   return strains;
 }
 
-// Sets rest elongations for swelling: a bond takes the mean strain of its ends, a square that of its corners. A linear
-// strain, which the body follows without stress, then causes no force in any of them.
+// Sets rest elongations for swelling: a bond takes the mean strain of its two ends, a cell square the mean strain of
+// its corners. A strain that is linear in the place, which the body follows without stress, then causes no force in
+// bonds and cell squares.
 void BondedSwelling::set_rests(const LatticeSwelling& lattices, coupling::Terms& terms) const {
   const std::vector<Eigen::RowVector2d> strains = strains_of_points(lattices);
   for (std::size_t b = 0; b < bonds_.all().size(); ++b) {

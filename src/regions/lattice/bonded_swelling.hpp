@@ -6,7 +6,7 @@
 
 namespace bempd::regions {
 
-// Swelling of a peridynamic region: rest elongations of its bonds and squares.
+// Swelling of a peridynamic region, which sets the rest elongations of the region's bonds and cell squares.
 class BondedSwelling final : public RegionSwelling {
  public:
   BondedSwelling(const BondedRegion& region, const SceneBonds& bonds) : region_(region), bonds_(bonds) {}
@@ -20,7 +20,7 @@ class BondedSwelling final : public RegionSwelling {
   // regions at which its bonds end.
   std::vector<Eigen::RowVector2d> strains_of_points(const LatticeSwelling& lattices) const;
 
-  const BondedRegion& region_;  // which says whose bonds it shares
+  const BondedRegion& region_;  // which tells with which regions it shares bonds
   const SceneBonds& bonds_;
   bool is_swollen_ = false;
   std::optional<FreeSwelling> free_swelling_;  // empty if the region cannot swell freely

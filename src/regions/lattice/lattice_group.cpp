@@ -18,7 +18,7 @@ pd::CellLattice union_of(const std::vector<LatticeRegion*>& members) {
   return pd::CellLattice::union_of(parts);
 }
 
-// Points of all members as those of the union of their cells, in grid coordinates of the first one.
+// Points of all members as points of the union of their cells, in grid coordinates of the first member.
 SharedPoints points_of(const std::vector<LatticeRegion*>& members, const pd::CellLattice& cells) {
   std::vector<SharedPoints::Member> shared;
   for (LatticeRegion* member : members) {
@@ -33,7 +33,7 @@ SharedPoints points_of(const std::vector<LatticeRegion*>& members, const pd::Cel
   return {std::move(shared), std::move(places)};
 }
 
-// Squares of the cells of a member (SceneBonds::squares), out of those of the union.
+// Numbers of a member's cell squares (SceneBonds::squares), taken from those of the union of all cells.
 std::vector<int> squares_of(const SharedPoints::Member& member, const pd::CellLattice& grid,
                             const std::vector<int>& squares) {
   if (squares.empty()) return {};

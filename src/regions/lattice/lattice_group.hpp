@@ -6,16 +6,16 @@
 
 namespace bempd::regions {
 
-// Group of lattice regions that touch and form one lattice: bonds are made for the union of their cells.
+// Group of lattice regions (its members) that touch and form one lattice: bonds are made for the union of their cells.
 class LatticeGroup {
  public:
   explicit LatticeGroup(std::vector<LatticeRegion*> members) : members_(std::move(members)) {}
 
-  const std::vector<LatticeRegion*>& members() const { return members_; }  // by id
+  const std::vector<LatticeRegion*>& members() const { return members_; }  // ordered by id
 
-  // Adds the bonds of the group, once all members have numbered their nodes. The order of the scene's bonds is: those
-  // of each member in turn, then those that belong to no single member. Returns false and changes nothing if no network
-  // exists for the union of all cells.
+  // Adds the bonds of the group, once all members have numbered their nodes. In the scene the bonds between points of
+  // each member come first, member by member, then the bonds between points of different members. Returns false and
+  // changes nothing if no network exists for the union of all cells.
   bool add_bonds(const Preparation& preparation, const Contributions& contributions) const;
 
  private:

@@ -5,8 +5,8 @@ namespace bempd::regions {
 
 namespace {
 
-// Rule of crack growth: cracks grow as lines only in the scheme symmetric, event by event; otherwise bonds break one by
-// one.
+// Rule of crack growth: cracks grow as lines (in steps of one lattice spacing) only in the symmetric scheme, event by
+// event; otherwise bonds break one by one.
 std::string crack_rule_in_effect(const scene::Options& options) {
   const std::string rule = options.text_value("crack.rule");
   const bool has_lines = options.text_value("scheme") == "symmetric" && options.text_value("paper.mode") == "event";

@@ -79,7 +79,7 @@ void LatticeRegion::build(const Preparation& preparation, Contributions& contrib
   if (!group_) {
     bond_alone(preparation, contributions);
   } else if (group_->members().back() == this) {
-    // The last region of a group adds the bonds of all members, because all need to have their nodes.
+    // The last region of a group adds the bonds of all members, because all members need to have numbered their nodes.
     const std::shared_ptr<LatticeGroup> group = std::move(group_);
     const bool as_one = group->add_bonds(preparation, contributions);
     for (LatticeRegion* member : group->members()) {
@@ -94,7 +94,7 @@ bool LatticeRegion::acts_as_one_with(const LatticeRegion& other) const {
 }
 
 bool LatticeRegion::shares_bonds_with(const BondedRegion& other) const {
-  if (this == &other) return true;  // also where none acts as one with another, as in scheme paper
+  if (this == &other) return true;  // also in schemes without groups, such as paper
   const auto* lattice = dynamic_cast<const LatticeRegion*>(&other);
   return lattice && acts_as_one_with(*lattice);
 }
@@ -108,8 +108,8 @@ pd::Network LatticeRegion::make_network(const pd::CellLattice& cells, int thread
   return pd::build_network(cells, horizon_ratio(), elasticity(), threads);
 }
 
-// Takes the network of an earlier region that differs only by a translation or the spacing; builds one if there is
-// none.
+// Takes the network of an earlier region that differs only by a translation or by the spacing; builds a network if
+// there is no such region.
 void LatticeRegion::take_network(const Preparation& preparation, std::vector<std::string>& warnings) {
   for (const auto& other : preparation.regions) {
     if (other.get() == this) break;

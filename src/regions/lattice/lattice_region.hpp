@@ -42,7 +42,8 @@ class LatticeRegion : public BondedRegion {
 
   // --- Functions for the group of regions that form one lattice
 
-  // Whether two regions form one lattice where they touch along an edge: material, spacing and horizon are equal.
+  // Whether two regions form one lattice where they touch along an edge: class, material and horizon ratio are equal.
+  // (Lattices that touch must have one spacing, see require_compatible().)
   virtual bool acts_as_one_with(const LatticeRegion& other) const;
   virtual pd::Network make_network(const pd::CellLattice& cells, int threads) const;
   const pd::CellLattice& grid() const { return grid_; }
@@ -59,8 +60,8 @@ class LatticeRegion : public BondedRegion {
 
   // Adds material points that the edges of neighbours need; the points of the grid exist already.
   virtual void place_points(const Preparation& /*preparation*/) {}
-  // Flags of material points that are nodes of other regions too: all points on matching interfaces, only the end
-  // points of others.
+  // Flags of material points that are nodes of other regions, too: all points on matching interfaces, and only the two
+  // end points of other interfaces.
   virtual std::vector<char> shared_points(const Preparation& preparation) const;
   // Whether another region of the same class has the same network of bonds, so that both can share it.
   virtual bool is_alike(const LatticeRegion& other) const;
@@ -68,7 +69,7 @@ class LatticeRegion : public BondedRegion {
   // Adds the nodal forces of a traction on the straight piece of boundary from a to b, in grid coordinates.
   virtual void add_edge_forces(const Point& a, const Point& b, const std::function<Point(const Point&)>& traction,
                                Eigen::Ref<Eigen::VectorXd> forces) const;
-  // Distance in spacings outside the grid's cells up to which places are still evaluated.
+  // Distance from the grid's cells, in spacings, up to which places outside of the cells are still evaluated.
   virtual double reach_beyond_cells() const { return 0; }
 
   void use_grid(pd::CellLattice grid, const Point& origin);
@@ -85,7 +86,7 @@ class LatticeRegion : public BondedRegion {
   void bond_alone(const Preparation& preparation, Contributions& contributions);
   void take_network(const Preparation& preparation, std::vector<std::string>& warnings);
 
-  LatticeOutline outline_;  // of the cells
+  LatticeOutline outline_;  // outline of the cells
   pd::CellLattice grid_;    // points of the grid and the cells between them
   GridSquares squares_;
   std::shared_ptr<LatticeGroup> group_;  // null if the region is alone, or once its bonds exist

@@ -10,8 +10,8 @@ namespace bempd::regions {
 
 class BondedRegion;
 
-// Swelling strains at the nodes of lattices. Regions that share bonds have one field. At nodes where their strains
-// differ it is the mean of these, weighted by the regions' shares of the node's area.
+// Swelling strains at the nodes of lattices. Regions that share bonds have one field of strains. At a node of several
+// regions the field is the mean of the regions' strains, weighted by the regions' shares of the node's area.
 class LatticeSwelling {
  public:
   explicit LatticeSwelling(const std::vector<Point>& positions) : positions_(positions) {}
@@ -21,6 +21,8 @@ class LatticeSwelling {
   Eigen::RowVector2d at(const BondedRegion& region, int node) const;
 
  private:
+  // Regions that share bonds with the region `first`: sums, at each node, of strains times shares of area and of
+  // shares.
   struct Body {
     const BondedRegion* first;
     coupling::Affine sum;

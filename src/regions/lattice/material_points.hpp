@@ -6,7 +6,7 @@
 
 namespace bempd::regions {
 
-// Material points of a peridynamic region, in grid coordinates: in spacings from the origin of its grid.
+// Material points of a peridynamic region, in grid coordinates (in spacings from the origin of the region's grid).
 class MaterialPoints {
  public:
   MaterialPoints(double spacing, int horizon_ratio) : spacing_(spacing), horizon_ratio_(horizon_ratio) {}
@@ -18,8 +18,9 @@ class MaterialPoints {
 
   Point to_grid(const Point& p) const { return (p - origin_) / spacing_; }
   Point from_grid(const Point& p) const { return origin_ + spacing_ * p; }
-  // Places of one point, and of all [m].
+  // Place of one point [m].
   Point position(int point) const { return from_grid(points_[static_cast<std::size_t>(point)]); }
+  // Places of all points [m].
   std::vector<Point> positions() const {
     std::vector<Point> all;
     all.reserve(points_.size());

@@ -10,19 +10,19 @@
 
 namespace bempd::regions {
 
-// Bonds at the points of a region, including those to other regions of its body, and their numbers in the scene.
-// `first` and `listed` give its own consecutive bonds in the scene. These are the bonds between two of its points,
-// except those that an earlier region of the same body also has both ends of.
+// Bonds at the points of a region, including bonds to other regions of its body, and their numbers in the scene. The
+// region's own bonds are consecutive in the scene: `listed` bonds from the number `first` on. They are the bonds
+// between two of its points, except bonds of which an earlier region of the same body also has both ends.
 struct SceneBonds {
   std::shared_ptr<const pd::Network> network;  // shared by regions that are alike
-  std::size_t first = 0, listed = 0;           // start and length of its row
-  std::vector<int> of_scene;                   // per bond; empty if all are in its row
+  std::size_t first = 0, listed = 0;           // first own bond, and number of own bonds
+  std::vector<int> of_scene;                   // number of each bond in the scene; empty if all bonds are own ones
   // Points of other regions at which bonds of this region end; they are numbered after the region's own points.
   std::vector<int> far_nodes;     // of the scene
   std::vector<Point> far_points;  // in grid coordinates
-  // Number of the first square (a term of the scene) for each grid point that is the lower left corner of a cell, -1
-  // for other points. In regions with points on their outline: for each patch of cells. Empty if the material has no
-  // squares.
+  // Number in the scene of the first cell square (energy term) of each cell, by the grid point at the cell's lower left
+  // corner; -1 for other points. In a region with points on its outline, by patch of cells. Empty if the material has
+  // no cell squares.
   std::vector<int> squares;
 
   const std::vector<pd::Bond>& all() const { return network->bonds; }
@@ -35,7 +35,7 @@ struct SceneBonds {
   pd::BondStates states(const Solution& solution) const;
   // Damage of the first `points` points: 1 - number of intact bonds / number of bonds without any crack.
   std::vector<double> damage(const std::vector<char>& intact, std::size_t points) const;
-  // Stretch of the bonds in the row.
+  // Stretch of the region's own bonds.
   std::vector<double> stretch(const Solution& solution) const;
 };
 

@@ -4,7 +4,8 @@
 
 namespace bempd::regions {
 
-// Row of material points of a region on a straight interface, in order and `point_distance` from each other.
+// Row of material points of a region on a straight interface, in order, with the distance `point_distance` between
+// neighbours [m].
 struct PointRow {
   int region;
   std::vector<Point> places;
@@ -12,7 +13,8 @@ struct PointRow {
   double point_distance;
 };
 
-// Ties a row to the elements of the region `leader`. Throws Error (argument) if these cannot be joined to its points.
+// Ties a row of points to the boundary elements of the region `leader` (an id). Throws Error (argument) if the elements
+// cannot be joined to the points.
 void tie(const PointRow& row, const LeadingElements& leading, int leader, coupling::NodeTies& ties);
 
 }  // namespace bempd::regions

@@ -4,9 +4,9 @@
 
 namespace bempd::regions {
 
-// Faces of a crack, the left and the right one. The x component of a load's value is a pressure that pushes the faces
-// apart; the y component is a shear that drives the left face (seen along the crack) forward and the right face back
-// [Pa].
+// Faces of a crack as a place of loads, which act on both faces. The x component of a load's value is a pressure that
+// pushes the faces apart; the y component is a shear that drives the left face (seen along the crack) forward and the
+// right face back [Pa].
 class CrackFaces : public OffEdges {
  public:
   explicit CrackFaces(int crack) : crack_(crack) {}

@@ -7,7 +7,7 @@
 
 namespace bempd::regions {
 
-// Part of an edge between two fractions of its length; values of loads on it are tractions [Pa].
+// Part of an edge between two fractions of its length. The value of a load on the part is a traction [Pa].
 class EdgePart : public scene::Place {
  public:
   EdgePart(int region, int edge, double from, double to) : region_(region), edge_(edge), from_(from), to_(to) {}
@@ -22,7 +22,7 @@ class EdgePart : public scene::Place {
   std::vector<double> breaks_on(const scene::Scene& scene, int region, int edge, double tolerance) const override;
   // Nodes of the scene on this part of the edge, in order from its start.
   std::vector<PlacedNode> nodes(const scene::Scene& scene, const Discretization& discretization) const;
-  // Integrals of their shape functions over this part, times the thickness [m2].
+  // Integral of each node's shape function over this part of the edge, times the thickness [m2], by number of the node.
   std::map<int, double> weights(const scene::Scene& scene, const Discretization& discretization) const;
   bool covers(int region, int edge, double fraction) const override;
   std::vector<PlacedNode> held_nodes(const scene::Scene& scene, const Discretization& discretization,

@@ -5,7 +5,7 @@
 
 namespace bempd::regions {
 
-// Single node or material point; values of loads on it are forces [N].
+// Single node or material point. The value of a load at the point is a force [N].
 class SinglePoint final : public scene::Place {
  public:
   explicit SinglePoint(const Point& where) : where_(where) {}

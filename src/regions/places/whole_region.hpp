@@ -5,7 +5,7 @@
 
 namespace bempd::regions {
 
-// Whole region; values of loads on it are uniform forces per volume [N/m^3].
+// Whole region. The value of a load on the region is a uniform force per volume [N/m^3].
 class WholeRegion : public OffEdges {
  public:
   explicit WholeRegion(int region) : region_(region) {}

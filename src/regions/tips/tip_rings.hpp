@@ -12,26 +12,27 @@
 
 namespace bempd::regions {
 
-// Terms (bonds and squares) of a scene in their present state.
+// Lattices of a scene in their present state: energy terms (bonds and cell squares), cracks, contact, and fluid
+// pressures.
 struct BondedBody {
   const scene::Scene& scene;
   const Discretization& discretization;
   const coupling::Terms& bonds;
-  const std::vector<double>& stiffness;  // present ones [N/m]
+  const std::vector<double>& stiffness;  // present stiffness of each term [N/m]
   const std::vector<char>& intact;
-  const std::vector<int>& cut;                  // by initial cracks, ascending
+  const std::vector<int>& cut;                  // bonds that initial cracks cut, ascending
   const std::vector<scene::Crack>& cracks;      // as they are in lattices
-  const coupling::Constraints& constraints;     // of faces that may press on each other
-  std::map<int, Eigen::RowVector2d> pressures;  // in cracks, constant and proportional part [Pa]
+  const coupling::Constraints& constraints;     // of crack faces that may press on each other
+  std::map<int, Eigen::RowVector2d> pressures;  // by id of the crack: constant and proportional part [Pa]
 };
 
-// Position and direction of a crack tip, and the crack behind it.
+// Position and direction of a crack tip, the path of the crack, and the lattice around the tip.
 struct TipAxes {
   Point place, direction;   // unit vector in which a straight crack would go on
   std::vector<Point> path;  // of the crack, ending at the tip
   double spacing;           // of the lattice
   PlaneElasticity elasticity;
-  bool is_rough = false;  // the path leads over broken cells, from middle to middle
+  bool is_rough = false;  // whether the path leads from middle to middle of broken cells
 
   Point into(const Point& vector) const {
     return {direction.dot(vector), direction.x() * vector.y() - direction.y() * vector.x()};
@@ -41,25 +42,27 @@ struct TipAxes {
   }
 };
 
-// Coefficients of Williams' expansion at a crack tip, out of the body's displacements on rings around the tip.
+// Coefficients of Williams' expansion at a crack tip, from the body's displacements on rings around the tip.
 //
 // The reciprocal theorem relates the displacement u to a dual field u* (the Williams term of the opposite power). Let a
-// weight q fall from 1 to 0 across the ring. With the stiffness k and the elongation e of each term of the energy
-// (bonds and squares),
+// weight q fall from 1 to 0 across the ring. With the stiffness k and the elongation e of each energy term (bond or
+// cell square),
 //   H = sum k [e(u*) e(q u) - e(u) e(q u*)]
 // is the work that the two fields do on each other across the ring, the same for every ring. No stress is recovered and
-// no displacement differentiated. The second part vanishes where u is in balance without forces, which leaves
+// no displacement differentiated. The second part of the sum vanishes if u is in equilibrium without nodal forces. What
+// is left is
 //   H = sum k e(u*) e(q u) - sum q F*.u,
-// where F* are the forces of the dual field's tractions on the lattice's outline: where the ring meets the outline, the
-// path around the tip continues along it. Faces of a crack that bends behind the tip count likewise.
+// where F* are the forces of the dual field's tractions on the outline of the lattice. They occur because the path
+// around the tip continues along the outline where the ring meets the outline. The faces of a crack that bends behind
+// the tip are treated like the outline.
 class TipRings {
  public:
   TipRings(const BondedBody& body, TipAxes axes, double radius);
 
   struct Expansion {
-    std::complex<double> opening;  // factor of power 1/2
-    std::complex<double> shift;    // of power -1/2: there is some if the tip is felt elsewhere on its line
-    double uniform = 0;            // T [Pa]
+    std::complex<double> opening;  // factor of the term of power 1/2
+    std::complex<double> shift;    // factor of the term of power -1/2: not 0 if the effective tip is elsewhere
+    double uniform = 0;            // T-stress [Pa]
   };
 
   // Dual fields and distances about one centre, shared by all rings around it.
@@ -74,6 +77,7 @@ class TipRings {
     std::vector<double> distances;  // of the nodes
     std::vector<Dual> duals;
   };
+  // Dual fields about the centre at the distance `ahead` from the tip, along the tip's direction [m].
   View about(double ahead) const;
   // Displacements of the nodes around the tip without their rigid motion; `displacement` is that of all nodes of the
   // scene.
@@ -83,7 +87,7 @@ class TipRings {
   Expansion expansion(const View& view, double inner, double outer, const Eigen::VectorXd& around) const;
 
  private:
-  // Term of the energy with local numbers of its nodes and their coefficients.
+  // Energy term with the local numbers of its nodes and the coefficients of their displacements.
   struct LocalTerm {
     double stiffness;
     std::vector<std::pair<int, Point>> pulls;

@@ -12,22 +12,23 @@ struct LatticeTip {
   int region;      // id of the lattice that the crack ends in
   TipAxes axes;
   double horizon;
-  double clear;  // radius that contains only this tip and the straight crack behind it
+  double clear;  // radius of a circle around the tip without other tips, mouths or bends [m]
   bool grown;
-  bool branched;  // other ways lead on from the crack, too
+  bool branched;  // whether broken cells lead on in other directions, too
 };
 
-// Finds the tips of cracks in lattices out of broken bonds, one for each end of a described crack that lies inside the
-// body.
+// Finds the tips of cracks in lattices from the broken bonds, one tip for each end of a described crack that lies
+// inside the body.
 //
-// A crack passes from cell to cell of the lattice through the broken bonds between nearest neighbours. An end has grown
-// if such cells join it, side by side or at corners. The tip is then the middle of the cell that is most steps away,
-// with the direction of a line fitted to the last two horizons of the path. An end that has not grown is the tip.
+// A crack passes from cell to cell of the lattice across the broken bonds between nearest neighbours. An end of a crack
+// has grown if such broken cells join the end, side by side or at corners. The tip is then the middle of the broken
+// cell that is the most steps away from the end, with the direction of a line fitted to the last two horizons of the
+// path. If the end has not grown, the end is the tip.
 std::vector<LatticeTip> find_lattice_tips(const BondedBody& body);
 
 // Tip of a crack in a lattice whose path is known, because the run has grown the crack as a line.
 struct KnownTip {
-  int crack, end;  // as above
+  int crack, end;  // id of the crack; 1: at its last point, 0: at its first
   Point direction;
   std::vector<Point> path;  // ending at the tip
   bool grown;
