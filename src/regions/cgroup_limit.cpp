@@ -13,8 +13,8 @@ namespace fs = std::filesystem;
 
 constexpr double unlimited = std::numeric_limits<double>::infinity();
 
-// Reads the limit [B] in a control group's file; without a number in it (the file may be missing or say "max") it is
-// unlimited.
+// Reads the limit [B] in a control group's file. There is no limit if the file holds no number, for example the word
+// "max", or is missing.
 double limit_in(const fs::path& file) {
   std::ifstream stream(file);
   double bytes = 0;

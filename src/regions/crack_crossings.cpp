@@ -12,11 +12,13 @@ namespace bempd::regions {
 
 namespace {
 
-// Distances along a crack from where it crosses an interface, in spacings: the longest stretch that is bent, and the
-// shortest stretch that stays free of other bends.
-constexpr double bent_reach = 3, straight_reach = 1;
+// Longest stretch of a crack that is bent on either side of its crossing with an interface [spacings].
+constexpr double bent_reach = 3;
 
-// Shift in spacings below which a difference of places is rounding.
+// Least stretch on either side of a crossing on which a crack is straight [spacings].
+constexpr double straight_reach = 1;
+
+// Distance of two places in spacings below which the places differ by rounding only.
 constexpr double rounding_of_places = 1e-6;
 
 struct Middle {
@@ -25,9 +27,9 @@ struct Middle {
   int lattice;  // id of its region
 };
 
-// Midpoint between two neighbouring material points of a lattice on the interfaces of the region `boundary`: the one
-// nearest to a crossing. If two are equally near, the one to the right of the crack is taken. Its spacing is 0 if no
-// lattice borders there. Throws Error (argument) at curved interfaces.
+// Midpoint between two neighbouring material points on an interface of the region `boundary` with a lattice: the
+// midpoint nearest to a crossing. Of two equally near midpoints the one on the right of the crack is taken. Its spacing
+// is 0 if no lattice borders on the region. Throws Error (argument) at curved interfaces.
 Middle nearest_middle(const Preparation& p, int crack, int boundary, const CrackCrossing& crossing) {
   Middle nearest{Point::Zero(), 0, 0};
   double least = std::numeric_limits<double>::infinity();
@@ -76,7 +78,7 @@ class Bending {
   double length() const { return vertices_.back().way; }
 
   // Moves the crack's point at the crossing `c` to c.place. The crack is bent only between the distances `low` and
-  // `high` along it, and straight from there to the crossing.
+  // `high` along it, and is straight from the places where the bent stretch begins and ends to the crossing.
   void bend(const CrackCrossing& c, double low, double high) {
     const Vertex at = at_way(c.way);
     double from = c.way, to = c.way;
@@ -114,9 +116,9 @@ class Bending {
   std::vector<Vertex> vertices_;
 };
 
-// Throws Error (argument) if a crack cannot cross the interface of two boundary element regions at `c`. Both need the
-// same material, because they share nodes on both faces: a tip or mouth at the interface of two materials has a stress
-// field of its own. No peridynamic region may touch the place.
+// Throws Error (argument) if a crack cannot cross the interface of two boundary element regions at `c`. Both regions
+// need the same material, because they share nodes on both faces of the crack; a tip or mouth at the interface of two
+// materials has a stress field of its own. No peridynamic region may touch the place.
 void require_one_body(const Preparation& p, int crack, const CrackCrossing& c) {
   const auto about = [&] {
     return text("crack ", crack, " crosses the interface of the regions ", c.before, " and ", c.after, " at (",
@@ -135,7 +137,7 @@ void require_one_body(const Preparation& p, int crack, const CrackCrossing& c) {
 
 void move_between_rows(const Preparation& p, int crack, std::vector<CrackCrossing>& crossings, double length,
                        std::vector<std::string>& warnings) {
-  double before = 0;  // way of the crossing before
+  double before = 0;  // distance along the crack of the crossing before
   for (std::size_t k = 0; k < crossings.size(); ++k) {
     CrackCrossing& c = crossings[k];
     if (c.among_elements()) {

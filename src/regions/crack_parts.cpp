@@ -14,8 +14,8 @@ using scene::Scene;
 
 namespace {
 
-// Fractions of a segment, ascending, at which it may pass from one region to another: its ends, its crossings with
-// edges of outlines, and vertices of outlines that lie on it.
+// Fractions of a segment, ascending, at which it may pass from one region to another: the segment's ends, its crossings
+// with edges of outlines, and vertices of outlines that lie on the segment.
 std::vector<double> stations_on(const Scene& scene, const Segment& segment, double tolerance) {
   std::vector<double> fractions{0.0, 1.0};
   for (int id : scene.region_ids()) {
@@ -52,8 +52,9 @@ int region_of_piece(const Preparation& p, int crack, const Point& middle) {
   return with_elements.front();
 }
 
-// Crossings of a crack with interfaces: places where it passes from one boundary element region to another, or between
-// a boundary element region and lattices. `first_region` becomes the region of its first piece, see region_of_piece().
+// Crossings of a crack with interfaces: places where the crack passes from one boundary element region to another, or
+// between a boundary element region and lattices. `first_region` becomes the region of the crack's first piece
+// (region_of_piece()).
 std::vector<CrackCrossing> crossings_of(const Preparation& p, int crack, const std::vector<Point>& points,
                                         int& first_region) {
   std::vector<CrackCrossing> found;
@@ -76,12 +77,12 @@ std::vector<CrackCrossing> crossings_of(const Preparation& p, int crack, const s
     }
     way += segment.length();
   }
-  // A crack shorter than the tolerance has no piece that was examined: the middle of its first segment decides.
+  // No piece of a crack shorter than the tolerance is examined above, so the middle of its first segment decides.
   if (present < 0) first_region = region_of_piece(p, crack, 0.5 * (points[0] + points[1]));
   return found;
 }
 
-// Angle [rad] from which on a turn between two segments is a bend. Smaller turns occur in polygons that stand for a
+// Smallest angle between two segments that counts as a bend [rad]. Smaller turns occur in polygons that stand for a
 // curve.
 constexpr double smallest_bend_angle = 0.2;
 
@@ -102,7 +103,7 @@ double way_to_bend(const std::vector<Point>& points, std::size_t from, bool forw
   return way;
 }
 
-// The crack as it was divided in the scene before, if it has not grown and has one part there; null if not.
+// Division of the crack in the scene before growth, if the crack has not grown since and has one part; else null.
 const PartedCrack* unchanged_before(const Preparation& p, int id, const scene::Crack& crack) {
   if (!p.cracks_before || static_cast<std::size_t>(id) > p.cracks_before->size()) return nullptr;
   const PartedCrack& before = (*p.cracks_before)[static_cast<std::size_t>(id) - 1];

@@ -32,8 +32,8 @@ void warn_of_gaps(const scene::Scene& scene, const std::vector<Outline>& outline
   d.warnings.push_back(d.gap);
 }
 
-// Renumbers the regions of an arrangement: from indices of the outlines that it was given to region ids minus 1. The
-// two differ if regions were removed.
+// Renumbers the regions of an arrangement from indices of its outlines to region ids minus 1. These numbers differ if
+// regions were removed.
 void number_by_ids(Arrangement& arrangement, const scene::Scene& scene) {
   const std::vector<int> ids = scene.region_ids();
   if (static_cast<int>(ids.size()) == scene.region_count()) return;

@@ -49,7 +49,7 @@ std::vector<EdgeNode> edge_nodes(const scene::Scene& scene, const Discretization
 }
 
 std::vector<int> edge_cells(const Discretization& d, int region, const std::vector<EdgeNode>& nodes) {
-  std::map<std::pair<int, int>, std::size_t> sides;  // by the nodes at their ends, either way
+  std::map<std::pair<int, int>, std::size_t> sides;  // by the entries of the nodes at their ends, in both orders
   for (std::size_t i = 0; i + 1 < nodes.size(); ++i) {
     sides.emplace(std::make_pair(nodes[i].entry, nodes[i + 1].entry), i);
     sides.emplace(std::make_pair(nodes[i + 1].entry, nodes[i].entry), i);

@@ -10,11 +10,14 @@ namespace bempd::regions {
 
 namespace {
 
-// Tolerances in spacings: for the length of a bond to count as one spacing, and for two places to be the same.
-constexpr double same_length = 1e-6, same_place = 0.1;
+// Largest relative difference from the spacing at which a bond's length counts as one spacing.
+constexpr double same_length = 1e-6;
 
-// Modulus of equal strains in both directions for each term: pressure over strain, c11 + c12 [Pa]; 0 for terms that
-// belong to no lattice.
+// Distance in spacings below which two ends of facets count as one place.
+constexpr double same_place = 0.1;
+
+// Modulus c11 + c12 for each energy term of a lattice: pressure over strain if the strains in both directions are equal
+// [Pa]. 0 for terms that belong to no lattice.
 std::vector<double> moduli_of_terms(const Discretization& d, const coupling::Terms& terms) {
   std::vector<double> moduli(terms.size(), 0.0);
   for (const auto& region : d.regions) {
@@ -51,7 +54,7 @@ pd::FluidPaths fluid_paths(const scene::Scene& scene, const Discretization& d, c
   for (const auto& region : d.regions)
     if (region->bonds()) least = std::min(least, scene.region(region->id()).resolution());
   NodeRegistry places(scene.bounding_box().min(), same_place * least);
-  int asked = 0;  // each query takes a new region, so that all places are compared
+  int asked = 0;  // each place gets a new region number, so that all places are compared
   for (const auto& region : d.regions) {
     const auto bonds = region->bonds();
     if (!bonds) continue;

@@ -17,8 +17,8 @@ std::optional<Eigen::VectorXd> outflow_of(const Region& region, Eigen::Index dof
 }  // namespace
 
 void require_determined_pressure(const Discretization& d, const std::vector<char>& prescribed) {
-  // Each incompressible region has a pressure, whose forces on free degrees of freedom are a column of `flows`
-  // (scaled). If a combination of columns is zero, its pressures are undetermined.
+  // Each incompressible region has a pressure. The forces of this pressure on free degrees of freedom are a column of
+  // `flows` (scaled). If a combination of columns is zero, the pressures in it are undetermined.
   const auto dofs = static_cast<Eigen::Index>(prescribed.size());
   std::vector<int> ids;
   std::vector<Eigen::VectorXd> outflows;

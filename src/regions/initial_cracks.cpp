@@ -17,16 +17,18 @@ using scene::Scene;
 
 namespace {
 
-// Distance in spacings by which a crack that would pass through material points is shifted aside. It is very small,
-// because any place between the same two rows cuts the same bonds. Then the number of directions tried.
+// Distance by which a crack that would pass through material points is shifted [spacings]. It is very small, because at
+// any place between the same two rows the crack cuts the same bonds.
 constexpr double crack_shift = 1e-3;
+
+// Number of directions in which a shift is tried.
 constexpr int shift_directions = 8;
 
-// Distance in spacings from another lattice below which bonds of both lattices act on a tip.
+// Distance of a tip from another lattice, in spacings, below which bonds of both lattices act on the tip.
 constexpr double beside_lattice = 1.5;
 
-// Copy of a crack shifted by `distance` to the right of its first segment, or in the direction at `angle` from there,
-// counter-clockwise. An end on the boundary or outside is also lengthened, so that it stays a mouth.
+// Copy of a crack that is shifted by `distance` to the right of its first segment, or in the direction at `angle` from
+// there, counter-clockwise. An end on the boundary or outside of the body is also lengthened, so that it stays a mouth.
 scene::Crack moved(const Scene& scene, const Discretization& d, scene::Crack crack, double distance, double angle) {
   std::vector<Point>& points = crack.points;
   const Point first = (points[1] - points[0]).normalized(), last = (points.end()[-1] - points.end()[-2]).normalized();
@@ -53,8 +55,8 @@ std::vector<Point> points_met(const scene::Crack& crack, const Discretization& d
   return met;
 }
 
-// Whether a crack runs along a boundary without a lattice on the other side, where it has no second face. `met` are the
-// material points on the crack.
+// Whether a crack runs along a boundary with no lattice on the other side, where the crack has no second face. `met`
+// are the material points on the crack.
 bool runs_along_boundary(const Scene& scene, const scene::Crack& crack, const Discretization& d,
                          const std::vector<Point>& met) {
   return std::any_of(met.begin(), met.end(), [&](const Point& p) {
@@ -70,8 +72,8 @@ bool runs_along_boundary(const Scene& scene, const scene::Crack& crack, const Di
   });
 }
 
-// Shifts a crack that meets material points aside, in the first direction in which it meets none, and warns of that. It
-// stays in place if there is no such direction.
+// Shifts a crack that meets material points aside, in the first direction in which it meets none, and adds a warning.
+// The crack stays in place if there is no such direction.
 void shift_off_points(const Scene& scene, const Discretization& d, int number, LatticeCracks& found) {
   scene::Crack& crack = found.cracks[static_cast<std::size_t>(number) - 1];
   const std::vector<Point> met = points_met(crack, d);
@@ -81,7 +83,7 @@ void shift_off_points(const Scene& scene, const Discretization& d, int number, L
     if (const std::optional<LatticeGrid> grid = region->lattice_grid()) spacing = std::min(spacing, grid->spacing);
   if (std::isinf(spacing)) return;  // scheme paper
   for (int direction = 0; direction < shift_directions; ++direction) {
-    // Order of directions: to the right, to the left, then others between these.
+    // The crack is shifted to its right first, then to its left, then in other directions.
     const double angle = direction < 2 ? direction * std::numbers::pi : direction * std::numbers::phi;
     const scene::Crack beside = moved(scene, d, crack, crack_shift * spacing, angle);
     if (!points_met(beside, d).empty()) continue;
@@ -100,9 +102,9 @@ bool are_alike(const Region& one, const Region& other) {
          one.elasticity() == other.elasticity();
 }
 
-// Whether the cut of an initial crack is placed so that its effective tip lies at `tip`, where the host described it.
-// So it is for cracks that grow as lines, except near a lattice of another kind: there bonds of both lattices determine
-// the effective tip.
+// Whether the cut of an initial crack is placed so that the crack's effective tip lies at `tip`, where the host
+// described it. This is done for cracks that grow as lines, except near a lattice of another kind, where bonds of both
+// lattices determine the effective tip.
 bool has_effective_tip_as_described(const Scene& scene, const Discretization& d, const scene::Options& options,
                                     const Region& region, const Point& tip) {
   const std::optional<LatticeGrid> grid = region.lattice_grid();
@@ -115,8 +117,8 @@ bool has_effective_tip_as_described(const Scene& scene, const Discretization& d,
   });
 }
 
-// End of the cut that puts the effective tip of a crack at `tip`, by the bonds of the region and of those that continue
-// its lattice. The cut ends at most `backward` [m] behind the tip.
+// End of the cut that puts the effective tip of a crack at `tip`, computed from the bonds of the region and of the
+// regions that continue its lattice. The cut ends at most `backward` [m] behind the tip.
 pd::CutEnd cut_end_in_lattice(const Discretization& d, const Region& region, const Point& tip, const Point& direction,
                               double backward) {
   const LatticeGrid grid = *region.lattice_grid();
@@ -148,8 +150,8 @@ pd::CutEnd cut_end_in_lattice(const Discretization& d, const Region& region, con
   return found;
 }
 
-// End of the cut for a crack's tip, with the bonds that are weakened there. The effective tip is to lie at `tip`; where
-// that is not done the cut ends at `tip`. `part` is the share of the last segment by which the cut may be shortened.
+// End of the cut for a crack's tip, with the bonds that are weakened there. If the effective tip cannot be placed at
+// `tip`, the cut ends at `tip`. `part` is the share of the last segment by which the cut may be shortened.
 pd::CutEnd end_of_cut(const Scene& scene, const Discretization& d, const scene::Options& options, const Point& tip,
                       const Point& before, double part) {
   const double length = (tip - before).norm();
@@ -160,7 +162,7 @@ pd::CutEnd end_of_cut(const Scene& scene, const Discretization& d, const scene::
   return {tip, {}};
 }
 
-// Places the ends of the cut that the host has described. Pieces that growth has added cut bonds as they are.
+// Places the ends of the cut of a crack as the host described it. Pieces that growth has added cut bonds as they are.
 void place_ends(const Scene& scene, const Discretization& d, const scene::Options& options, int number,
                 LatticeCracks& found) {
   const auto c = static_cast<std::size_t>(number) - 1;
@@ -220,7 +222,7 @@ std::vector<StartingTip> tips_of_cracks(const Scene& scene, const LatticeCracks&
           has_grown ? std::nullopt : found.even_ahead[c][static_cast<std::size_t>(number)];
       const Point& end = number == 0 ? points.front() : points.back();
       const Point& before = number == 0 ? points[1] : points.end()[-2];
-      // The cut may end in another region than the one in which the tip acts.
+      // The effective tip may lie in another region than the end of the cut; the region of the effective tip counts.
       const Point& acts_at = even ? found.ends[c][static_cast<std::size_t>(number)] : end;
       for (const auto& region : d.regions) {
         if (locate(scene.region(region->id()).outline(), acts_at, d.tolerance) != Location::inside) continue;

@@ -59,8 +59,8 @@ int WedgeFinder::held_on(const OutlineEdge& edge, double fraction) const {
 WedgeFinder::Sector WedgeFinder::between(int region, const Point& place, const Ray& from, const Ray& to) const {
   Sector sector{region, from, to, turn_between(from.angle, to.angle)};
   if (sector.opening < whole_turn || from.crack) return sector;
-  // An opening of a full turn may be the tip of a cusp: one of the body (opening 0) or of a notch in it (full turn).
-  // Whether the point opposite to it lies in the body decides.
+  // An opening of a full turn may be the tip of a cusp: a cusp of the body, whose opening is 0, or of a notch in the
+  // body. Whether the point opposite to the cusp lies in the body decides.
   constexpr double beside = 1e-3;
   const Outline& outline = scene_.region(region).outline();
   const Point opposite(-std::cos(from.angle), -std::sin(from.angle));
@@ -72,7 +72,8 @@ WedgeFinder::Sector WedgeFinder::between(int region, const Point& place, const R
 void WedgeFinder::add_sectors_of_outlines(const Point& place, std::vector<Sector>& sectors) const {
   const double near = 8 * d_.tolerance;
   const Box around(place - Point::Constant(2 * near), place + Point::Constant(2 * near));
-  std::map<int, std::pair<std::vector<Ray>, std::vector<Ray>>> rays;  // by region: away from the place, and towards it
+  std::map<int, std::pair<std::vector<Ray>, std::vector<Ray>>>
+      rays;  // by region: rays of leaving and of arriving edges
   for (const int k : tree_.meeting(around)) {
     const OutlineEdge& edge = edges_[k];
     if (distance(edge.edge, place) > near) continue;
@@ -113,8 +114,8 @@ void WedgeFinder::cut_by_cracks(const Point& place, std::vector<Sector>& sectors
   for (auto& [region, cracks] : rays) {
     const auto is_of_region = [id = region](const Sector& sector) { return sector.region == id; };
     if (std::none_of(sectors.begin(), sectors.end(), is_of_region)) {
-      // The place lies inside the region, away from its edges, so the first sector is a full turn that begins and ends
-      // at the ray of one crack.
+      // No edge of the region meets the place, so the first sector is a full turn that begins and ends at the ray of
+      // one crack.
       sectors.push_back({region, cracks.back(), cracks.back(), whole_turn});
       cracks.pop_back();
     }
@@ -124,7 +125,7 @@ void WedgeFinder::cut_by_cracks(const Point& place, std::vector<Sector>& sectors
         return is_of_region(s) && turn > same_angle && turn < s.opening - same_angle;
       };
       const auto cut = std::find_if(sectors.begin(), sectors.end(), holds);
-      if (cut == sectors.end()) continue;  // the ray lies on another one
+      if (cut == sectors.end()) continue;  // the ray lies on another ray
       const Sector whole = *cut;
       const double turn = turn_between(whole.from.angle, crack.angle);
       *cut = {region, whole.from, crack, turn};
@@ -166,7 +167,7 @@ std::vector<MeetingWedge> WedgeFinder::wedges_at(const Point& place) const {
     }
     wedges.push_back(std::move(found));
   };
-  // Wedges that begin at a free side are collected first, then closed rings of sectors, which have no first sector.
+  // Wedges that begin at a free side are collected first. Closed rings of sectors, which have no first sector, follow.
   for (const bool rings : {false, true}) {
     for (std::size_t k = 0; k < sectors.size(); ++k) {
       const bool begins = std::none_of(sectors.begin(), sectors.end(),

@@ -12,17 +12,18 @@ namespace {
 
 constexpr int usual_horizon_ratio = 4;
 
-// Least number of a lattice's spacings along a crack, for each of its tips.
+// Least number of spacings along a crack for each of the crack's tips.
 constexpr double least_per_tip = 16;
 
-// Blocks of lattice that a crack has ahead of a tip that may grow, besides those on every side of it.
+// Number of blocks of lattice ahead of a tip that may grow, besides the blocks on every side of the tip.
 constexpr double blocks_ahead = 2;
 
-// Blocks between a tip and what is nearest to it: one of elements, one of lattice, and one that the grid of blocks may
-// need.
+// Number of blocks between a tip and the wall nearest to it: one of elements, one of lattice, and one that the position
+// of the grid of blocks may take.
 constexpr double blocks_of_room = 3;
 
-// Distance from a mouth, in blocks, within which elements and not the lattice carry a crack.
+// Distance from a mouth (end of a crack on an edge), in blocks, within which the crack may have elements in place of
+// lattice.
 constexpr double blocks_at_mouth = 5;
 
 constexpr double just_below_one = 1 - 1e-9;
@@ -94,7 +95,7 @@ PatchLayout::PatchLayout(const scene::Scene& scene, int body, std::vector<CrackI
   grid_ = {origin(), 2 * ratio_ * spacing_};
 }
 
-// The largest spacing that leaves enough points along each crack and room for blocks around its tips.
+// Largest spacing that leaves enough points along each crack and room for blocks around the crack's tips.
 double PatchLayout::chosen_spacing() const {
   const double spacings_between_cracks = 3 * ratio_;
   const double room = blocks_of_room * 2 * ratio_;  // in spacings
@@ -112,7 +113,7 @@ double PatchLayout::chosen_spacing() const {
   return spacing;
 }
 
-// Distance of the first crack from the material points, in spacings, at most 1.
+// Distance of the first crack from the material points if the lattice has this origin, in spacings, at most 1.
 double PatchLayout::clearance(const Point& origin) const {
   double least = 1;
   for (const Segment& piece : cracks_.front().pieces) {
@@ -127,7 +128,7 @@ double PatchLayout::clearance(const Point& origin) const {
   return least;
 }
 
-// Corner of a block, such that the first crack passes material points as far off as possible.
+// Origin of the grid of blocks, chosen so that the first crack passes the material points at the largest distance.
 Point PatchLayout::origin() const {
   constexpr int parts = 8;            // of a spacing
   constexpr double is_better = 1.01;  // times the clearance
@@ -145,7 +146,8 @@ Point PatchLayout::origin() const {
   return best;
 }
 
-// Throws Error (argument) if the lattice cannot reach two horizons around `along`, but for parts near a mouth.
+// Throws Error (argument) if a wall is less than two blocks from the piece `along` of a crack. Near a mouth a wall is
+// allowed, but not for a tip.
 void PatchLayout::require_room(const CrackInBody& crack, const Segment& along, bool is_tip) {
   for (const Block& block : grid_.near(along, grid_.size * just_below_one)) {
     const Wall* wall = walls_.beside(grid_.box(block));

@@ -14,7 +14,7 @@ namespace bempd::regions {
 
 namespace {
 
-// The part of a crack inside a region; no pieces if none is.
+// Part of a crack inside a region; it has no pieces if the crack does not pass through the region.
 CrackInBody part_of(const scene::Scene& scene, int region, const LatticeCrack& crack, double tolerance) {
   const Outline& outline = scene.region(region).outline();
   const std::vector<Edge> edges = edges_of(outline);
@@ -130,24 +130,28 @@ void remove_patches(scene::Scene& scene, int count) {
 
 namespace {
 
-// Blocks that a tip has ahead of it, besides those on every side of it: fewer let its patch grow, to so many. Where the
-// fit to the stress ahead of a tip comes near a border, loads change by up to 3e-3; that is so from six horizons on.
-constexpr double least_ahead = 2, blocks_to_follow = 5;
+// Number of blocks ahead of a tip, besides the blocks on every side of it, below which the patch around the tip grows.
+// With six horizons ahead of the tip the fit to the stress there is not disturbed; nearer to a border loads change by
+// up to 3e-3.
+constexpr double least_ahead = 2;
 
-// Blocks of elements that stay between two patches, at least.
+// Number of blocks ahead of a tip, besides the blocks on every side of it, after its patch has grown.
+constexpr double blocks_to_follow = 5;
+
+// Least number of blocks without lattice between two patches.
 constexpr int blocks_between = 2;
 
-// Rounding of distances from blocks.
+// Factor on distances from blocks, so that rounding does not decide about equal distances.
 constexpr double just_below_one = 1 - 1e-9;
 
-// Block of a patch in which a place lies, or on whose border; empty if it lies in none.
+// Block of a patch that contains a place, inside or on its border; empty if no block of the patch does.
 std::optional<Block> block_at(const Patch& patch, const Point& place) {
   for (const Block& block : patch.grid.near({place, place}, (1 - just_below_one) * patch.grid.size))
     if (patch.blocks.contains(block)) return block;
   return std::nullopt;
 }
 
-// Pieces of cracks that lie in elements are walls.
+// Walls of a body for the growth of its patches: its edges, and the pieces of cracks that lie in no patch.
 PatchWalls walls_around(const scene::Scene& scene, const std::vector<Patch>& patches, int body) {
   PatchWalls walls(dynamic_cast<const BoundaryDescription&>(scene.region(body)).whole_outline());
   std::vector<Edge> borders;
@@ -174,7 +178,7 @@ bool has_one_near(const Blocks& blocks, const Block& block) {
 
 bool has_all(const Blocks& blocks, const Blocks& wanted) { return std::ranges::includes(blocks, wanted); }
 
-// Blocks that one patch of several can get.
+// Growth of one patch of a scene by blocks that may be added to it.
 class GrowingPatch {
  public:
   GrowingPatch(const scene::Scene& scene, const std::vector<Patch>& patches, std::size_t number)
@@ -184,8 +188,8 @@ class GrowingPatch {
     return std::ranges::any_of(wanted, [&](const Block& b) { return !own().blocks.contains(b) && may_add(b); });
   }
 
-  // All patches, where this one has got those of the `wanted` blocks that it may have. Empty if it has got none, or
-  // does not have all `needed` ones.
+  // All patches after this patch has got those of the `wanted` blocks that it may have. Empty if the patch gets none,
+  // or does not have all `needed` blocks then.
   std::optional<std::vector<Patch>> with_added(const Blocks& wanted, const Blocks& needed) const {
     Blocks blocks = own().blocks;
     for (const Block& block : wanted)
@@ -241,14 +245,16 @@ std::optional<std::vector<Patch>> grown_ahead_of(const scene::Scene& scene, cons
 
 namespace {
 
-// Distance from a broken bond, in blocks, within which its patch needs all blocks: two and a half horizons. Loads are
-// then within 3e-4 of those of a large lattice for horizons of four spacings, with two horizons 6e-4.
+// Distance from a broken bond, in blocks, within which the bond's patch needs all blocks: two and a half horizons.
+// Loads are then within 3e-4 of the loads of a large lattice for horizons of four spacings; with two horizons within
+// 6e-4.
 constexpr double least_around_break = 1.25;
 
 // Distance from the block of a broken bond within which a patch that grows gets all blocks that it may have.
 constexpr double blocks_around_break = 2.2;
 
-// Parts of the number of a broken bond: columns and rows of blocks from -half_of_rows on, and patches.
+// Ranges of the numbers by which layout_number() encodes a broken bond: columns and rows of blocks from -half_of_rows
+// on, and indices of patches.
 constexpr std::int64_t half_of_rows = 1 << 13, block_rows = 2 * half_of_rows, most_patches = 1 << 8;
 
 }  // namespace

@@ -10,26 +10,35 @@ namespace bempd::regions {
 
 namespace {
 
-// Blocks of the path that stay lattice behind a tip, and the least number that is given back at a time. With six
-// horizons behind the tip loads are within 6e-4 of those of a whole lattice.
-constexpr double least_behind = 3, least_given = 3;
+// Least length of the path, in blocks, that stays in the lattice behind a tip. With six horizons behind the tip, loads
+// are within 6e-4 of the loads of a whole lattice.
+constexpr double least_behind = 3;
 
-// Least cosine between the path and the normal of a new border that it crosses, and the piece of the path on either
-// side of the border, in blocks, by which its direction there is measured.
-constexpr double least_cosine = 0.6, piece_at_border = 0.5;
+// Least length of the path, in blocks, in blocks that are given back together.
+constexpr double least_given = 3;
 
-// Distance along the path from a new border, in blocks, within which a straight line of the grid and not the nearest
-// place of the path decides which blocks stay. Beyond half of it, blocks that stay keep `least_apart` blocks off the
-// path.
-constexpr double straight_border = 3, least_apart = 0.5;
+// Least cosine of the angle between the path and the normal of a new border at the place where the path crosses it.
+constexpr double least_cosine = 0.6;
 
-// Distance between blocks that are given back and paths of other cracks, in blocks, at least.
+// Length of path on either side of a new border, in blocks, from which the path's direction there is taken.
+constexpr double piece_at_border = 0.5;
+
+// Distance along the path from a new border, in blocks, within which a straight line of the grid decides which blocks
+// stay. Farther off, the place on the path that is nearest to a block decides.
+constexpr double straight_border = 3;
+
+// Least distance of blocks that stay from the path with elements, in blocks, farther than straight_border / 2 from a
+// new border.
+constexpr double least_apart = 0.5;
+
+// Least distance of blocks that are given back from the paths of other cracks, in blocks.
 constexpr double apart_from_others = 0.5;
 
-// Blocks of elements between the two parts of a patch, at least, as patches have them.
+// Least number of blocks without lattice between the two parts of a patch, as between two patches.
 constexpr int between_parts = 2;
 
-// New border across a path: the line of a crossing, and on which side of it blocks stay (1: the greater coordinates).
+// New border across a path: the path's crossing with a line of the grid, and the side of this line on which blocks stay
+// (1: side of greater coordinates, -1: other side).
 struct NewBorder {
   GridCrossing crossing;
   int kept_side;
@@ -52,7 +61,7 @@ class GivingPatch {
         others_(std::move(others)),
         crossings_(crossings_of(path_, grid())) {}
 
-  // What the patch can give back behind the path's last point, which lies in it.
+  // Blocks that the patch can give back behind the path's last point, which is a tip in the patch.
   std::optional<GivenBack> behind_tip() const {
     const double size = grid().size, length = path_.length();
     for (auto at = crossings_.rbegin(); at != crossings_.rend(); ++at) {
@@ -84,8 +93,8 @@ class GivingPatch {
     return {static_cast<int>(std::floor(at.x())), static_cast<int>(std::floor(at.y()))};
   }
 
-  // Border at a crossing, if the path goes straight enough through it. Blocks stay on the side to which the path goes
-  // on (1) or from which it comes (-1).
+  // New border at a crossing, if the path crosses straight enough there. Blocks stay on the side to which the path goes
+  // (if `kept` is 1), or on the side from which it comes (-1).
   std::optional<NewBorder> border_at(const GridCrossing& crossing, int kept) const {
     const double piece = piece_at_border * grid().size;
     const Point along = (path_.at(crossing.way + piece) - path_.at(crossing.way - piece)).normalized();
@@ -94,8 +103,9 @@ class GivingPatch {
     return NewBorder{crossing, normal > 0 ? kept : -kept};
   }
 
-  // Calls visit(block, way of its start, its end) for the pieces of the path between lines of the grid, from `from` to
-  // `to`; stops where it returns false. Returns whether all have returned true.
+  // Calls visit(block, start, end) for the pieces of the path between lines of the grid, from the distance `from` along
+  // the path to `to`, until a call returns false. Each piece lies in `block`, between the distances `start` and `end`.
+  // Returns whether all calls returned true.
   template <class Visit>
   bool each_cell(double from, double to, const Visit& visit) const {
     double start = from;
@@ -110,7 +120,7 @@ class GivingPatch {
     return piece_to(to);
   }
 
-  // Way at which the path has come into the patch last before `way`; 0 if it begins inside.
+  // Distance along the path at which it enters the patch last before `way`; 0 if it begins inside the patch.
   double entry_before(double way) const {
     double entry = 0;
     each_cell(0, way, [&](const Block& block, double, double end) {
@@ -120,8 +130,9 @@ class GivingPatch {
     return entry;
   }
 
-  // Patches without the blocks between two borders, or before the second one; the path is among these blocks from the
-  // way `from` on.
+  // Patches after the blocks between two borders have been given back, or all blocks before the second border if there
+  // is no first one. The path runs in these blocks from the distance `from` on. Empty if the blocks cannot be given
+  // back.
   std::optional<GivenBack> given_between(const std::optional<NewBorder>& first, const NewBorder& second,
                                          double from) const {
     const double to = second.crossing.way;
@@ -181,8 +192,8 @@ class GivingPatch {
     });
   }
 
-  // Whether the path passes straight from the blocks that stay into those that are given back, and runs in these apart
-  // from the others.
+  // Whether the path crosses the new borders straight, and runs through the blocks that are given back at a distance
+  // from the blocks that stay. Other cracks must be away from the blocks that are given back, too.
   bool is_sound(const Blocks& kept, const Blocks& given, const std::optional<NewBorder>& first, const NewBorder& second,
                 double from) const {
     const auto is_straight = [&](const NewBorder& border) {

@@ -13,8 +13,8 @@ namespace {
 
 using coupling::SharedForce;
 
-// Nodes of a support's part of an edge from one of its ends on: an end of an element, its middle, the next end and so
-// on. Each has its distance from that end, as a fraction of the part, and the integral of its shape function over it.
+// Nodes of a supported part of an edge, in order from one end of the part: end, middle and end of each element. Each
+// node has its distance from that end, as a fraction of the part, and the integral of its shape function over the part.
 struct Side {
   std::size_t support;
   std::vector<int> nodes;
@@ -26,7 +26,7 @@ class SupportedParts {
   SupportedParts(const scene::Scene& scene, const Discretization& d)
       : scene_(scene), d_(d), known_(scene.supports().size()) {}
 
-  // Nodes of a support that is a part of an edge, from the start of the part on.
+  // Nodes of a support on a part of an edge, from the start of the part on.
   const Side& of(std::size_t support) {
     if (known_[support]) return *known_[support];
     const auto& part = dynamic_cast<const EdgePart&>(*scene_.supports()[support].place);
@@ -55,10 +55,10 @@ Side reversed(Side side) {
   return side;
 }
 
-// Force that the tractions on a side make at its first node, by the forces on the middle nodes of its first two
-// elements. A force on a middle node over its weight is the traction there. The traction at the first node continues
-// the line through two of them, and its weight makes it a force, since the first moment of an end's quadratic shape
-// function about that end is zero.
+// Force that the tractions on a side make at the side's first node, in terms of the forces on the middle nodes of the
+// first two elements. The force on a middle node over the node's weight is the traction there. The traction at the
+// first node lies on the straight line through the two middle tractions. It becomes a force by the weight of the first
+// node, since the first moment of an end's quadratic shape function about that end is zero.
 std::vector<SharedForce> force_of_tractions(const Side& side, int component) {
   const std::vector<double>&x = side.distances, &w = side.weights;
   const int node = side.nodes.front();
@@ -69,8 +69,8 @@ std::vector<SharedForce> force_of_tractions(const Side& side, int component) {
           {2 * side.nodes[3] + component, node, -w[0] / w[3] * slope}};
 }
 
-// Sides of edges that meet in a node, by the supports that hold one of its components; nothing where the first support
-// has all.
+// Sides (supported parts of edges) that meet at a node, for the supports that hold one of its degrees of freedom; empty
+// if the first support gets the whole reaction.
 std::vector<Side> sides_at(int node, const std::vector<std::size_t>& supports, const scene::Scene& scene,
                            const Discretization& d, SupportedParts& parts) {
   const auto is_point = [&](std::size_t s) { return scene.supports()[s].place->point().has_value(); };
@@ -90,13 +90,13 @@ std::vector<Side> sides_at(int node, const std::vector<std::size_t>& supports, c
   return sides;
 }
 
-// Divides the force on a degree of freedom, which the first of its supports counts until now.
+// Divides the reaction of a degree of freedom, which so far counts for the support `first` alone, among the sides.
 void divide(int dof, std::size_t first, const std::vector<Side>& sides, std::vector<std::vector<SharedForce>>& shared) {
   const int node = dof / 2;
   shared[first].push_back({dof, node, -1});
   double all = 0;
   for (const Side& side : sides) all += side.weights.front();
-  std::vector<SharedForce> rest{{dof, node, 1}};  // of the node's force besides those of the tractions
+  std::vector<SharedForce> rest{{dof, node, 1}};  // the node's force less those of the tractions
   for (const Side& side : sides) {
     for (const SharedForce& one : sides.size() > 1 ? force_of_tractions(side, dof % 2) : std::vector<SharedForce>()) {
       shared[side.support].push_back(one);
@@ -108,11 +108,11 @@ void divide(int dof, std::size_t first, const std::vector<Side>& sides, std::vec
       shared[side.support].push_back({one.dof, node, one.weight * side.weights.front() / all});
 }
 
-// Supports that hold a degree of freedom, of those that several of them hold. Most scenes have none, also large ones.
+// Supports of each degree of freedom that several supports hold. Most scenes have no such degree of freedom.
 std::map<int, std::vector<std::size_t>> shared_dofs(const DofConditions& conditions) {
   std::map<int, std::vector<std::size_t>> holders;
   for (std::size_t s = 0; s < conditions.held_dofs.size(); ++s) {
-    const std::vector<int>& counted = conditions.reaction_dofs[s];  // the others count for a support before
+    const std::vector<int>& counted = conditions.reaction_dofs[s];  // the others count for an earlier support
     auto next = counted.begin();
     for (const int dof : conditions.held_dofs[s]) {
       if (next != counted.end() && *next == dof) {

@@ -43,7 +43,7 @@ std::vector<Point> distinct(const std::vector<Point>& places, double tolerance) 
   return once;
 }
 
-// Cache of singular exponents by wedge: equal wedges occur often, as in rows of holes or layers.
+// Cache of singular exponents by wedge. Equal wedges occur often, such as in rows of holes or layers.
 class KnownExponents {
  public:
   std::optional<std::complex<double>> of(const Wedge& wedge) {

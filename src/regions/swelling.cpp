@@ -36,7 +36,7 @@ void swell(Discretization& d, const SwellingOfRegions& swelling) {
 std::array<std::vector<double>, 2> changed_rest_elongations(Discretization& d, const SwellingOfRegions& swelling,
                                                             const coupling::Terms& terms) {
   LatticeSwelling lattices(d.positions);
-  coupling::Terms rests;  // data of terms from which lattices find their rest elongations
+  coupling::Terms rests;  // only what set_rests() reads and writes
   rests.length = terms.length;
   swell_all(d, swelling, lattices);
   for (const auto& region : d.regions)

@@ -12,21 +12,22 @@ namespace bempd::regions {
 
 namespace {
 
-// Ratio for estimating errors: error of the finer of two discretizations over the difference between both. The measured
-// difference is 4 to 30 times the error, less where the error comes mostly from tip elements, which both share.
+// Ratio of the error of the finer of two discretizations to the difference of their results, for error estimates. The
+// measured difference is 4 to 30 times the error, and less if most of the error comes from tip elements, which both
+// discretizations share.
 constexpr double error_of_difference = 1.0 / 3;
 
-// Share of stress intensity factors that is added to the error in a subdomain, because the difference is that of its
-// own elements alone: the largest effect of cuts and of the other elements that was measured, with 10 to 16 elements on
-// each hole (tests/differential/tip_errors.py).
+// Share of the stress intensity factors that is added to the error estimate in a subdomain, since the estimate
+// considers only the subdomain's own elements. It is the largest measured effect of cuts and of other elements, with 10
+// to 16 elements on each hole (tests/differential/tip_errors.py).
 constexpr double error_of_others = 2e-4;
 
 double stress_along(const LinearBodyForce& particular, const bem::CrackTip& tip) {
   return tip.direction.dot(traction_of(particular, tip.place, tip.direction));
 }
 
-// T of each tip by the constant and by the proportional part of the loads (the first two states), for a material whose
-// fracture energy a function of the host gives; else empty.
+// T-stress of each tip under the constant and under the proportional part of the loads, which are the first two states.
+// Empty unless a function of the host gives the material's fracture energy.
 std::vector<Point> parts_of_t_stress(const bem::CrackedOperator& cracked, const std::vector<bem::CrackedState>& states,
                                      const scene::Material& material) {
   if (!material.resistance.function) return {};
@@ -37,8 +38,9 @@ std::vector<Point> parts_of_t_stress(const bem::CrackedOperator& cracked, const 
   return parts;
 }
 
-// Sets the toughness that a tip meets. `share` is the fracture energy at its place over that of the material, `grown`
-// the length by which it has grown. A function of the host is only noted, to be asked later.
+// Sets the toughness that a tip meets. `share` is the fracture energy at the tip's place relative to that of the
+// material, `grown` the length by which the tip has grown. If the host has a function for the fracture energy, it is
+// stored here and called later.
 void set_resistance(TipValues& value, const scene::Material& material, double share, double grown,
                     const Point& t_stress) {
   const crack::Resistance& resistance = material.resistance;
@@ -54,8 +56,8 @@ double length_of(const Point& vector) {
   return far == 0 ? vector.norm() : std::ldexp((vector * std::ldexp(1, -far)).norm(), far);
 }
 
-// Appends the tips of a part. `of_loads` has the states under the constant and under the proportional part of the
-// loads, and the present state.
+// Appends the tips of a part to `values`. `of_loads` has the states under the constant and under the proportional part
+// of the loads, and the present state.
 void append_tips(const CrackedPart& part, const std::vector<bem::CrackedState>& of_loads, const Region& region,
                  const LinearBodyForce& particular, TipDetail detail, std::vector<TipValues>& values) {
   const bem::CrackedOperator& cracked = *part.body;
@@ -141,7 +143,7 @@ std::vector<Point> BoundaryCracks::openings(int crack, const std::vector<double>
     if (!parts_.cracked()[k].cracks->has(crack)) continue;
     for (const double fraction : fractions)
       values.push_back(parts_.cracked()[k].cracks->opening_at(crack, fraction, states[k]));
-    break;  // all of a crack's lines that meet lie in one part
+    break;  // lines of a crack that meet all lie in one part
   }
   return values;
 }

@@ -13,7 +13,8 @@ namespace bempd::regions {
 
 namespace {
 
-// Largest number of elements in a region. No machine holds the operators of more, so more come from a mistyped length.
+// Largest number of elements in a region. No machine holds the operators of more elements, so a larger number comes
+// from a mistyped length.
 constexpr double most_on_an_edge = 1e6;
 
 void require_element_length(double element_length, double longest) {
@@ -23,11 +24,11 @@ void require_element_length(double element_length, double longest) {
           longest / element_length, " elements; the limit is ", most_on_an_edge, ": choose a longer one");
 }
 
-// Smallest length of an element over that of its edge: integrals over shorter elements are within rounding.
+// Smallest length of an element relative to its edge. Integrals over shorter elements are within rounding.
 constexpr double shortest_element = 1e-9;
 
-// Length of the shortest element over that of the edge, for `count` elements that grow by the factor `grading` from
-// both ends to the middle.
+// Length of the shortest element relative to the edge, for `count` elements that grow by the factor `grading` from both
+// ends to the middle.
 double shortest_share(double count, double grading) {
   // The edge's two halves are equal; each is a geometric sum 1 + g + g^2 + ... of its elements.
   const double half = std::floor(0.5 * count), rest = count - 2 * half;

@@ -8,9 +8,9 @@ namespace bempd::regions {
 
 namespace {
 
-// A panel lies in a part of an edge if they have more than an end in common. An end alone may be the mouth of a crack:
-// of the two nodes there, one on each face, one belongs to a panel outside. Parts without length have the panels around
-// them.
+// Whether a panel lies in a part of an edge: whether they have more than an end in common. If they have only an end in
+// common, that may be the mouth of a crack, with two nodes, one of which belongs to a panel outside of the part. A part
+// without length has the panels around it.
 bool lies_in(const EdgeSpan& span, const PanelSource& panel, double slack) {
   const double common = std::min(panel.to, span.to) - std::max(panel.from, span.from);
   return panel.edge == span.edge && (common > slack || span.to - span.from <= slack);
@@ -68,9 +68,10 @@ std::vector<Point> BoundaryLoads::forces_on_edge(const EdgeSpan& span, const std
   return forces;
 }
 
-// Adds the nodal forces of a body force. With u = u_p + u_0, where the particular solution u_p carries the body force
-// and u_0 carries none, the nodal forces of the surface are K u_0 + f(t_p). Equilibrium is therefore  K u = f + K u_p -
-// f(t_p),  with the stiffness K and the nodal forces f(t_p) of the traction t_p of u_p (Brebbia and Dominguez, Boundary
+// Adds the nodal forces of a body force. Let u = u_p + u_0, where the particular solution u_p carries the body force
+// and u_0 carries no body force. The nodal forces of the surface are K u_0 + f(t_p), so that equilibrium is
+//   K u = f + K u_p - f(t_p),
+// with the stiffness K and the nodal forces f(t_p) of the traction t_p of u_p (Brebbia and Dominguez, Boundary
 // Elements, 2nd ed., section 3.9).
 void BoundaryLoads::add_body_force(const BodyForce& body_force, Eigen::Ref<Eigen::VectorXd> force) const {
   if (body_force.is_zero()) return;

@@ -31,7 +31,7 @@ const Contact* contact_at(const Arrangement& arrangement, int region, int edge, 
   return nullptr;
 }
 
-// Neighbour at a contact if it is a region with material points on its outline; null if it is of another kind.
+// Neighbour at a contact, if the neighbour is a region with points on its outline; null for other regions.
 OutlinedRegion* outlined_at(const Preparation& p, const Contact& contact) {
   const auto reaches = [](const std::unique_ptr<Region>& region, int wanted) { return region->id() < wanted; };
   const auto found = std::lower_bound(p.regions.begin(), p.regions.end(), contact.other_region + 1, reaches);
@@ -88,8 +88,9 @@ std::vector<double> all_breaks(const Preparation& p, int region, int edge, const
   return distinct;
 }
 
-// Element ends on an interface between two boundary element regions, as fractions of the piece. The finer mesh of the
-// two is used; at equal lengths that of the lower region id, so that both sides get the same elements.
+// Element ends on an interface between two boundary element regions, as fractions of the piece. The finer of both
+// meshes is used, or that of the lower region id if both have equal lengths, so that both regions get the same
+// elements.
 std::vector<double> shared_stations(const Scene& scene, int region, int edge, const Contact& contact,
                                     const Arc& piece) {
   const int other = contact.other_region + 1;
@@ -102,7 +103,7 @@ std::vector<double> shared_stations(const Scene& scene, int region, int edge, co
   return element_stations(piece.length(), mesh.element_length, mesh.grading, piece.sweep);
 }
 
-// Piece of a boundary that a panel comes from, with what supports hold and which loads act there.
+// Piece of a boundary from which a panel comes, with the components that supports hold and the loads that act there.
 BoundaryPiece piece_of(const Scene& scene, int region, const PanelSource& source, const Arc& arc) {
   BoundaryPiece piece{arc, HeldComponents::interface, 0, {}};
   if (source.border != Border::free) return piece;
@@ -121,8 +122,8 @@ BoundaryPiece piece_of(const Scene& scene, int region, const PanelSource& source
   return piece;
 }
 
-// Reach of the error at a singular place, in lengths of the last element before it: up to this distance it affects the
-// stress intensity factors of a crack.
+// Distance up to which the error at a singular place affects the stress intensity factors of a crack, relative to the
+// length of the element next to that place.
 constexpr double reach_of_corners = 8;
 
 bool is_near_crack(const Preparation& p, int region, const Point& x, double reach) {
@@ -136,8 +137,8 @@ bool is_near_crack(const Preparation& p, int region, const Point& x, double reac
   return false;
 }
 
-// Singular ends of a panel that are close to a crack of the region. Where the host has chosen the element length,
-// elements are only graded towards these.
+// Divisions at the singular ends of a panel that are close to a crack of the region; 0 at other ends. If the host has
+// chosen the element length, only these ends are graded.
 EndDivisions near_cracks(const Preparation& p, int region, const Panel& panel, EndDivisions divisions) {
   const std::vector<double>& stations = panel.stations;
   const double reach = reach_of_corners * panel.arc().length();
@@ -147,12 +148,11 @@ EndDivisions near_cracks(const Preparation& p, int region, const Panel& panel, E
   return divisions;
 }
 
-// Shortest element that grading makes, in geometric tolerances: when elements are halved a few times, their places
+// Shortest element that grading makes, in geometric tolerances. If such elements are halved a few times, their places
 // still have many digits.
 constexpr double shortest_graded = 10;
 
-// Grades elements towards corners and ends of supports at which stress is singular, and in bodies towards jumps of
-// tractions.
+// Grades elements towards places where stress is singular, and in bodies also towards jumps of tractions.
 void grade_corners(const Preparation& p, int region, BoundaryPanels& panels) {
   const scene::Region& described = p.scene.region(region);
   const DivisionRule rule =
@@ -175,8 +175,8 @@ void grade_corners(const Preparation& p, int region, BoundaryPanels& panels) {
   }
 }
 
-// Gives the free edges of a body the coarsest useful elements (CoarseSizes), unless the host has chosen an edge's
-// elements.
+// Gives the free edges of a body the coarsest useful elements (CoarseSizes), except edges for which the host has chosen
+// the elements.
 void choose_sizes(const scene::Region& described, BoundaryPanels& panels) {
   const CoarseSizes sizes(panels.loops);
   int number = 0;
@@ -201,7 +201,7 @@ std::vector<double> stations_of(const Preparation& p, const MeshingRules& rules,
 }
 
 // Adds panels on an interface with a region that has points on its outline: one element for each chord between these
-// points, or elements of the length that the host has chosen, on straight edges only.
+// points, or, on straight edges only, elements of the length that the host has chosen.
 void follow_outline(const Preparation& p, OutlinedRegion& other, PanelSource source, const Contact& contact,
                     const Arc& piece, const std::vector<Point>& mouths, BoundaryPanels& result) {
   const scene::Region& described = p.scene.region(contact.region + 1);

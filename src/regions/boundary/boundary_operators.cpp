@@ -7,8 +7,8 @@
 
 namespace bempd::regions {
 
-// Operators of earlier regions of the same kind and material. One of them lends its operator, or those of its
-// subdomains without cracks, if its mesh differs by a translation only. Operators with cracks are not lent.
+// Operators of earlier regions of the same kind and material, which can lend their operator, or those of their
+// subdomains without cracks. One is lent if its mesh differs by a translation only. Operators with cracks are not lent.
 std::vector<const BoundaryOperators*> BoundaryOperators::alike_before(const Preparation& preparation) const {
   std::vector<const BoundaryOperators*> found;
   for (const auto& other : preparation.regions) {
@@ -43,7 +43,7 @@ void BoundaryOperators::build(const Preparation& preparation) {
   if (parts_.cracks()) whole_ = parts_.cracked().front().body;
   const ElementsOfRegion elements{region_.id(), mesh, mesh_.panels(), region_.elasticity()};
   if (!whole_) whole_ = method_.make_operator(elements, assembly);
-  // The stiffness may depend on the interfaces of a region, so regions that share an operator may have different
+  // The stiffness may depend on the interfaces of a region. Regions that share an operator may then have different
   // stiffnesses.
   stiffness_ = method_.own_stiffness(preparation.scene, elements, *whole_);
 }
@@ -89,7 +89,8 @@ std::vector<OperatorNodes> BoundaryOperators::nodes_of_operators() const {
 }
 
 std::shared_ptr<const Eigen::MatrixXd> BoundaryOperators::stiffness_of_nodes() const {
-  // The region's nodes are those of the mesh, in the same order, unless mid nodes are slaved.
+  // The region's nodes are the nodes of the mesh, in the same order, unless the displacements of mid nodes follow from
+  // other nodes.
   const Eigen::SparseMatrix<double>& trace = mesh_.trace();
   const bool all_nodes = trace.rows() == trace.cols();
   if (all_nodes && stiffness_.size() == 0) return {whole_, &whole_->stiffness()};

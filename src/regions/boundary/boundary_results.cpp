@@ -25,7 +25,8 @@ void add_stress(const LinearBodyForce& particular, const BoundaryMesh& mesh, Fie
     }
 }
 
-// Values at a mesh's nodes: the mean of the elements that meet there, of values at the three nodes of each element.
+// Values at a mesh's nodes, given values at the three nodes of each element: mean over the elements that meet at a
+// node.
 FieldValues mean_at_nodes(const BoundaryMesh& mesh, const FieldValues& of_elements) {
   const auto components = static_cast<std::size_t>(of_elements.components);
   FieldValues field{std::vector<double>(components * mesh.nodes.size(), 0.0), of_elements.components};
@@ -41,8 +42,9 @@ FieldValues mean_at_nodes(const BoundaryMesh& mesh, const FieldValues& of_elemen
   return field;
 }
 
-// Nodes of the scene for all nodes of a mesh, some of which are none (-1). An end of an element at a crack's mouth then
-// gets the number of the element's other end, which lies on the same side of the crack; a mid node that of the start.
+// Node of the scene for each node of a mesh. In `nodes` some are missing (-1): the end of an element at a crack's mouth
+// gets the node at the element's other end, which lies on the same side of the crack, and a mid node that at the
+// element's start.
 std::vector<int> with_neighbours(std::vector<int> nodes, const BoundaryMesh& mesh) {
   for (const BoundaryElement& element : mesh.elements)
     for (const int k : {0, 2})
@@ -52,8 +54,8 @@ std::vector<int> with_neighbours(std::vector<int> nodes, const BoundaryMesh& mes
   return nodes;
 }
 
-// Evaluates the interior by Somigliana's identity for the part of the solution without body force and swelling, and
-// adds the particular solution and the free swelling.
+// Evaluates the interior: Somigliana's identity gives the part of the solution without body force and swelling, to
+// which the particular solution and the free swelling are added.
 class BoundaryEvaluator final : public Evaluator {
  public:
   BoundaryEvaluator(int region, const RegionSwelling& swelling, InteriorOfPieces interior,
@@ -86,7 +88,7 @@ class BoundaryEvaluator final : public Evaluator {
 
 }  // namespace
 
-// Entries of the region's nodes in fields on the mesh. Mid nodes of elements at a grid are left out if they are no
+// Entries of the region's nodes in fields on the mesh. Mid nodes of elements at a grid are left out if they are not
 // nodes of the scene.
 std::vector<int> BoundaryResults::entries_of_nodes() const {
   std::vector<int> entries;
@@ -175,8 +177,8 @@ SnapshotBlock BoundaryResults::snapshot_block() const {
           {{"displacement", Field::displacement}, {"traction", Field::traction}, {"stress", Field::stress}}};
 }
 
-// Field for pictures, one value for each node of the mesh. For tractions, which differ between the two elements at a
-// corner, it is the mean of both.
+// Field for pictures, with one value for each node of the mesh. The traction at a corner, which differs between the two
+// elements there, is the mean of both elements.
 FieldValues BoundaryResults::at_nodes(Field which, const FieldValues& values) const {
   return which == Field::traction ? mean_at_nodes(mesh_.mesh(), values) : values;
 }

@@ -36,8 +36,8 @@ Eigen::VectorXd BoundaryStates::displacement(const LinearBodyForce& particular, 
   return displacement;
 }
 
-// States of the cracked parts without the particular solution of a body force. That solution has tractions on the crack
-// faces too, which are subtracted from the loads there.
+// States of the parts with cracks, without the particular solution of a body force. The tractions of this solution on
+// the crack faces are subtracted from the loads there.
 std::vector<bem::CrackedState> BoundaryStates::of_cracked_parts(const Eigen::VectorXd& displacement,
                                                                 const Solution& solution, double constant,
                                                                 double proportional) const {

@@ -11,12 +11,12 @@ namespace bempd::regions {
 
 namespace {
 
-// Division of an element towards an end of its piece: the distance of each new element end from that end over that of
-// the previous one.
+// Division of an element towards an end of its piece: each new element end lies at this fraction of the distance that
+// the previous one has from that end.
 constexpr double ratio = 0.3;
 
-// Usual number of divisions. The error of displacements far from a crack tip drops to 2e-3 of its value by them,
-// because it falls like the size of the last element. It falls faster at other places.
+// Usual number of divisions. At a crack tip they reduce the error of displacements far away to 2e-3 of its value,
+// because that error is proportional to the size of the last element. At other places the error falls faster.
 constexpr int usual_count = 5;
 
 // Largest angle of a corner [rad] without a stress singularity, for the conditions on its two sides. A support that
@@ -37,7 +37,7 @@ bool is_singular(const BoundaryPiece& before, const BoundaryPiece& after) {
   return std::numbers::pi - turn > largest_regular_angle(before.held, after.held) + slack;
 }
 
-// Exponent with which displacements grow with the distance from a singular place.
+// Exponent of the distance from a singular place with which displacements grow.
 double exponent_at(const BoundaryPiece& before, const BoundaryPiece& after, const PlaneElasticity& elasticity) {
   constexpr double of_crack_tip = 0.5;
   const Point along = before.arc.tangent(1), on = after.arc.tangent(0);
@@ -83,7 +83,8 @@ std::vector<EndDivisions> end_divisions(const std::vector<BoundaryPiece>& loop, 
 
 std::vector<double> graded_stations(const EndDivisions& wanted, const std::vector<double>& stations, double least) {
   std::vector<double> all = stations;
-  // A single element with two such ends is halved first, so that each half is divided towards one end.
+  // A single element that is divided towards both of its ends is halved first, so that each half is divided towards one
+  // end.
   if (wanted.start > 0 && wanted.end > 0 && all.size() == 2) all = {0, 0.5, 1};
   const double first = all[1], last = 1 - all[all.size() - 2];
   const auto possible = [&](int count, double length) {

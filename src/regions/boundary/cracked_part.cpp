@@ -9,10 +9,11 @@ namespace bempd::regions {
 
 namespace {
 
-// Factor between two distances that differ by more than rounding. Among nearly equal distances the first counts.
+// Ratio of two distances above which they differ by more than rounding. Of distances that are nearly equal the first
+// counts.
 constexpr double clearly_farther = 1 + 1e-6;
 
-// Whether an operator is the one of this body with these cracks.
+// Whether an operator belongs to the body with this mesh, these cracks and this elasticity.
 bool is_of(const bem::CrackedOperator& body, const BoundaryMesh& mesh, const bem::CrackMesh& cracks,
            const PlaneElasticity& elasticity) {
   const auto same_boundary = [](const BoundaryElement& a, const BoundaryElement& b) {

@@ -39,7 +39,7 @@ std::int64_t InteriorOfPieces::kernel_evaluations() const {
   return sum;
 }
 
-// Index of the piece in which a place lies; the nearest piece if rounding puts the place outside all of them.
+// Index of the piece in which a place lies, or of the nearest piece if rounding puts the place outside of all pieces.
 std::size_t InteriorOfPieces::piece_at(const Point& x) const {
   if (interiors_.size() == 1) return 0;
   for (const Cut& cut : cuts_)

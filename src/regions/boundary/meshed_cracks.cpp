@@ -11,7 +11,8 @@ namespace bempd::regions {
 
 namespace {
 
-// Values of an element's three shape functions at a fraction `part` of its length; `tip`: the end that is a crack tip.
+// Values of the three shape functions of an element at the fraction `part` of its length. `tip` is the end of the
+// element that is a crack tip.
 std::array<double, 3> shape_at(bem::TipEnd tip, double part) {
   if (tip == bem::TipEnd::none) return bem::ElementGeometry{}.shape(2 * part - 1);
   bem::ElementGeometry geometry{};
@@ -158,7 +159,7 @@ std::optional<Overlap> MeshedCracks::overlap(const bem::CrackedState& state) con
       if (depth > worst.depth) worst = {paths_[lines_.lines[e.line].crack].id, e.places[k], depth};
     }
   }
-  // An overlap within rounding is not reported; it occurs where faces slide on each other.
+  // An overlap within rounding is not reported. It occurs where faces slide on each other.
   if (worst.depth <= 1e-9 * largest) return std::nullopt;
   return worst;
 }

@@ -6,11 +6,12 @@
 
 namespace bempd::regions {
 
-// Roles of the mesh's nodes: `shared` nodes may be nodes of other regions too. A `slaved` node's displacement follows
-// from its masters': a mid node of an element on a grid has the mean of the element's ends.
+// Roles of the mesh's nodes. A `shared` node may be a node of other regions, too. The displacement of a `slaved` node
+// follows from those of its masters: the mid node of an element on a grid has the mean displacement of the element's
+// ends.
 struct NumberedMesh::NodeRoles {
   std::vector<char> shared, slaved;
-  std::vector<std::vector<std::pair<int, double>>> masters;  // with weights; they may be slaved themselves
+  std::vector<std::vector<std::pair<int, double>>> masters;  // nodes with weights; a master may be slaved, too
 
   void add(int node, double weight, std::vector<std::pair<int, double>>& to) const {
     if (!slaved[static_cast<std::size_t>(node)]) return to.emplace_back(node, weight), void();
@@ -36,7 +37,7 @@ NumberedMesh::NodeRoles NumberedMesh::roles(std::span<const std::array<int, 2>> 
     const PanelSource& panel = source_of(element);
     if (panel.border == Border::free) continue;
     if (panel.tied) {
-      // Nodes at the two ends of a tied interface are shared by both regions, all others are not.
+      // Nodes at the two ends of a tied interface are shared by both regions, other nodes are not.
       if (e == 0 || mesh_.elements[e - 1].panel != element.panel) roles.shared[element.nodes[0]] = 1;
       const bool is_last = e + 1 == mesh_.elements.size() || mesh_.elements[e + 1].panel != element.panel;
       if (is_last) roles.shared[element.nodes[2]] = 1;
@@ -53,8 +54,8 @@ NumberedMesh::NodeRoles NumberedMesh::roles(std::span<const std::array<int, 2>> 
 }
 
 // Sets the displacements at mouths of cracks that continue in a lattice. A mouth lies between two material points. Each
-// face there follows the straight line through the two nearest points on its side, or is free if there is one point
-// only.
+// face of the crack follows, at the mouth, the straight line through the two nearest points on its side; it is free if
+// there is only one point.
 void NumberedMesh::follow_rows_to_mouths(std::span<const std::array<int, 2>> mouths, NodeRoles& roles) const {
   const auto lead_to = [&](int mouth, std::size_t element, int step) {
     const BoundaryElement& own = mesh_.elements[element];
@@ -79,8 +80,8 @@ void NumberedMesh::follow_rows_to_mouths(std::span<const std::array<int, 2>> mou
   }
 }
 
-// Side of the crack on which each node of the mesh lies at mouths that are shared with another boundary element region:
-// 1 left, -1 right, 0 elsewhere.
+// Side of a crack for each node of the mesh at a mouth that is shared with another boundary element region: 1 left, -1
+// right. 0 for all other nodes.
 std::vector<int> NumberedMesh::sides_of_cracks(const Preparation& p) const {
   std::vector<int> sides(mesh_.nodes.size(), 0);
   for (const SharedMouth& mouth : shared_mouths(p.cracks)) {
@@ -133,7 +134,7 @@ std::vector<int> NumberedMesh::number(const Preparation& preparation, NodeRegist
   return nodes;
 }
 
-// Nodes on cuts between subdomains come last in the region.
+// Node of the scene at a place. The nodes on cuts between subdomains are the last nodes of the region.
 int NumberedMesh::node_at(int place) const {
   const auto at = static_cast<std::size_t>(place);
   const std::vector<int>& nodes = region_.nodes();

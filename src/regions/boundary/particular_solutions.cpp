@@ -49,10 +49,10 @@ CrackedPart::Particulars ParticularSolutions::in_part(const std::array<BodyForce
 }
 
 // Work of a body force b that nodal forces do not include. With Betti's theorem for the particular solution u_p of b
-// and the rest of u, the force does on any state u of the body the work
+// and the rest of u, the body force does on any state u of the body the work
 //   integral of b.u dV  =  g.u + integral of b.u_p' dV - g.u_p',   g = K u_p - f(t_p) on the boundary's nodes,
-// where u_p' is the particular solution of the other body force. The first term is the work of the nodal forces; this
-// function returns the other two.
+// where u_p' is the particular solution of the other body force. The first term is the work of the nodal forces; the
+// function returns the sum of the second and the third term.
 double ParticularSolutions::work(const BodyForce& body_force, const BodyForce& other) const {
   const BoundaryMesh& mesh = mesh_.mesh();
   if (body_force.is_zero() || other.is_zero()) return 0;

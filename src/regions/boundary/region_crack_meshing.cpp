@@ -9,8 +9,8 @@ namespace bempd::regions {
 
 namespace {
 
-// Merges the elements of a crack line in pairs, `times` times. Bends and joints stay ends of elements, and the element
-// at a tip stays as it is.
+// Merges the elements on a line of a crack in pairs, `times` times. Bends and joints stay ends of elements, and the
+// element at a tip stays as it is.
 std::vector<double> merged(const std::vector<double>& stations, const CrackLine& line, int times) {
   std::vector<double> bends{0.0};
   for (std::size_t i = 0; i + 1 < line.points.size(); ++i)
@@ -37,15 +37,17 @@ std::vector<double> merged(const std::vector<double>& stations, const CrackLine&
 
 }  // namespace
 
-// Elements on the cracks of a body are halved at least once, those of other regions are not.
+// Grading of the elements on cracks. In bodies it is half as fine as in other regions, because the elements of bodies
+// are halved at least once.
 bem::CrackGrading RegionCracks::grading(const scene::Region& region) {
   bem::CrackGrading grading;
   if (is_body(region)) grading.elements_per_line /= 2, grading.elements_per_growth /= 2;
   return grading;
 }
 
-// Ends of the elements on each line, halved or merged as those of the region; elements at tips are not merged. A line
-// from a row of material points keeps its elements, whose lengths begin with the spacing.
+// Ends of the elements on each line. Elements are halved or merged as often as those of the region, but not merged at
+// tips. A line that ends between two material points of a lattice keeps its elements, whose lengths begin with the
+// spacing.
 std::vector<std::vector<double>> RegionCracks::halved_stations() const {
   std::vector<std::vector<double>> all = sizes_.stations();
   for (std::size_t l = 0; l < all.size(); ++l) {
@@ -105,7 +107,8 @@ void refine_at_cracks(const Preparation& p, const RegionCracks* own, BoundaryPan
       const PanelSource& source = panels.sources[number++];
       const bool at_mouth = own && (own->is_on_row(panel.start) || own->is_on_row(panel.end));
       if (source.border == Border::grid && !(source.tied && at_mouth)) continue;
-      // Regions on an interface get the same elements if both refine for the same region's cracks first.
+      // Two regions on an interface get the same elements if both refine first for the cracks of the region with the
+      // lower id.
       const auto other = source.border == Border::elements ? cracks_of(p, source.other_region) : nullptr;
       std::array<const RegionCracks*, 2> both{own, other.get()};
       if (own && other && other->region() < own->region()) std::swap(both[0], both[1]);

@@ -12,13 +12,15 @@ namespace bempd::regions {
 
 namespace {
 
-// Memory estimate: bytes per square of the number of elements, for the matrices that exist at the same time while an
-// operator with cracks is built. Measured with 400 to 900 elements.
+// Memory estimate of an operator with cracks: bytes per square of the number of elements, for the matrices that exist
+// at the same time while it is built. Measured with 400 to 900 elements.
 constexpr double bytes_per_square_with_cracks = 600;
 
-// Limits for a warning: number of elements from which on preparing takes seconds, and ratio of a gap's width to the
-// crack's length below which the gap is given as the reason.
-constexpr double elements_to_warn_of = 500, narrow_gap = 0.03;
+// Number of elements from which on preparing takes seconds, so that a warning is given.
+constexpr double elements_to_warn_of = 500;
+
+// Ratio of a gap's width to the crack's length below which the warning names the gap as the reason.
+constexpr double narrow_gap = 0.03;
 
 // Calls visit(crack, its id, part) for all parts of cracks that have elements in the region.
 template <class Visit>
@@ -28,7 +30,7 @@ void for_each_part(const Preparation& p, int region, const Visit& visit) {
       if (part.region == region) visit(p.cracks[c].crack, static_cast<int>(c) + 1, part);
 }
 
-// Distances along a grown crack at which the crack as described by the host begins and ends.
+// Distances along a grown crack at which the part that the host described begins and ends.
 std::pair<double, double> described_part(const scene::Crack& crack) {
   const auto first = crack.points.begin();
   return {polyline_length({first, first + crack.grown_at_start + 1}),
@@ -63,8 +65,8 @@ std::vector<bem::MouthOnRow> mouths_on_rows(const Preparation& p, int region) {
   return mouths;
 }
 
-// Largest length of elements at a mouth shared with another boundary element region, over the crack's distance from the
-// mouth to its next bend or end there.
+// Largest length of an element at a mouth that is shared with another boundary element region, relative to the distance
+// from the mouth to the crack's next bend or end in that region.
 constexpr double longest_element_at_mouth = 0.5;
 
 std::vector<bem::MouthOnRow> short_elements_at(const Preparation& p, int region, std::vector<bem::MouthOnRow> mouths) {

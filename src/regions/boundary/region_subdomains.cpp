@@ -14,24 +14,27 @@ namespace bempd::regions {
 
 namespace {
 
-// Regions with more elements are cut (their nodes are twice as many), into subdomains of at most `most_elements`.
-constexpr std::size_t most_undivided = 500, most_elements = 80;
+// Largest number of elements in a region that is not cut.
+constexpr std::size_t most_undivided = 500;
 
-// Memory estimate: bytes per square of the number of elements (four unknowns each), for the matrices that exist at the
-// same time while an operator is built. Measured as 500 to 600 with 220 and 420 elements.
+// Largest number of elements in a subdomain of a region that is cut.
+constexpr std::size_t most_elements = 80;
+
+// Memory estimate of an operator: bytes per square of the number of elements (four unknowns each), for the matrices
+// that exist at the same time while it is built. Measured as 500 to 600 with 220 and 420 elements.
 constexpr double bytes_per_square_of_elements = 500;
 
-// Sum of the squares of the subdomains' elements over the product of the region's elements and `most_elements`.
-// Measured as 1.1 to 1.5.
+// Ratio of the sum of the squares of the subdomains' numbers of elements to the product of the region's number of
+// elements and `most_elements`. Measured as 1.1 to 1.5.
 constexpr double squares_of_subdomains = 1.1;
 
-// Finds the columns of a trace, which are the region's nodes, that the displacements of subdomains depend on.
+// Finds the nodes of a region, which are columns of a trace matrix, on whose displacements those of a subdomain depend.
 class TraceColumns {
  public:
   explicit TraceColumns(const TraceRows& trace)
       : trace_(trace), known_(static_cast<std::size_t>(trace.cols()) / 2, 0) {}
 
-  // Columns of a subdomain, in the order of its nodes.
+  // Columns for a subdomain, in the order of the subdomain's nodes.
   std::vector<int> of(const Subdomain& part) {
     std::vector<int> columns;
     columns.reserve(part.nodes.size());
@@ -50,7 +53,7 @@ class TraceColumns {
   std::vector<char> known_;
 };
 
-// Part of the trace that gives the displacements of a subdomain's nodes from those of `columns`.
+// Part of the trace matrix that gives the displacements of a subdomain's nodes from those of `columns`.
 Eigen::SparseMatrix<double> trace_of(const Subdomain& part, const std::vector<int>& columns, const TraceRows& trace) {
   std::vector<int> place(static_cast<std::size_t>(trace.cols()) / 2, -1);
   for (std::size_t i = 0; i < columns.size(); ++i) place[static_cast<std::size_t>(columns[i])] = static_cast<int>(i);
@@ -77,7 +80,7 @@ double least_memory_of_region(double elements) {
 
 namespace {
 
-// Numbers of elements: a region with more than the first is cut, into subdomains with at most the second.
+// Limits on numbers of elements: `most_undivided` for a region that is not cut, `most_elements` for a subdomain.
 struct CutSizes {
   std::size_t most_undivided, most_elements;
 };
@@ -188,7 +191,8 @@ std::vector<coupling::DenseOperator> RegionSubdomains::dense_operators(const std
   for (std::size_t i = 0; i < count(); ++i) {
     const Subdomain& part = subdivision_.subdomains[i];
     std::shared_ptr<const Eigen::MatrixXd> stiffness(operators_[i], &operators_[i]->stiffness());
-    // A subdomain without slaved nodes has the nodes of its mesh, in their order.
+    // A subdomain has the nodes of its mesh, in their order, unless displacements of some nodes follow from other
+    // nodes.
     if (own_nodes[i].nodes.size() != part.nodes.size()) {
       const Eigen::SparseMatrix<double> own = trace_of_subdomain(i, trace);
       const Eigen::MatrixXd half = *stiffness * own;

@@ -17,8 +17,8 @@ void RegionSubdomains::require_memory(const scene::Options& options) const {
 
 namespace {
 
-// Adds to the body's mesh what a subdomain has behind its first nodes and elements: nodes at mouths of cracks, and
-// faces of cracks.
+// Adds to the region's mesh `body` what cracks have added to a subdomain's mesh: nodes from `first_node` on, at mouths,
+// and elements from `first_element` on, which are faces of cracks.
 void add_to_body(BoundaryMesh& body, Subdomain& part, std::size_t first_node, std::size_t first_element,
                  const bem::CrackMesh& cracks) {
   for (std::size_t i = first_node; i < part.mesh.nodes.size(); ++i) {
@@ -50,7 +50,7 @@ void add_to_body(BoundaryMesh& body, Subdomain& part, std::size_t first_node, st
 std::vector<CrackedPart> RegionSubdomains::mesh_cracks(const RegionCracks& cracks, BoundaryMesh& body) {
   const std::size_t outline = body.nodes.size();
   std::vector<CrackedPart> parts;
-  std::vector<std::pair<std::size_t, std::size_t>> first;  // new node and element of each part
+  std::vector<std::pair<std::size_t, std::size_t>> first;  // first new node and first new element of each part
   for (std::size_t i = 0; i < count(); ++i) {
     Subdomain& part = subdivision_.subdomains[i];
     if (part.cracks.empty()) continue;

@@ -23,7 +23,7 @@ std::vector<double> SinglePoint::breaks_on(const scene::Scene& scene, int region
 }
 
 int SinglePoint::node_in(const Discretization& d) const {
-  // Nodes on cuts between subdomains have no entry in fields: they are no places of the host's.
+  // Nodes on cuts between subdomains, which have no entry in fields, are not places that a host knows.
   std::vector<char> is_hidden(d.positions.size(), 0);
   for (const auto& region : d.regions) {
     const std::vector<int> entries = region->results().entries_of_nodes();

@@ -11,18 +11,22 @@ namespace bempd::regions {
 
 namespace {
 
-// Radius, over that asked for, up to which the crack has two sides: it is followed to there, and extended straight if
-// it is shorter.
+// Distance from the tip, relative to the radius asked for, up to which the crack is followed. A shorter crack is
+// extended straight to this distance.
 constexpr double two_sided_reach = 3;
-// Length of a part of a face, and distance up to which nodes share its displacement, in spacings.
-constexpr double part_length = 0.25, share_reach = 2.5;
-// Distance from the tip's line, over the radius or the spacing, up to which the crack lies on the line.
+// Length of a part of a crack face [spacings].
+constexpr double part_length = 0.25;
+
+// Distance of nodes from the middle of a part of a face up to which the nodes have a share [spacings].
+constexpr double share_reach = 2.5;
+// Distance from the straight line through the tip, relative to the radius or to the spacing, up to which the crack
+// counts as lying on the line.
 constexpr double on_line = 1e-9;
-// Share of a part's length by which a piece may exceed a number of parts without one more, so that rounding does not
-// decide.
+// Excess over a whole number of parts, in lengths of a part, up to which a piece gets no additional part, so that
+// rounding does not decide.
 constexpr double rounding = 1e-6;
-// Mean square distance of a part's nodes from their mean line, in spacings, below which they say nothing about the
-// slope across that line, such as nodes in a row.
+// Mean square distance of a part's nodes from their mean line [spacings^2], below which the nodes do not determine the
+// slope across this line (nodes in a row).
 constexpr double least_moment = 1e-3;
 
 double angle_on_left(const Point& local) {
@@ -48,15 +52,15 @@ BentCrack::BentCrack(const std::vector<Point>& path, double radius) {
   const Point last = path_.back();
   if (last.norm() < two_sided_reach * radius)
     beside_.push_back(last + two_sided_reach * radius * (last - path_[path_.size() - 2]).normalized());
-  // The outline returns to the tip's line by a corner outside of the circle: a straight return would leave out places
-  // within the radius.
+  // The outline of the area returns to the line behind the tip by a corner outside of the circle. A straight return
+  // would leave out places within the radius.
   const double far = beside_.back().norm();
   Point between = beside_.back() / far + Point(-1, 0);
   if (between.norm() > 1e-6) beside_.push_back(2 * far * between.normalized());
   beside_.emplace_back(-far, 0);
 }
 
-// Whether a place lies between the bent crack and the straight line back from its tip, by the even-odd rule.
+// Whether a place lies between the bent crack and the straight line back from the tip, by the even-odd rule.
 bool BentCrack::is_beside_line(const Point& place) const {
   bool inside = false;
   for (std::size_t i = 0, j = beside_.size() - 1; i < beside_.size(); j = i++) {
@@ -90,9 +94,9 @@ void BentCrack::divide(const std::vector<Point>& nodes, double spacing) {
   }
 }
 
-// Finds the shares by a fit of a linear function to the nodes on the part's side, nearer ones with more weight. The
-// function is written about the nodes' weighted mean place, so that the fit is exact for constants also where the
-// nodes, as those in a row, do not determine every slope.
+// Finds the shares of the nodes by a fit of a linear function to the nodes on the part's side, in which nearer nodes
+// have more weight. The function is written about the weighted mean place of the nodes. The fit is then exact for
+// constants even if the nodes do not determine every slope, such as nodes in a row.
 void BentCrack::add_part(const Part& part, const std::vector<Point>& nodes, double spacing) {
   const auto crosses = [&](const Segment& sight) {
     for (std::size_t i = 0; i + 1 < path_.size(); ++i)

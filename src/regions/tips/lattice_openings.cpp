@@ -12,16 +12,16 @@ namespace bempd::regions {
 
 namespace {
 
-// Half axes of the ellipse in which material points on one side of the crack are taken for a fit, in spacings: along
-// the crack and across it. If it holds too few points, it is enlarged by a factor.
+// Half axes, along the crack and across it, of the half ellipse on one side of the crack whose material points are
+// fitted [spacings], and the factor by which the ellipse is enlarged if it holds too few points.
 constexpr double half_axis_along = 2.5, half_axis_across = 3, enlargement = 1.5;
 constexpr int most_ellipses = 3;
 constexpr std::size_t enough_for_quadratic = 8, enough_for_linear = 4;
 
-// Largest error of a fitted constant for which the points count as determining the fit.
+// Largest error of the fit to a constant for which the points determine the fit.
 constexpr double determined = 1e-6;
 
-// Distance from the crack, in spacings, of a place that stands for one side of it.
+// Distance from the crack of a place that stands for one side of the crack [spacings].
 constexpr double beside = 1e-3;
 
 class OpeningsOfCrack {
@@ -52,7 +52,7 @@ class OpeningsOfCrack {
     Point normal() const { return {-tangent.y(), tangent.x()}; }  // to the left
   };
 
-  // Whether an end of the crack lies inside the body: it is then a tip, else a mouth.
+  // Whether an end of the crack lies inside the body and is a tip. An end on the boundary is a mouth.
   bool is_inside(const Point& end) const {
     return std::any_of(
         body_.discretization.regions.begin(), body_.discretization.regions.end(), [&](const auto& region) {
@@ -116,9 +116,9 @@ class OpeningsOfCrack {
     return std::sqrt(std::max(0.0, 1 - x * x - y * y));
   }
 
-  // Displacement at a place by a least-squares fit to the nodes around it, of 6 terms (quadratic) or 3 (linear). Empty
-  // if the nodes do not determine the terms, as those of two rows do not: the same fit to the constant 1 then does not
-  // give 1.
+  // Displacement at a place by a least-squares fit to some nodes around the place, with 6 terms (quadratic) or 3 terms
+  // (linear). Empty if the nodes do not determine the terms, such as nodes in two rows: the same fit to the constant 1
+  // then does not give 1.
   std::optional<Point> fitted(const Place& place, double reach, const std::vector<int>& nodes,
                               const Eigen::VectorXd& displacement, Eigen::Index term_count) const {
     Eigen::MatrixXd terms(static_cast<Eigen::Index>(nodes.size()), term_count);
@@ -139,9 +139,9 @@ class OpeningsOfCrack {
   const BondedBody& body_;
   const std::vector<std::vector<Point>>& paths_;
   const std::vector<Point>& path_;
-  std::vector<int> nodes_;  // of lattices
+  std::vector<int> nodes_;  // nodes of all lattices
   double spacing_ = std::numeric_limits<double>::infinity(), length_ = 0;
-  bool has_start_ = false, has_end_ = false;  // tips there
+  bool has_start_ = false, has_end_ = false;  // whether the start and the end are tips
 };
 
 }  // namespace

@@ -15,9 +15,10 @@ namespace bempd::regions {
 
 namespace {
 
-// Outer radii of the rings as shares of the largest one, and their inner radius over the outer one. The weight q falls
-// from 1 to 0 between the inner and the outer radius.
+// Outer radii of the rings, relative to the outer radius of the largest ring.
 constexpr std::array parts{1.0, 0.8, 0.6};
+
+// Inner radius of a ring, relative to its outer radius. The weight q of the ring falls from 1 to 0 between these radii.
 constexpr double inner_part = 0.5;
 
 // Limits on the radius of the largest ring, in horizons. A smaller ring is affected by the lattice; a larger one gives
@@ -25,15 +26,15 @@ constexpr double inner_part = 0.5;
 constexpr double least_horizons = 2, most_horizons = 10;
 constexpr double just_below_one = 1 - 1e-9;  // so that rounding does not decide about equal lengths
 
-// Radius of the largest ring over the radius around the tip that is free of other tips, mouths and bends.
+// Radius of the largest ring, relative to the radius around the tip that is free of other tips, mouths and bends.
 constexpr double part_of_clear = 0.9;
 
 Point factors_of(const TipRings::Expansion& expansion) {
   return std::sqrt(2 * std::numbers::pi) * Point(expansion.opening.real(), -expansion.opening.imag());
 }
 
-// Distance by which the effective tip lies ahead of the tip's place. About the effective tip the field has no term of
-// power -1/2, which a shift of the origin would cause out of the term of power 1/2.
+// Distance of the effective tip ahead of the described tip. The field about the effective tip has no term of power
+// -1/2. A shift of the origin away from the effective tip causes such a term out of the term of power 1/2.
 double felt_ahead(const TipRings& rings, double radius, double horizon, const Eigen::VectorXd& displacement) {
   double ahead = 0;
   for (int i = 0; i < 3; ++i) {
@@ -56,14 +57,15 @@ TipValues without_contours(const LatticeTip& tip) {
   return values;
 }
 
-// Fluid pressure in the crack of a tip, constant and proportional part [Pa]; zero without one.
+// Fluid pressure in the crack of a tip, constant and proportional part [Pa]; zero if the crack has no pressure.
 Eigen::RowVector2d pressure_in(const BondedBody& body, const LatticeTip& tip) {
   const auto found = body.pressures.find(tip.crack);
   return found == body.pressures.end() ? Eigen::RowVector2d::Zero() : found->second;
 }
 
-// Displacements without stress intensity: those of free swelling, and those of a uniform pressure equal to the one in
-// the crack (without them the crack's faces are free of load). Empty if the swelling causes stress.
+// Displacements that cause no stress intensity: those of free swelling, and those of a uniform pressure in the body
+// equal to the pressure in the crack. After their subtraction the crack's faces are free of load. Empty if swelling
+// causes stress.
 std::optional<coupling::Affine> free_displacement(const BondedBody& body, const LatticeTip& tip) {
   const PlaneElasticity& elasticity = tip.axes.elasticity;
   const Eigen::RowVector2d strain = -pressure_in(body, tip) / (elasticity.c11() + elasticity.c12());
@@ -78,7 +80,7 @@ std::optional<coupling::Affine> free_displacement(const BondedBody& body, const 
   return free;
 }
 
-// Whether the faces press on each other at a tip. The rings then take the pressure between the faces for K_I.
+// Whether crack faces press on each other at a tip. The rings attribute the pressure between the faces to K_I.
 bool is_shut(const BondedBody& body, const LatticeTip& tip, const TipValues& values) {
   return values.factors.x() <= 0 &&
          coupling::faces_press_at(body.constraints, body.discretization.positions, tip.axes.place, tip.horizon);
@@ -94,8 +96,7 @@ TipValues values_of(const BondedBody& body, const LatticeTip& tip, double toughn
   const Eigen::VectorXd constant = rings.around(solution.parts->col(0) - free->col(0));
   const Eigen::VectorXd proportional = rings.around(solution.parts->col(1) - free->col(1));
   const Eigen::VectorXd whole = constant + solution.load_factor * proportional;
-  // The effective tip is found from the actual displacement, or from that of the proportional load if the actual one is
-  // zero.
+  // The effective tip is found from the present displacement or, if that is zero, from that of the proportional loads.
   const bool loaded = whole.squaredNorm() > 0;
   values.felt_ahead = felt_ahead(rings, radius, tip.horizon, loaded ? whole : proportional);
   const TipRings::View view = rings.about(values.felt_ahead);

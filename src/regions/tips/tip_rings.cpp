@@ -71,8 +71,8 @@ std::vector<char> TipRings::terms_of_material() const {
   return usable;
 }
 
-// Collects the parts of the lattices' edges near the tip where the material at the tip ends: free edges, and interfaces
-// with boundary elements or other materials.
+// Collects the parts of the lattices' edges near the tip at which the material at the tip ends: free edges, and
+// interfaces with boundary elements or with lattices of other materials.
 void TipRings::collect_faces() {
   for (const auto& region : body_.discretization.regions) {
     if (!is_of_material(*region)) continue;
@@ -142,10 +142,11 @@ TipRings::View TipRings::about(double ahead) const {
   return view;
 }
 
-// Subtracts the rigid motion from the displacements around the tip. In theory it does no work on any dual field. But
-// the crack leaves fewer bonds at its faces, so the dual fields are only balanced far from the tip.
-// The motion is found by a fit together with the first terms of Williams' expansion; without them the fit would
-// attribute part of the terms of power 1/2 to it.
+// Displacements around the tip without their rigid motion. In theory a rigid motion does no work on any dual field. But
+// the crack leaves fewer bonds at its faces, so the dual fields are balanced only far from the tip.
+//
+// The motion is found by a fit together with the first terms of Williams' expansion. Without these terms the fit would
+// take part of the terms of power 1/2 for a rigid motion.
 Eigen::VectorXd TipRings::around(const Eigen::VectorXd& displacement) const {
   const auto count = static_cast<Eigen::Index>(nodes_.size());
   Eigen::VectorXd own(2 * count);
@@ -159,7 +160,7 @@ Eigen::VectorXd TipRings::around(const Eigen::VectorXd& displacement) const {
   const Eigen::MatrixXd rigid = terms;
   for (const double power : {-0.5, 0.5, 1.0, 1.5, 2.0, 2.5}) {
     for (const std::complex<double> factor : {std::complex<double>(1, 0), std::complex<double>(0, 1)}) {
-      if (power == 1 && factor.imag() != 0) continue;  // a turn
+      if (power == 1 && factor.imag() != 0) continue;  // a rotation
       const CrackTipField field(axes_.elasticity, power, factor * axes_.elasticity.shear_modulus());
       terms.conservativeResize(Eigen::NoChange, terms.cols() + 1);
       for (Eigen::Index i = 0; i < count; ++i) {

@@ -18,7 +18,7 @@ namespace {
 
 using Cell = std::pair<int, int>;
 
-// Cells of a lattice, and the broken bonds between nearest neighbours that separate them.
+// Cells of a lattice, and the broken bonds between nearest neighbours that separate these cells.
 class BrokenFaces {
  public:
   BrokenFaces(const BondedBody& body, const LatticeGrid& grid) : grid_(grid), turn_(Eigen::Rotation2Dd(grid.angle)) {
@@ -46,11 +46,11 @@ class BrokenFaces {
   }
 
   struct CellPath {
-    std::vector<Point> cells;    // to the farthest one, empty if there is none
-    std::vector<Point> reached;  // that can be reached
+    std::vector<Point> cells;    // path to the farthest broken cell; empty if there is none
+    std::vector<Point> reached;  // all broken cells that can be reached
   };
-  // Path of broken cells from those around a crack's end to the cell that is the most steps away. Cells that share no
-  // more than a corner are neighbours, too, because bonds along a slanted crack break later or never.
+  // Path of broken cells from the cells around a crack's end to the cell that is the most steps away. Cells that share
+  // only a corner are neighbours, too, because bonds along a slanted crack break later or never.
   CellPath path_from(const Point& end) const {
     std::map<Cell, Cell> came_from;
     std::queue<Cell> next;
@@ -103,8 +103,8 @@ double distance_to(const std::vector<Point>& path, const Point& place) {
   return least;
 }
 
-// Replaces the last part of a path, of the length `part`, by the straight line fitted to it: sets the tip's place and
-// direction.
+// Fits a straight line to the last stretch, of the length `part`, of a path; sets the tip's place and direction by this
+// line.
 void fit_end(TipAxes& axes, double part) {
   const Point end = axes.path.back();
   Point middle = Point::Zero();
@@ -137,14 +137,14 @@ double straight_length(const TipAxes& axes) {
 
 // Radius of the largest circle around the tip within which the crack is one piece that ends at the tip.
 double reach_of(const TipAxes& axes) {
-  std::vector<double> from_tip;  // from the far end on
+  std::vector<double> from_tip;  // distances of places on the path, from its far end on
   for (std::size_t i = 0; i + 1 < axes.path.size(); ++i) {
     const Segment piece{axes.path[i], axes.path[i + 1]};
     const int parts = std::max(1, static_cast<int>(std::ceil(2 * piece.length() / axes.spacing - 1e-6)));
     for (int k = 0; k < parts; ++k) from_tip.push_back((piece.at(static_cast<double>(k) / parts) - axes.place).norm());
   }
   double radius = from_tip.empty() ? 0 : from_tip.front(), before = 0;
-  // A circle that leaves out a part, but not all parts beyond it, is smaller than all of these.
+  // A circle may not leave out a place on the path and contain a place beyond it. The radius shrinks until this holds.
   while (radius != before) {
     before = radius;
     double nearest = radius;
@@ -171,7 +171,7 @@ class TipSearch {
  public:
   explicit TipSearch(const BondedBody& body) : body_(body) {}
 
-  // Adds the tip at an end of a crack to `tips`, unless that end is a mouth or has reached an edge.
+  // Adds the tip at an end of a crack to `tips`, unless this end is a mouth or has reached an edge.
   void add(int crack, int end, std::vector<Point> path, std::vector<LatticeTip>& tips) {
     const Region* region = region_at(path.back());
     if (!region) return;
@@ -186,7 +186,7 @@ class TipSearch {
       tip.grown = true;
       for (const Point& cell : broken.cells)
         if (faces.cell_at(cell) != faces.cell_at(path.back())) tip.axes.path.push_back(cell);
-      // A crack that has broken through to an edge has no tip at this end any more.
+      // A crack that has broken through to an edge has no tip at this end.
       if (!std::all_of(broken.reached.begin(), broken.reached.end(),
                        [&](const Point& cell) { return is_in(body_.scene, body_.discretization, cell, false); }))
         return;
@@ -199,7 +199,7 @@ class TipSearch {
     tips.push_back(std::move(tip));
   }
 
-  // Tip at a known place. Its results remain unknown if it lies outside all lattices.
+  // Tip at a known place. Results of the tip remain unknown if it lies outside of all lattices.
   LatticeTip at(const KnownTip& known) {
     const Point& place = known.path.back();
     LatticeTip tip{known.crack, known.end, 0, {place, known.direction, known.path, 1, {}}, 1, 0, known.grown, false};
@@ -234,7 +234,7 @@ std::vector<LatticeTip> find_lattice_tips(const BondedBody& body) {
   std::vector<LatticeTip> tips;
   TipSearch search(body);
   for (std::size_t c = 0; c < body.cracks.size(); ++c) {
-    // A crack through material points is shifted beside them, so the shifted crack decides on which side the points
+    // A crack through material points is shifted beside them. The shifted crack decides on which side of it the points
     // lie.
     const std::vector<Point>& points = body.cracks[c].points;
     if (!body.discretization.cracks[c].cuts_bonds() || points.size() < 2) continue;
