@@ -29,7 +29,7 @@ struct DraftBonds {
 // surface vectors of the points (CellGrid::surface_vector()).
 std::vector<Eigen::Vector4d> missing_moments(const std::vector<Point>& surface, const DraftBonds& bonds);
 
-// Free bonds of a layer, divided into connected parts.
+// Free bonds (bonds whose stiffness balance_layer() may change), divided into connected parts.
 struct LayerParts {
   // Part of a layer: free bonds that share no point with free bonds of other parts, and the points of these bonds.
   struct Part {

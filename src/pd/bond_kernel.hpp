@@ -8,7 +8,7 @@ class BondKernel {
  public:
   virtual ~BondKernel() = default;
 
-  // Name of the kernel; two kernels with the same name are the same.
+  // Name of the kernel. Two kernels with the same name count as the same kernel.
   virtual const char* name() const = 0;
 
   // Micromodulus c(r), with C1111 = 3 pi / 8 * integral of c r^2 over 0 < r < horizon.

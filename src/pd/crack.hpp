@@ -44,7 +44,7 @@ CutEnd cut_end_for_tip(const std::vector<Point>& points, const std::vector<Bond>
                        const Point& direction, int horizon_ratio, double backward);
 
 // Distance of the effective tip ahead of the end of a cut through evenly spread bonds [spacings], measured for horizons
-// of 3 to 6 spacings. It scatters by 0.02 to 0.03 over directions and places.
+// of 3 to 6 spacings. The measured distances scatter by 0.02 to 0.03 over directions and places.
 inline double effective_tip_ahead(int horizon_ratio) { return 0.05 * (horizon_ratio + 1); }
 
 // Indices of the material points on the polyline `vertices`, which would be bonded to neither face of the crack.

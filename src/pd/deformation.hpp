@@ -14,8 +14,8 @@ struct BondStates {
   std::vector<double> share, rest_stretch;
 };
 
-// Strains (xx, yy, xy) at every material point, from the forces in its bonds. With f the force in a bond, xi the vector
-// from one end of the bond to the other, where half of each bond belongs to each of its points,
+// Strains (xx, yy, xy) at every material point, from the forces in its bonds. Let f be the force in a bond, and xi the
+// vector from one end of the bond to the other. Half of each bond belongs to each of its two points, so that at a point
 //   sum f xi^T  over all bonds  =  (sum k xi xi^T xi xi^T / |xi|^2  over all bonds, intact stiffness k) : strain.
 // Far from faces the sum on the right is twice the volume of a cell times the elastic constants. The stress of this
 // strain is then the mean stress of the bonds, sum f xi^T / (2 V) (Silling and Lehoucq, J. Elasticity 93, 2008). At

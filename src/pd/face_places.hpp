@@ -49,10 +49,11 @@ class FacePlaces {
   // such.
   std::optional<int> lattice_of_neighbours(int node, int other) const;
 
+  // Function that tells whether the displacement of a node may be used for the face place at `place`.
+  using Reaches = std::function<bool(int node, const Point& place)>;
   // Face place at `place` on a crack with this normal; it represents `length` spacings of the crack. On each side of
   // the crack, displacements are taken at the nearest point for which the material points around it all lie on that
   // side and satisfy reaches(node, place). Empty if one side has no such point.
-  using Reaches = std::function<bool(int node, const Point& place)>;
   std::optional<FacePlace> at(int lattice, const Point& place, const Point& normal, double length,
                               const Reaches& reaches = {}) const;
 
@@ -73,7 +74,7 @@ class FacePlaces {
   struct Lattice {
     FaceLattice lattice;
     double stiffness;
-    std::vector<Numbered> points;  // by rows, then columns
+    std::vector<Numbered> points;  // ordered by rows, then by columns
 
     Point to_rows(const Point& p) const;
     Point from_rows(const Point& p) const;
@@ -89,7 +90,7 @@ class FacePlaces {
 
   std::vector<Point> positions_;
   std::vector<Lattice> lattices_;
-  std::vector<int> lattice_at_;  // a lattice of every node; -1: none
+  std::vector<int> lattice_at_;  // by node: index of a lattice that has it; -1: none
 };
 
 }  // namespace bempd::pd

@@ -17,7 +17,7 @@ struct CrackFacet {
   std::array<int, 2> places;  // numbers of its ends
 };
 
-// Paths of a fluid in cracks among bonds, and the forces of its pressure.
+// Paths of a fluid in cracks among bonds, and the forces that the pressure of the fluid exerts.
 struct FluidPaths {
   std::vector<CrackFacet> facets;  // of all bonds one spacing long, broken or not
   // Force along each energy term (bond or cell square) due to a unit pressure on all sides of the body [N/Pa]. The

@@ -114,7 +114,8 @@ class PartBalance {
     normal_->at(std::max(b.first, b.second), std::min(b.first, b.second)) -= square;
   }
 
-  // Factorizes the normal matrix, shifted by about its rounding error, because rows depend on each other.
+  // Factorizes the normal matrix. Its diagonal is shifted by about the rounding error, because its rows depend on each
+  // other.
   bool factorize() {
     for (double shift = 3e-17; shift < 1e-11; shift *= 10) {
       normal_->clear();
@@ -223,7 +224,7 @@ class PartBalance {
   std::vector<Bond> bonds_;
   std::vector<int> order_;  // of the part's points
   VectorXd target_, lambda_;
-  Eigen::MatrixXd kernel_;  // orthonormal; empty if it is not projected out
+  Eigen::MatrixXd kernel_;  // orthonormal basis of the null space; empty if it is not projected out
   std::unique_ptr<ProfileCholesky> normal_;
   bool is_rough_ = true;
 };

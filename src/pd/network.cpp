@@ -63,8 +63,8 @@ double template_ratio(const LatticeTemplates& templates, const CellGrid& cells, 
   return templates.ratio(below, above, a, b) + (templates.ratio(before, behind, b, a) - 1);
 }
 
-// Makes all bonds between points of the thick part that see each other, with template stiffnesses, and the bonds of
-// thin cells, whose stiffness is 0 until add_thin_cells() sets it.
+// Makes all bonds between points that see each other in the thick part of the body, with template stiffnesses, and the
+// bonds of thin cells, whose stiffness is 0 until add_thin_cells() sets it.
 DraftBonds draft_bonds(const CellLattice& lattice, const CellGrid& cells, const LatticeTemplates& templates) {
   const int m = templates.horizon_ratio;
   const auto thin = [&](const Vector2i& c) { return lattice.has_cell(c) && !cells.has(c); };

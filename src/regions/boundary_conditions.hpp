@@ -22,20 +22,26 @@ struct DofConditions {
   coupling::Affine force;              // nodal forces [N]
   coupling::Affine body_force;         // BodyForce (x, y, growth) of region r from row 3 (r - 1) on; part of `force`
   std::vector<CrackLoad> crack_loads;  // on cracks with elements; their nodal forces are part of `force`
-  std::vector<CrackPressure> crack_pressures;   // in cracks that cut bonds, also in what grows; not part of `force`
-  std::vector<std::vector<int>> reaction_dofs;  // by support: reactions that count for it, of several the first's
+
+  // Pressures in cracks that cut bonds, not part of `force`. They also act on what the cracks grow by.
+  std::vector<CrackPressure> crack_pressures;
+
+  // Degrees of freedom whose reactions count for a support, by support. A degree of freedom of several supports counts
+  // for the first of them.
+  std::vector<std::vector<int>> reaction_dofs;
 
   // Swelling strains due to temperature loads, by region id; `force` does not include their effect.
   std::map<int, std::vector<Swelling>> swelling;
 
-  std::vector<std::vector<int>> held_dofs;  // by support: all that it holds, also those of `reaction_dofs` of another
+  // All degrees of freedom that a support holds, by support.
+  std::vector<std::vector<int>> held_dofs;
 
   // Gaps of crack faces due to loads inside regions (body forces, loads on crack faces), one for each exact contact
   // constraint [m]. The constraints are ordered by region.
   coupling::Affine face_offsets{0, 2};
 
-  // Work of the loads that `force` does not include [J], as a quadratic form W: at the load factor f the work is (1, f)
-  // W (1, f)^T / 2.
+  // Work of the loads that `force` does not include, as a quadratic form W [J]. At the load factor f the work is
+  //   (1, f) W (1, f)^T / 2.
   Eigen::Matrix2d work_within = Eigen::Matrix2d::Zero();
 
   // Body forces at a load factor, one for each region id from 1 on.

@@ -104,7 +104,7 @@ void CellSplitter::split(std::size_t cell) {
     return;
   }
   for (std::size_t k = 0; k < 4; ++k) {
-    if (!is_parted(cell, k + 3)) continue;  // hangs together with the corner before
+    if (!is_parted(cell, k + 3)) continue;  // this corner is connected to the corner before
     std::size_t count = 1;
     while (!is_parted(cell, k + count - 1)) ++count;
     const int before = middle(cell, k + 3, k), behind = middle(cell, k + count - 1, k + count - 1);

@@ -75,7 +75,7 @@ std::vector<int> regions_of_body(const Discretization& d, int region) {
   const auto has_bonds = [](const auto& r) { return r->bonds() != nullptr; };
   if (!d.region(region).bonds() || std::count_if(d.regions.begin(), d.regions.end(), has_bonds) == 1) return {region};
   linalg::DisjointSets bodies(count);
-  std::vector<int> first_with;  // by terms
+  std::vector<int> first_with;  // by term: index of the first region that has it
   for (int r = 0; r < count; ++r) {
     const RegionBonds* bonds = d.regions[static_cast<std::size_t>(r)]->bonds();
     if (!bonds) continue;

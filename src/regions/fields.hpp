@@ -42,7 +42,7 @@ struct Overlap {
 // Load on the faces of a crack with elements: pressure and shear [Pa] at a fraction of the crack's length. The first of
 // the two values is the constant part, the second is multiplied by the load factor.
 struct CrackLoad {
-  int crack;  // id
+  int crack;  // id of the crack
   std::function<std::array<Point, 2>(double fraction)> values;
 };
 

@@ -35,7 +35,7 @@ std::vector<double> pushes(const Discretization& d, const coupling::Terms& terms
   std::vector<double> push(terms.size(), 0.0);
   for (std::size_t t = 0; t < terms.size(); ++t) {
     if (moduli[t] == 0) continue;
-    double elongation = 0;  // under the strain 1
+    double elongation = 0;  // under unit strains in both directions
     const Point& origin = d.positions[terms.first[t]];
     terms.for_each_entry(
         t, [&](int node, double x, double y) { elongation += Point(x, y).dot(d.positions[node] - origin); });

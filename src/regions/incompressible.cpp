@@ -34,7 +34,7 @@ void require_determined_pressure(const Discretization& d, const std::vector<char
   for (Eigen::Index dof = 0; dof < dofs; ++dof)
     if (prescribed[static_cast<std::size_t>(dof)]) flows.row(dof).setZero();
   const linalg::SymmetricModes spectrum = linalg::symmetric_modes(flows.transpose() * flows);
-  constexpr double none = 1e-18;  // of squares
+  constexpr double none = 1e-18;  // eigenvalues below count as 0
   if (spectrum.values[0] > none) return;
   std::string regions;
   int count = 0;

@@ -10,9 +10,9 @@ namespace bempd::regions {
 // pressure in these regions then acts on no free displacement and is undetermined.
 void require_determined_pressure(const Discretization& discretization, const std::vector<char>& prescribed);
 
-// Condition of the pressure in nearly incompressible regions whose whole boundary is held: the smallest 1 - 2 nu of
-// these regions (in plane strain), because the pressure is the change of volume divided by about this number; 1 if
-// there is no such region. Adds a warning for each region whose pressure loses many digits.
+// Smallest 1 - 2 nu of the nearly incompressible regions (in plane strain) whose whole boundary is held; 1 if there is
+// no such region. The pressure in such a region is the change of volume divided by about this number, so that errors of
+// displacements grow in the pressure. Adds a warning for each region whose pressure loses many digits.
 double condition_of_held_pressure(const scene::Scene& scene, const Discretization& discretization,
                                   const std::vector<char>& prescribed, std::vector<std::string>& warnings);
 

@@ -72,8 +72,8 @@ bool runs_along_boundary(const Scene& scene, const scene::Crack& crack, const Di
   });
 }
 
-// Shifts a crack that meets material points aside, in the first direction in which it meets none, and adds a warning.
-// The crack stays in place if there is no such direction.
+// Shifts a crack that passes through material points, in the first direction in which the shifted crack meets none, and
+// adds a warning. The crack stays in place if there is no such direction.
 void shift_off_points(const Scene& scene, const Discretization& d, int number, LatticeCracks& found) {
   scene::Crack& crack = found.cracks[static_cast<std::size_t>(number) - 1];
   const std::vector<Point> met = points_met(crack, d);
@@ -81,7 +81,7 @@ void shift_off_points(const Scene& scene, const Discretization& d, int number, L
   double spacing = std::numeric_limits<double>::infinity();
   for (const auto& region : d.regions)
     if (const std::optional<LatticeGrid> grid = region->lattice_grid()) spacing = std::min(spacing, grid->spacing);
-  if (std::isinf(spacing)) return;  // scheme paper
+  if (std::isinf(spacing)) return;  // as in the scheme paper
   for (int direction = 0; direction < shift_directions; ++direction) {
     // The crack is shifted to its right first, then to its left, then in other directions.
     const double angle = direction < 2 ? direction * std::numbers::pi : direction * std::numbers::phi;
@@ -171,7 +171,7 @@ void place_ends(const Scene& scene, const Discretization& d, const scene::Option
   if (given.empty()) return;
   found.ends[c] = {given.front(), given.back()};
   if (!d.cracks[c].cuts_bonds() || given.size() < 2) return;
-  // A crack of one segment may have two tips, so the cut at each tip may be shortened by less than half of it.
+  // A crack of one segment may have two tips, so the cut at each tip may be shortened by less than half of the segment.
   const double part = given.size() > 2 ? 0.9 : 0.45;
   const std::array placed{end_of_cut(scene, d, options, given.front(), given[1], part),
                           end_of_cut(scene, d, options, given.back(), given.end()[-2], part)};

@@ -72,8 +72,8 @@ WedgeFinder::Sector WedgeFinder::between(int region, const Point& place, const R
 void WedgeFinder::add_sectors_of_outlines(const Point& place, std::vector<Sector>& sectors) const {
   const double near = 8 * d_.tolerance;
   const Box around(place - Point::Constant(2 * near), place + Point::Constant(2 * near));
-  std::map<int, std::pair<std::vector<Ray>, std::vector<Ray>>>
-      rays;  // by region: rays of leaving and of arriving edges
+  // Rays by region: first those of edges that leave the place, then those of edges that end there.
+  std::map<int, std::pair<std::vector<Ray>, std::vector<Ray>>> rays;
   for (const int k : tree_.meeting(around)) {
     const OutlineEdge& edge = edges_[k];
     if (distance(edge.edge, place) > near) continue;

@@ -12,7 +12,7 @@ namespace {
 
 constexpr int usual_horizon_ratio = 4;
 
-// Least number of spacings along a crack for each of the crack's tips.
+// Least length of a crack, in spacings, for each of its tips.
 constexpr double least_per_tip = 16;
 
 // Number of blocks of lattice ahead of a tip that may grow, besides the blocks on every side of the tip.
@@ -130,8 +130,8 @@ double PatchLayout::clearance(const Point& origin) const {
 
 // Origin of the grid of blocks, chosen so that the first crack passes the material points at the largest distance.
 Point PatchLayout::origin() const {
-  constexpr int parts = 8;            // of a spacing
-  constexpr double is_better = 1.01;  // times the clearance
+  constexpr int parts = 8;            // number of steps of the origin in a spacing
+  constexpr double is_better = 1.01;  // ratio of clearances above which an origin is better
   const CrackInBody& first = cracks_.front();
   const Point tip = first.tips.empty() ? first.pieces.front().at(0.5) : first.tips.front().place;
   const Point corner = tip - Point::Constant(ratio_ * spacing_);

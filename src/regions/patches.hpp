@@ -72,7 +72,8 @@ BrokenBondNearBorder broken_bond_of(std::int64_t number);
 inline constexpr std::int64_t giving_back = std::int64_t{1} << 62;
 inline bool gives_back(std::int64_t layout) { return layout >= giving_back; }
 inline std::int64_t extension_of(std::int64_t layout) { return gives_back(layout) ? layout - giving_back : layout; }
-// Number of crack extensions up to the change of a patch, by the number of the layout in fracture::EvolutionState.
+// Number of crack extensions up to a change of patches. `layout` is the number of the new layout, as it is stored in
+// fracture::EvolutionState.
 inline std::size_t extensions_before(std::int64_t layout) {
   return layout < 0 ? broken_bond_of(layout).extensions : static_cast<std::size_t>(extension_of(layout)) + 1;
 }
@@ -93,8 +94,8 @@ int lattice_around(const scene::Scene& scene, int crack);
 
 // Cuts patches out of their bodies and adds them to the scene, as regions with the next ids.
 void add_patches(scene::Scene& scene, const std::vector<Patch>& patches);
-// Replaces the patches of the scene, which are the regions with ids above `count`, by the patches of a list. Each place
-// in the list keeps its id. Regions are added if the list is longer than before, and removed if it is shorter.
+// Replaces the patches of the scene, which are the regions with ids above `count`, by the patches of a list. The
+// patches get the ids from count + 1 on, in the order of the list.
 void move_patches(scene::Scene& scene, const std::vector<Patch>& patches, int count);
 // Removes all patches from the scene, which then has `count` regions.
 void remove_patches(scene::Scene& scene, int count);

@@ -10,11 +10,11 @@ namespace bempd::regions {
 
 namespace {
 
-// Least length of the path, in blocks, that stays in the lattice behind a tip. With six horizons behind the tip, loads
-// are within 6e-4 of the loads of a whole lattice.
+// Least length of the path behind a tip that stays in the lattice [blocks]. With six horizons behind the tip, loads are
+// within 6e-4 of the loads of a whole lattice.
 constexpr double least_behind = 3;
 
-// Least length of the path, in blocks, in blocks that are given back together.
+// Least length of path that is given back at a time [blocks].
 constexpr double least_given = 3;
 
 // Least cosine of the angle between the path and the normal of a new border at the place where the path crosses it.
@@ -27,8 +27,8 @@ constexpr double piece_at_border = 0.5;
 // stay. Farther off, the place on the path that is nearest to a block decides.
 constexpr double straight_border = 3;
 
-// Least distance of blocks that stay from the path with elements, in blocks, farther than straight_border / 2 from a
-// new border.
+// Least distance of blocks that stay from the path that has been given back [blocks]. It is required only farther than
+// half of straight_border from a new border.
 constexpr double least_apart = 0.5;
 
 // Least distance of blocks that are given back from the paths of other cracks, in blocks.
@@ -120,7 +120,8 @@ class GivingPatch {
     return piece_to(to);
   }
 
-  // Distance along the path at which it enters the patch last before `way`; 0 if it begins inside the patch.
+  // Distance along the path at which the path enters the patch for the last time before `way`; 0 if it begins in the
+  // patch.
   double entry_before(double way) const {
     double entry = 0;
     each_cell(0, way, [&](const Block& block, double, double end) {

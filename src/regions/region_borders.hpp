@@ -24,8 +24,8 @@ class ElementBorders {
  public:
   virtual ~ElementBorders() = default;
 
-  // Elements on interfaces with lattices whose points do not match them. The function may be called once nodes are
-  // numbered.
+  // Elements on interfaces with lattices whose points do not match these elements. The function may be called once
+  // nodes are numbered.
   virtual std::vector<LeadingElements> leading_elements() const = 0;
   // Places of the region's nodes on interfaces with another region [m]. The function may be called once the region is
   // meshed.

@@ -39,7 +39,7 @@ const std::vector<scene::OptionDescription>& scheme_options(const scene::Options
 std::vector<std::string> scheme_names();
 
 // Description of a scheme in the list of all schemes: the word that chooses it, its phrase in the help of the option
-// `scheme`, the function that makes it, and the options that only it has.
+// `scheme`, the function that makes it, and the options that only this scheme has.
 struct SchemeEntry {
   const char* name;
   const char* summary;

@@ -13,8 +13,8 @@ namespace bempd::regions {
 using SwellingOfRegions = std::map<int, std::vector<Swelling>>;
 
 // Sets the rest elongations of bonds and cell squares (energy terms of lattice cells) and the rest displacements of
-// boundary elements for swelling strains. It is called before operators are made. Throws Error (argument) for a strain
-// that is not linear in x and y in a boundary element region.
+// boundary elements for swelling strains, before operators are made. Throws Error (argument) if the strain in a
+// boundary element region is not linear in x and y.
 void swell(Discretization& discretization, const SwellingOfRegions& swelling);
 
 // Rest elongations of all energy terms (constant and proportional part) for swelling strains that change after the

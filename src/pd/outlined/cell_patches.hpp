@@ -18,8 +18,9 @@ void for_each_edge(const std::array<int, 4>& cell, const Visit& visit) {
 // Triangles form pairs across their longest edges; a triangle that is left over joins a pair beside it.
 struct CellPatches {
   std::vector<std::vector<int>> cells;  // of each patch
-  std::vector<std::vector<int>>
-      behind_an_edge;  // for each patch at the outline the patches beside it; empty for others
+
+  // Patches beside each patch that has points on the outline; empty for other patches.
+  std::vector<std::vector<int>> behind_an_edge;
 };
 
 CellPatches make_patches(const std::vector<Point>& points, const FillingCells& cells, int outline_count);

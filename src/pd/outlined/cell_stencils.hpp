@@ -15,9 +15,9 @@ namespace bempd::pd {
 // stress is balanced by its tractions on the chords. If surface vectors have factors (surface_balance.hpp), patches at
 // the outline also use points of neighbouring patches, so that the sums include the factors.
 struct CellStencils {
-  std::vector<std::size_t> start{0}, bond_start{0};  // per patch, and the end of the last
+  std::vector<std::size_t> start{0}, bond_start{0};  // first point and bond of each patch, and the end of the last
   std::vector<int> point;                            // points of each patch, its own before those of neighbours
-  std::vector<Eigen::Vector2d> gradient;             // G
+  std::vector<Eigen::Vector2d> gradient;             // the vectors G of these points
   std::vector<double> share;                         // part of the patch's area that belongs to the point
   std::vector<double> area;
   std::vector<int> bond;  // bonds of each patch; a patch loses its squares when its first bond breaks

@@ -13,7 +13,7 @@ struct Chord {
   double from, to;  // fractions of the piece
 };
 
-// Outline of a body as chords, of equal length on every piece, in units of the spacing. Chord k starts at node k.
+// Outline of a body as chords, in units of the spacing. Chord k starts at node k.
 struct Chords {
   std::vector<Point> nodes;  // exactly on the outline
   std::vector<char> kept{};  // flags of nodes whose surface vectors must not get factors; empty: none

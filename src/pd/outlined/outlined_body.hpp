@@ -22,11 +22,11 @@ struct OutlinedBody {
   bool is_exact() const { return network.max_residual < 1e-11 && network.min_weight_ratio > 0; }
 };
 
-// Builds the bonds between all points closer than the horizon that see each other. Far from the outline they have the
-// lattice's own stiffness. Near the outline stiffnesses change as little as possible from what the kernel and the area
-// of each point suggest, so that forces balance the tractions of constant stress on the chords of the outline. If that
-// fails, other gaps between the outline and the points inside are tried, then other positions of these points. Last,
-// chords of different lengths are balanced piece by piece. The best attempt is returned. 3 <= horizon_ratio <= 8.
+// Builds the bonds between all points that are closer than the horizon and see each other. Far from the outline bonds
+// have the lattice's own stiffness. Near the outline stiffnesses change as little as possible from what the kernel and
+// the area of each point suggest, so that forces balance the tractions of constant stress on the chords of the outline.
+// If that fails, other gaps between the outline and the points inside are tried, then other positions of these points.
+// Last, chords of different lengths are balanced piece by piece. The best attempt is returned. 3 <= horizon_ratio <= 8.
 OutlinedBody build_outlined_body(const Chords& chords, const LatticePlace& place, int horizon_ratio,
                                  const PlaneElasticity& elasticity, int threads = 0,
                                  const BondKernel& kernel = quartic_kernel());

@@ -118,7 +118,7 @@ void mark_layer(const OutlinedPoints& points, const Layer& layer, DraftBonds& bo
 void share_by_area(const std::vector<double>& areas, DraftBonds& bonds) {
   constexpr double volume_stiffness = 8.0 / 3;
   constexpr int rounds = 10;
-  struct Shared {
+  struct LayerBond {
     int first, second;  // numbers of the ends among the points of the layer's bonds
     double half;        // half of k L^2
   };
@@ -133,7 +133,7 @@ void share_by_area(const std::vector<double>& areas, DraftBonds& bonds) {
     }
   }
   of_others.assign(wanted.size(), 0.0), factor.assign(wanted.size(), 1.0);
-  std::vector<Shared> shared;
+  std::vector<LayerBond> shared;
   for (const DraftBond& b : bonds.bonds) {
     const int first = number[b.first], second = number[b.second];
     if (first < 0 && second < 0) continue;
@@ -148,7 +148,7 @@ void share_by_area(const std::vector<double>& areas, DraftBonds& bonds) {
   std::vector<double> resisted;
   for (int round = 0; round < rounds; ++round) {
     resisted = of_others;
-    for (const Shared& b : shared) {
+    for (const LayerBond& b : shared) {
       const double half = factor[b.first] * factor[b.second] * b.half;
       resisted[b.first] += half, resisted[b.second] += half;
     }

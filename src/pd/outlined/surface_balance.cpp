@@ -13,7 +13,7 @@ namespace {
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-constexpr double negligible_number = 1e-15;  // number over the perimeter's fourth power
+constexpr double negligible_number = 1e-15;  // of an imbalance, with lengths in units of the loop's size
 constexpr double largest_factor_change = 0.02;
 
 // Trace of the symmetric product of three vectors, times 3: the vector T_kkl that acts on surface vectors.

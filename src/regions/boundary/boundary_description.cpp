@@ -13,8 +13,8 @@ namespace bempd::regions {
 
 namespace {
 
-// Largest number of elements in a region. No machine holds the operators of more elements, so a larger number comes
-// from a mistyped length.
+// Largest number of elements in a region, or on one edge. No machine holds the operators of more elements, so a larger
+// number comes from a mistyped length.
 constexpr double most_on_an_edge = 1e6;
 
 void require_element_length(double element_length, double longest) {

@@ -41,8 +41,8 @@ class BoundaryDescription final : public scene::Region {
   void set_edge_mesh(int edge, const scene::EdgeMesh& mesh) override;
   bool has_own_mesh(int edge) const override { return own_mesh_.count(edge) > 0; }
   scene::EdgeMesh edge_mesh(int edge) const override;
-  // Length by which gaps to other regions and overlaps are judged: the distance of nodes. For a body it is much less.
-  // Its elements become short where that is needed, so that even narrow gaps beside a body may be meant.
+  // Length with which gaps between this region and others are compared: the distance of nodes. It is much smaller for a
+  // body, whose elements become short beside narrow gaps, so that such gaps may be meant.
   double resolution() const override { return is_body_ ? 1e-3 * element_length_ : element_length_; }
   void add_size(scene::SizeEstimate& size) const override;
   void identify(Hash& hash) const override;
@@ -57,7 +57,8 @@ class BoundaryDescription final : public scene::Region {
   int whole_edges_ = 0;
 };
 
-// Description of a boundary element region, for a caller who owns the scene and may change it; null for other regions.
+// Description of a boundary element region, which the caller may change because the scene is the caller's own; null for
+// other regions.
 BoundaryDescription* boundary_in(scene::Scene& scene, int region);
 bool is_body(const scene::Region& region);
 bool has_bodies(const scene::Scene& scene);

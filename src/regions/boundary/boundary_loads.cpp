@@ -8,9 +8,8 @@ namespace bempd::regions {
 
 namespace {
 
-// Whether a panel lies in a part of an edge: whether they have more than an end in common. If they have only an end in
-// common, that may be the mouth of a crack, with two nodes, one of which belongs to a panel outside of the part. A part
-// without length has the panels around it.
+// Whether a panel lies in a part of an edge. A common end is not enough: at the mouth of a crack there are two nodes,
+// one of which belongs to a panel outside of the part. A part without length contains the panels around it.
 bool lies_in(const EdgeSpan& span, const PanelSource& panel, double slack) {
   const double common = std::min(panel.to, span.to) - std::max(panel.from, span.from);
   return panel.edge == span.edge && (common > slack || span.to - span.from <= slack);

@@ -8,7 +8,7 @@
 namespace bempd::regions {
 
 // Operators of earlier regions of the same kind and material, which can lend their operator, or those of their
-// subdomains without cracks. One is lent if its mesh differs by a translation only. Operators with cracks are not lent.
+// subdomains without cracks, to a region whose mesh differs by a translation only. Operators with cracks are not lent.
 std::vector<const BoundaryOperators*> BoundaryOperators::alike_before(const Preparation& preparation) const {
   std::vector<const BoundaryOperators*> found;
   for (const auto& other : preparation.regions) {

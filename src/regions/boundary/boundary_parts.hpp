@@ -42,8 +42,8 @@ class BoundaryParts {
   bool is_whole_with_cracks() const { return cracks_ && !subdomains_; }
   // Whether cracks cut the region, or a subdomain of it, into pieces.
   bool are_in_pieces() const;
-  // Pairs of the mesh's nodes before and behind the mouth at each joint of cracks (negative numbers for a joint
-  // inside). Empty if the region has no cracks, or is cut into subdomains, whose cracks do not continue in a lattice.
+  // Nodes of the mesh before and behind the mouth at each joint of cracks; negative numbers for a joint inside the
+  // region. Empty if the region has no cracks, or is cut into subdomains, whose cracks do not continue in a lattice.
   std::span<const std::array<int, 2>> mouths() const;
   // Adds a warning if a narrow gap beside a crack takes many elements; only for a region that is not cut into
   // subdomains.

@@ -42,9 +42,9 @@ FieldValues mean_at_nodes(const BoundaryMesh& mesh, const FieldValues& of_elemen
   return field;
 }
 
-// Node of the scene for each node of a mesh. In `nodes` some are missing (-1): the end of an element at a crack's mouth
-// gets the node at the element's other end, which lies on the same side of the crack, and a mid node that at the
-// element's start.
+// Fills gaps (-1) in `nodes`, which are the scene's nodes of a mesh. The end of an element at a crack's mouth gets the
+// node of the element's other end, which lies on the same side of the crack. A mid node gets the node of its element's
+// start.
 std::vector<int> with_neighbours(std::vector<int> nodes, const BoundaryMesh& mesh) {
   for (const BoundaryElement& element : mesh.elements)
     for (const int k : {0, 2})

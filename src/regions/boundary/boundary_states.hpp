@@ -28,9 +28,9 @@ class BoundaryStates {
   // the constant and of the proportional part of loads and swelling.
   std::vector<bem::CrackedState> of_cracked_parts(const Eigen::VectorXd& displacement, const Solution& solution,
                                                   double constant, double proportional) const;
-  // Tractions at the traction nodes of the boundary.
+  // Tractions at the traction nodes of the boundary, without those of the particular solution.
   Eigen::VectorXd tractions(const LinearBodyForce& particular, const Solution& solution) const;
-  // Stress (xx, yy, xy) at the three nodes of each element of the boundary.
+  // Stress (xx, yy, xy) at the three nodes of each element of the boundary, without that of the particular solution.
   std::vector<double> element_stress(const LinearBodyForce& particular, const Solution& solution) const;
   // Evaluator of the region's interior, which has one evaluator for each piece into which cracks or cuts divide the
   // region.

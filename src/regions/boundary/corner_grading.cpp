@@ -15,8 +15,8 @@ namespace {
 // the previous one has from that end.
 constexpr double ratio = 0.3;
 
-// Usual number of divisions. At a crack tip they reduce the error of displacements far away to 2e-3 of its value,
-// because that error is proportional to the size of the last element. At other places the error falls faster.
+// Usual number of divisions. At a crack tip the divisions reduce the error of displacements far away to 2e-3 of its
+// value, because this error is proportional to the size of the last element. At other places the error falls faster.
 constexpr int usual_count = 5;
 
 // Largest angle of a corner [rad] without a stress singularity, for the conditions on its two sides. A support that
@@ -32,7 +32,7 @@ bool is_singular(const BoundaryPiece& before, const BoundaryPiece& after) {
   if (before.held == HeldComponents::interface || after.held == HeldComponents::interface) return false;
   const Point along = before.arc.tangent(1), on = after.arc.tangent(0);
   const double turn = std::atan2(cross(along, on), along.dot(on));
-  constexpr double slack = 0.02;  // about a degree: corners that are weaker than that do not matter
+  constexpr double slack = 0.02;  // about a degree: flatter corners do not matter
   if (before.held == after.held && std::abs(turn) < slack) return false;
   return std::numbers::pi - turn > largest_regular_angle(before.held, after.held) + slack;
 }

@@ -12,7 +12,7 @@ namespace bempd::regions {
 // has an evaluator of its own for the places that lie in it.
 class InteriorOfPieces {
  public:
-  // Creates the evaluator of a region that is one piece from the evaluator `whole` of that piece.
+  // Creates the evaluator of an undivided region from the evaluator of its interior.
   explicit InteriorOfPieces(bem::InteriorEvaluator whole) { interiors_.push_back(std::move(whole)); }
   InteriorOfPieces() = default;
   // Adds a piece; `mesh` is the mesh of its boundary.

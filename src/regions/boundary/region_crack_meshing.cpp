@@ -4,7 +4,7 @@
 #include "regions/boundary/boundary_description.hpp"
 #include "regions/boundary/region_cracks.hpp"
 
-// Elements on the cracks of a region, and on its boundary near them.
+// Elements on the cracks of a region, and elements on the region's boundary near cracks.
 namespace bempd::regions {
 
 namespace {

@@ -21,7 +21,7 @@ class RegionCracks {
 
   // Mouths: places on the region's boundary where cracks start or end.
   std::vector<Point> mouths() const;
-  // Whether a mouth lies on an interface with a lattice in which its crack continues.
+  // Whether a mouth lies on an interface with a lattice in which the crack of the mouth continues.
   bool is_on_row(const Point& mouth) const;
   const bem::CrackSizes& sizes() const { return sizes_; }
 

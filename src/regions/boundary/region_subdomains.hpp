@@ -60,7 +60,7 @@ class RegionSubdomains {
   const BoundaryMesh& mesh_of(std::size_t subdomain) const { return subdivision_.subdomains[subdomain].mesh; }
 
   // Builds the operators of subdomains without cracks; set_operator() sets the operators of the others. Subdomains
-  // whose meshes differ by a translation share one operator, also with subdomains of `before`, which has the same
+  // whose meshes differ by a translation share one operator, also with subdomains in `before`, which have the same
   // material.
   void build(const PlaneElasticity& elasticity, const bem::AssemblyOptions& assembly,
              const std::vector<const RegionSubdomains*>& before);

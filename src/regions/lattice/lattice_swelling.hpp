@@ -21,8 +21,8 @@ class LatticeSwelling {
   Eigen::RowVector2d at(const BondedRegion& region, int node) const;
 
  private:
-  // Regions that share bonds with the region `first`: sums, at each node, of strains times shares of area and of
-  // shares.
+  // Field of strains of the regions that share bonds with the region `first`. At each node, `sum` is the sum of strains
+  // times the regions' shares of area, and `weight` is the sum of these shares.
   struct Body {
     const BondedRegion* first;
     coupling::Affine sum;

@@ -29,7 +29,7 @@ class SharedPoints {
   const std::vector<Member>& members() const { return members_; }
   const Point& place(int point) const { return places_[static_cast<std::size_t>(point)]; }
   int node(int point) const { return nodes_[static_cast<std::size_t>(point)]; }
-  // Number in a member of a point of the body; `nobody` if the member does not have the point.
+  // Number that a point of the body has in a member; `nobody` if the member does not have the point.
   int number_in(int member, int point) const;
   // First member that has both ends of a bond of the body; `nobody` if no member has both.
   int owner(const pd::Bond& bond) const;
@@ -42,7 +42,7 @@ class SharedPoints {
   std::vector<double> energy_shares() const;
 
  private:
-  // Number of a material point in a member of the body.
+  // Member that has a point of the body, and the number of the point in this member.
   struct Holder {
     int member, point;
   };
@@ -65,7 +65,8 @@ class SharedBonds {
 
   // Number of a bond of the body in the scene.
   int term(int bond) const { return static_cast<int>(of_scene_[static_cast<std::size_t>(bond)]); }
-  // Number in a member of a point of the body. Points of other members are numbered behind the member's own points.
+  // Number that a point of the body has in a member. Points of other members are numbered behind the member's own
+  // points.
   int number(int member, int point);
   // Gives a member its bonds, and the numbers of its cell squares (SceneBonds::squares).
   void give(int member, std::vector<int> squares);
