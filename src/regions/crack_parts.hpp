@@ -22,11 +22,11 @@ struct CrackPart {
   double spacing_before = 0;
   // Distance [m] of the two material points between which the part ends; 0 if it does not end at a lattice.
   double spacing_behind = 0;
-  // Distance [m] from the start of the part back along the part before it, up to the next bend or end, if both parts
-  // have elements; else 0.
+  // Distance [m] from the part's start back along the crack to the crack's next bend or end, if this part and the part
+  // before it have elements; else 0.
   double reach_before = 0;
-  // Distance [m] from the end of the part along the part behind it, up to the next bend or end, if both parts have
-  // elements; else 0.
+  // Distance [m] from the part's end along the crack to the crack's next bend or end, if this part and the part behind
+  // it have elements; else 0.
   double reach_behind = 0;
 };
 

@@ -59,7 +59,8 @@ struct Solution {
   double load_factor = 0;
   const std::vector<std::uint8_t>* stages = nullptr;  // damage stages of bonds; null: bonds are whole or broken
 
-  // Flags of the contact constraints of crack faces that are closed, by region; empty if no face is closed.
+  // Flags of the contact constraints of crack faces, by region: nonzero if the constraint is closed. Empty if no face
+  // is closed.
   std::vector<std::vector<char>> closed_faces = {};
   const coupling::Affine* body_force_parts = nullptr;  // DofConditions::body_force; null: none
 

@@ -18,7 +18,7 @@ constexpr double least_per_tip = 16;
 // Number of blocks of lattice ahead of a tip that may grow, besides the blocks on every side of the tip.
 constexpr double blocks_ahead = 2;
 
-// Number of blocks between a tip and the wall nearest to it: one of elements, one of lattice, and one that the position
+// Least number of blocks between a tip and the nearest wall: one of elements, one of lattice, and one that the position
 // of the grid of blocks may take.
 constexpr double blocks_of_room = 3;
 

@@ -33,7 +33,7 @@ using DivisionRule = std::function<int(const BoundaryPiece& before, const Bounda
 // region, too.
 int usual_divisions(const BoundaryPiece& before, const BoundaryPiece& after);
 
-// Rule that divides elements at singular places (usual_divisions()), and where loads begin or end, so often that the
+// Rule that divides elements at singular places (usual_divisions()), and where tractions may jump, so often that the
 // error of displacements at the place is less than `wanted`, relative to the largest displacement.
 DivisionRule divisions_for(double wanted, const PlaneElasticity& elasticity);
 

@@ -26,7 +26,7 @@ constexpr double inner_part = 0.5;
 constexpr double least_horizons = 2, most_horizons = 10;
 constexpr double just_below_one = 1 - 1e-9;  // so that rounding does not decide about equal lengths
 
-// Radius of the largest ring, relative to the radius around the tip that is free of other tips, mouths and bends.
+// Radius of the largest ring, relative to the radius of a circle that contains only this tip and the crack behind it.
 constexpr double part_of_clear = 0.9;
 
 Point factors_of(const TipRings::Expansion& expansion) {

@@ -12,7 +12,7 @@ struct LatticeTip {
   int region;      // id of the lattice that the crack ends in
   TipAxes axes;
   double horizon;
-  double clear;  // radius of a circle around the tip without other tips, mouths or bends [m]
+  double clear;  // radius of a circle with only this tip and the crack behind it [m]
   bool grown;
   bool branched;  // whether broken cells lead on in other directions, too
 };
