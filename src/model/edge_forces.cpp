@@ -82,7 +82,7 @@ Eigen::VectorXd EdgeResults::forces_from_outside(const std::vector<int>& body) {
 std::map<int, Point> EdgeResults::forces_of_neighbours(int region_id, int edge) {
   const regions::Discretization& d = model_.prepared().discretization;
   const scene::Scene& scene = model_.scene();
-  if (!regions::is_in_contact(d, region_id, edge)) return {};
+  if (!regions::has_interface(d, region_id, edge)) return {};
   const std::vector<int> body = regions::regions_of_body(d, region_id);
   const std::vector<int> wanted = regions::interface_nodes(scene, d, body, region_id, edge);
   if (wanted.empty()) return {};

@@ -125,7 +125,7 @@ std::vector<LineCrossing> crossings_of_line(const std::vector<Point>& points, co
 // Coefficients a and b of the line a + b s that best fits the summed stiffness of all crossings before the place s
 // along the crack's line. The line stands for crossings that are spread evenly. Places near the tip, which is the
 // middle of the fitted range, have the largest weights.
-Eigen::Vector2d even_growth(const std::vector<LineCrossing>& crossings, double reach) {
+Eigen::Vector2d fit_of_even_crossings(const std::vector<LineCrossing>& crossings, double reach) {
   constexpr int samples = 400;
   Eigen::Matrix2d normal = Eigen::Matrix2d::Zero();
   Eigen::Vector2d right = Eigen::Vector2d::Zero();
@@ -185,7 +185,7 @@ CutEnd cut_end_for_tip(const std::vector<Point>& points, const std::vector<Bond>
   reach = std::min({reach, -crossings.front().place, crossings.back().place});
   if (reach < 1) return {tip, {}};
   std::erase_if(crossings, [&](const LineCrossing& c) { return std::abs(c.place) > reach; });
-  const Eigen::Vector2d even = even_growth(crossings, reach);
+  const Eigen::Vector2d even = fit_of_even_crossings(crossings, reach);
   const double wanted = even[0] - (effective_tip_ahead(horizon_ratio) - weakened_more) * even[1];
   double sum = 0, before = crossings.front().place - 1;
   for (std::size_t k = 0, next = 0; k < crossings.size(); k = next) {

@@ -116,7 +116,7 @@ coupling::Affine loads_on(const scene::Scene& scene, const Discretization& d, co
   return c.force;
 }
 
-bool is_in_contact(const Discretization& d, int region, int edge) {
+bool has_interface(const Discretization& d, int region, int edge) {
   return std::any_of(d.arrangement.contacts.begin(), d.arrangement.contacts.end(),
                      [&](const Contact& contact) { return contact.region == region - 1 && contact.edge == edge - 1; });
 }

@@ -34,7 +34,7 @@ coupling::Affine loads_on(const scene::Scene& scene, const Discretization& discr
                           const std::vector<int>& regions);
 
 // Whether part of an edge is an interface with another region.
-bool is_in_contact(const Discretization& discretization, int region, int edge);
+bool has_interface(const Discretization& discretization, int region, int edge);
 
 // Nodes on the interfaces that an edge of a region has with regions outside `body` (ids of regions).
 std::vector<int> interface_nodes(const scene::Scene& scene, const Discretization& discretization,

@@ -50,7 +50,7 @@ PatchWalls::PatchWalls(const Outline& body) : edges_(edges_of(body)) {
 
 void PatchWalls::add_crack(const Segment& piece, int crack) { walls_.push_back({piece, -1, text("crack ", crack)}); }
 
-const Wall* PatchWalls::beside(const Box& block) const {
+const Wall* PatchWalls::nearest_to(const Box& block) const {
   const Wall* nearest = nullptr;
   double least = block.sizes().x() * just_below_one;
   for (const Wall& wall : walls_) {
@@ -150,7 +150,7 @@ Point PatchLayout::origin() const {
 // allowed, but not for a tip.
 void PatchLayout::require_room(const CrackInBody& crack, const Segment& along, bool is_tip) {
   for (const Block& block : grid_.near(along, grid_.size * just_below_one)) {
-    const Wall* wall = walls_.beside(grid_.box(block));
+    const Wall* wall = walls_.nearest_to(grid_.box(block));
     if (!wall) continue;
     const Point centre = grid_.box(block).center();
     const bool at_mouth = std::any_of(crack.mouths.begin(), crack.mouths.end(), [&](const auto& mouth) {

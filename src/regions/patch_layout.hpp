@@ -26,7 +26,7 @@ class PatchWalls {
   void add_crack(const Segment& piece, int crack);
   // Wall nearest to a block, if it is nearer than the size of a block; null if no wall is so near. A block outside of
   // the body gets the first wall.
-  const Wall* beside(const Box& block) const;
+  const Wall* nearest_to(const Box& block) const;
   const std::vector<Wall>& all() const { return walls_; }
 
  private:
@@ -74,7 +74,7 @@ class PatchLayout {
   double chosen_spacing() const;
   double clearance(const Point& origin) const;
   Point origin() const;
-  bool is_allowed(const Block& block) const { return !walls_.beside(grid_.box(block)); }
+  bool is_allowed(const Block& block) const { return !walls_.nearest_to(grid_.box(block)); }
   void add_band(const CrackInBody& crack, double reach);
   void require_room(const CrackInBody& crack, const Segment& along, bool is_tip);
   std::string advice() const;

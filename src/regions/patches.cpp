@@ -209,7 +209,7 @@ class GrowingPatch {
     const auto is_beside = [&](const Patch& other) {
       return &other != &own() && other.body == own().body && has_one_near(other.blocks, block);
     };
-    return !walls_.beside(own().grid.box(block)) && std::ranges::none_of(patches_, is_beside);
+    return !walls_.nearest_to(own().grid.box(block)) && std::ranges::none_of(patches_, is_beside);
   }
 
   const std::vector<Patch>& patches_;

@@ -58,7 +58,7 @@ void add_bonds_among(const std::vector<Bond>& bonds, const std::vector<int>& poi
 }
 
 // Orthonormal basis of the linear combinations of values at points that vanish for every linear function.
-MatrixXd blind_to_linear(const OutlinedBody& body, const std::vector<int>& points) {
+MatrixXd null_space_of_linear(const OutlinedBody& body, const std::vector<int>& points) {
   MatrixXd linear(static_cast<Eigen::Index>(points.size()), 3);
   for (std::size_t k = 0; k < points.size(); ++k) {
     const Point from_first = body.points[points[k]] - body.points[points[0]];
@@ -82,7 +82,7 @@ class Correction {
       if (patches.behind_an_edge[p].empty()) continue;
       Part part{p, points_of(body, patches, static_cast<int>(p), patches.behind_an_edge[p]), {}};
       if (part.points.size() < 4) continue;
-      part.basis = blind_to_linear(body, part.points);
+      part.basis = null_space_of_linear(body, part.points);
       for (std::size_t k = 0; k < part.points.size(); ++k) {
         int& r = row[part.points[k]];
         if (r < 0) r = static_cast<int>(points_of_rows_.size()), points_of_rows_.push_back(part.points[k]);
