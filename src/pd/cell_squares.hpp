@@ -12,16 +12,16 @@ namespace bempd::pd {
 
 // Isotropic materials of any Poisson's ratio on a lattice. Central bonds alone can have only one Poisson's ratio, that
 // of lambda = mu. Here the bonds have lambda = mu = beta = min(mu, (lambda + mu) / 2). The rest of the energy of a
-// lattice cell consists of cell squares, energy terms that are squares of combinations of the displacements of its four
-// corners:
+// lattice cell consists of cell squares: energy terms that are squares of combinations of the displacements of its four
+// corners,
 //   lambda > mu: h (lambda - mu) / 4 (d1 + d2)^2
 //   lambda < mu: h m / 4 (d1 - d2)^2 + h m / 8 (a1 + a2 - b1 - b2)^2,  m = (mu - lambda) / 2
 // with the elongations d1, d2 of the diagonals, a1, a2 of the horizontal and b1, b2 of the vertical edges, and the
-// thickness h. For d1 + d2 is the dilatation at the cell's centre times sqrt(2) and the spacing, d1 - d2 is twice the
-// shear strain times the same factors, and a1 + a2 - b1 - b2 is the difference of the normal strains times two
+// thickness h. The sum d1 + d2 is the dilatation at the cell's centre times sqrt(2) and the spacing, d1 - d2 is twice
+// the shear strain times the same factors, and a1 + a2 - b1 - b2 is the difference of the normal strains times two
 // spacings. Under a constant strain the forces of the cells around a point add up to the stress times the point's
-// surface vector. So faces, corners, holes and interfaces need no correction. All stiffnesses are positive for every
-// ratio above -1.
+// surface vector. Faces, corners, holes and interfaces therefore need no correction. All stiffnesses are positive for
+// every ratio above -1.
 //
 // Docs: materials.md.
 

@@ -34,8 +34,8 @@ OutlinedBody build_outlined_body(const Chords& chords, const LatticePlace& place
 // Corner of an outline whose surface vector (half the sum of the normals of its two chords, times their lengths) cannot
 // be balanced by bonds of positive stiffness. At a corner of the angle alpha <= 180 degrees the sum of the bonds' pulls
 // lies between 30 degrees off one edge and 30 degrees off the other. Proof: over the bonds, with angles theta from an
-// edge, k L sin(3 theta + 60) adds up to zero, so k L sin(theta - 30) has the same sum as k L f(theta) with f =
-// sin(theta - 30) + sin(3 theta + 60) / sqrt(3) >= 0.
+// edge, k L sin(3 theta + 60) adds up to zero, so k L sin(theta - 30) has the same sum as k L f(theta) with
+//   f = sin(theta - 30) + sin(3 theta + 60) / sqrt(3) >= 0.
 struct ImpossibleCorner {
   int node;
   double angle;           // [rad]
