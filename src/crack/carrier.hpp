@@ -14,15 +14,17 @@ namespace bempd::crack {
 // Crack tip as its carrier sees it under the present loads.
 struct Tip {
   TipId id;
-  Point place{0, 0}, direction{1, 0};  // unit vector in which a straight crack would go on
+  Point place{0, 0}, direction{1, 0};  // place of the tip [m]; unit vector straight ahead
   AffineFactors factors;
   GrowthLaw law;
-  GrowthRange range;      // of load factors, between which it does not grow
-  double kink_angle = 0;  // by which it turns at the present load factor, counter-clockwise [rad]
-  double critical_kink_angle = std::numeric_limits<double>::quiet_NaN();  // at the highest of the range, if it has one
+  GrowthRange range;      // load factors between which the tip does not grow
+  double kink_angle = 0;  // turn of the tip if it grew at the present load factor, counter-clockwise [rad]
+  // Kink angle at the load factor range.highest [rad]; NaN if the range has no upper end.
+  double critical_kink_angle = std::numeric_limits<double>::quiet_NaN();
   LoadRule load_rule = LoadRule::factors;
-  double load_error = std::numeric_limits<double>::quiet_NaN();  // relative, of the highest of the range, if it has one
-  bool closed = false;                                           // its faces press on each other
+  // Relative error of the load factor range.highest; NaN if there is no such load factor, or its error is unknown.
+  double load_error = std::numeric_limits<double>::quiet_NaN();
+  bool closed = false;  // crack faces press on each other at the tip
 };
 
 // Range of load factors in which none of `tips` grows.
@@ -33,26 +35,28 @@ inline GrowthRange common_range(std::span<const Tip> tips) {
   return common;
 }
 
-// Step that a tip is to take at the present load factor.
+// Growth of a tip that a carrier is asked to carry out at the present load factor.
 struct Step {
   TipId tip;
-  int ties = 0;       // others that would have grown as soon
-  double length = 0;  // of the extension [m]; 0: the carrier chooses
-  // Whether the load makes it grow. If not, another process does, such as cycles of the loads, at any load factor.
+  int ties = 0;       // number of other tips that would have grown at the same load factor
+  double length = 0;  // length of the extension [m]; 0: the carrier chooses the length
+  // Whether the load makes the tip grow. If not, another process such as fatigue (load cycles) does, at any load
+  // factor.
   bool is_driven = true;
-  std::optional<Point> direction{};  // unit vector in which a line goes that is not driven; empty: by its criterion
+  // Unit vector in which a crack line grows if the load does not drive it; empty: the growth criterion chooses.
+  std::optional<Point> direction{};
 };
 
-// Outcome of a step that a carrier was to take.
+// Result of a Step.
 struct Advance {
-  std::vector<Extension> extensions;  // of the tips that have grown; none if no tip can
+  std::vector<Extension> extensions;  // one for each tip that has grown; empty if no tip can grow
   bool has_stopped = false;           // whether a crack has stopped, at an interface or because it cannot grow
 };
 
-// Carrier: a part of the model that contains cracks and lets them grow. It is made of lattices, in which a crack is a
-// line that cuts bonds (fracture/line_carrier), or of boundary elements along the crack faces (model/element_carrier).
-// The run (fracture/event_loop) asks the carriers for candidates, chooses by order.hpp the tip that grows first,
-// whichever carries it, and lets that carrier advance it.
+// Carrier: the part of the model that represents cracks and lets them grow. In lattices a crack is a crack line, which
+// grows by one spacing at a time and cuts bonds (fracture/line_carrier). In boundary element regions the crack faces
+// have elements (model/element_carrier). The run (fracture/event_loop) asks all carriers for candidates, chooses the
+// tip that grows first (order.hpp), and lets the carrier of that tip advance it.
 class Carrier {
  public:
   Carrier() = default;
@@ -63,13 +67,13 @@ class Carrier {
   // Tips that may grow, sorted by crack and end.
   virtual std::vector<Tip> tips() = 0;
   // Candidates for growth on the load path `way`: tips with the load factors at which they grow. Tips that do not grow
-  // on it are left out.
+  // on this path are left out.
   virtual std::vector<Candidate> candidates(const LoadWay& way) = 0;
-  // Lets a candidate grow at the present load factor: bonds are cut, or the run goes on in a body with more elements.
-  // The growth is an event of the run's history. Throws FreesLoadedPart.
+  // Lets a candidate grow at the present load factor: cuts bonds, or continues the run in a body with more elements.
+  // The growth is an event in the history of the run. Throws FreesLoadedPart.
   virtual Advance advance(const Step& step) = 0;
-  // Openings of a crack at fractions of its length: displacement of its left face less that of its right face, as
-  // tangential and normal component [m]. NaN where the crack lies elsewhere.
+  // Openings of a crack at fractions of its length, as tangential and normal component [m]: the displacement of the
+  // left face minus that of the right face. NaN at places that lie in another carrier.
   virtual std::vector<Point> openings(int crack, const std::vector<double>& fractions) = 0;
 };
 

@@ -6,30 +6,30 @@
 
 namespace bempd::crack {
 
-// Cycles between two loads, one after another. Loads have numbers, which are those of a tip's factors.
+// Block of load cycles between a high and a low load. Loads are numbers: indices of a tip's list of factors by load.
 struct Block {
   std::size_t high = 0, low = 0;
   double cycles = 0;
 };
 
-// Blocks of cycles that follow each other and are repeated for ever; one block is a constant amplitude.
+// Program of load cycles: blocks one after another, repeated for ever. A single block is a constant amplitude.
 class CycleProgram {
  public:
-  // Place in the program to which a run has come.
+  // Place in the program up to which cycles have passed.
   struct Place {
     std::size_t block = 0;
-    double done = 0;  // cycles of this block
+    double done = 0;  // cycles of this block that have passed
   };
 
   explicit CycleProgram(std::span<const Block> blocks);
 
   std::size_t size() const { return blocks_.size(); }
   const Block& block(std::size_t number) const { return blocks_[number]; }
-  double cycles() const { return cycles_; }  // of the whole program
+  double cycles() const { return cycles_; }  // of one pass through the program
 
   Place place_after(double cycles) const;
-  double left(const Place& place) const;  // cycles that are left of the block
-  // Goes on by cycles, not beyond the end of the block.
+  double left(const Place& place) const;  // cycles of the block that have not passed yet
+  // Moves the place forward by a number of cycles, at most to the end of the block.
   void go_on(Place& place, double cycles) const;
 
  private:

@@ -9,12 +9,13 @@ namespace bempd::crack {
 
 namespace {
 
-// Parts into which the growth of a step is divided while cycles are counted: between two of them rates are integrated
-// by the rule of Runge and Kutta, whose error is far below that of the step itself.
+// Number of parts into which the growth of a step is divided while cycles are counted. In each part rates are
+// integrated by the Runge-Kutta rule, with an error far below that of the step itself.
 constexpr double parts_of_a_step = 24;
 
-// Growth in the zone of an overload, as a share of the distance to its end: the most that is integrated in one step,
-// because retardation varies, and the most by a whole program where several programs are passed at once.
+// Largest growth inside the plastic zone of an overload that is integrated at once, as a share of the distance to the
+// zone's end, because retardation varies with this distance: by a part of a block, and by one whole program where
+// several programs are passed at once.
 constexpr double share_of_zone = 0.04, share_of_zone_by_program = 0.002;
 
 double rate_of(const TipOnStep& tip, double grown, const Block& block, const Overload& overload) {
@@ -25,7 +26,7 @@ double rate_of(const TipOnStep& tip, double grown, const Block& block, const Ove
   return rate;
 }
 
-// Highest factor of a block over the one at which the tip breaks, and the same for its net section.
+// Load of a block as a share of the load that breaks the tip: by the equivalent factor, and by the net section.
 struct Shares {
   double of_factor, of_section;
   double largest() const { return std::max(of_factor, of_section); }
@@ -43,8 +44,8 @@ double share_of_critical(const TipOnStep& tip, double grown, const Block& block)
 
 double between(double first, double last, double share) { return (1 - share) * first + share * last; }
 
-// Load on a net section, as a share of what it bears, between two lengths of the crack. What is left of the section
-// falls about evenly as the tip grows, and the load's share is the inverse of it: so inverses are interpolated.
+// Interpolates the load on a net section, as a share of its limit load, between two lengths of the crack. What is left
+// of the section falls about linearly as the tip grows, and the share is its inverse: so inverses are interpolated.
 double section_between(double first, double last, double share) {
   return first > 0 && last > 0 ? 1 / between(1 / first, 1 / last, share) : between(first, last, share);
 }
@@ -81,7 +82,8 @@ double TipOnStep::critical_at(double grown) const {
   return between(critical[part], critical[part + 1], at - static_cast<double>(part));
 }
 
-// Bend by the step before; 0 if that was much longer, or if the tip took much more of its crack's growth in it.
+// Curvature from the previous step; 0 if that step is unknown, or if the tip grew in it by most of its own part of the
+// crack.
 double TipOnStep::bend(std::size_t level) const {
   const double start = own_length(), longest = 0.7 * start;
   const bool is_known = !past.empty() && past[level].equivalent * before[level].equivalent > 0;
@@ -162,7 +164,7 @@ std::optional<std::vector<double>> CycleIntegration::program_growth(const Growth
                                                                     const Overloads& overloads) const {
   Growth sum(tips_.size(), 0.0);
   Overloads met = overloads;
-  for (std::size_t b = 0; b < program_.size(); ++b) update_overloads(met, grown, b);  // by the program before
+  for (std::size_t b = 0; b < program_.size(); ++b) update_overloads(met, grown, b);  // overloads after an earlier pass
   for (std::size_t b = 0; b < program_.size(); ++b) {
     const std::optional<Growth> of_block = rates(grown, b, met);
     if (!of_block) return std::nullopt;
@@ -171,8 +173,8 @@ std::optional<std::vector<double>> CycleIntegration::program_growth(const Growth
   return sum;
 }
 
-// Growth after `by` units of the independent variable, cycles or programs, by the classical rule of fourth order; none
-// where a tip would be critical.
+// Growth after `by` units of the independent variable (cycles or programs), by the classical Runge-Kutta rule of fourth
+// order; empty if a tip would be critical.
 template <class Rates>
 std::optional<std::vector<double>> CycleIntegration::advanced(const Growth& grown, double by,
                                                               const Rates& rates_at) const {
@@ -213,7 +215,8 @@ bool CycleIntegration::pass_programs(CyclesOnStep& now, std::size_t goal, double
   return false;
 }
 
-// Passes a part of the present block; false if a tip reaches its critical factor in it, or the goal is reached.
+// Passes a part of the present block. Returns false if a tip reaches its critical factor in this part, or the goal is
+// reached.
 bool CycleIntegration::pass_block(CyclesOnStep& now, const Growth& at_start, std::size_t goal, double growth,
                                   double most_cycles) const {
   const auto after = [&](double cycles) {
@@ -222,7 +225,7 @@ bool CycleIntegration::pass_block(CyclesOnStep& now, const Growth& at_start, std
   };
   const auto arrive = [&](double cycles, Growth grown) {
     now.cycles += cycles;
-    // The zone of an overload lies ahead of where its cycle began, so a part of a cycle adds no other one.
+    // The zone of an overload lies ahead of the place where its cycle began, so a part of a cycle adds no new overload.
     Growth last_begins = now.growth;
     for (std::size_t t = 0; t < grown.size(); ++t) last_begins[t] += (1 - 1 / cycles) * (grown[t] - last_begins[t]);
     now.growth = std::move(grown);

@@ -7,29 +7,33 @@
 
 namespace bempd::crack {
 
-// Record of the growth of one tip in one event: a straight extension to (x, y), which is the tip's new place, or where
-// it ended if its state says so. A crack that nucleates is recorded as two extensions from its middle.
+// Record of the growth of one tip in one event: a straight extension to (x, y), which is the tip's new place or, by its
+// state, the place where the tip has ended. A crack that begins in the run is recorded as two extensions from its
+// middle.
 struct Extension {
   std::int64_t event = 0;
-  int crack = 0, end = 0;  // id; 1: the crack's last point, 0: its first
+  int crack = 0, end = 0;  // id of the crack; end 1: its last point, 0: its first point
   TipState state = TipState::grows;
   double from_x = 0, from_y = 0;
   double x = 0, y = 0;
-  double angle = 0;  // by which it turned, counter-clockwise
+  double angle = 0;  // angle by which the crack turned, counter-clockwise [rad]
   double length = 0, crack_length = 0;
   double load_factor = 0;
-  double rate_before = 0, rate_after = 0;  // energy release rates along the way [J/m^2]; none where it has ended
-  double released_energy = 0;              // their integral [J]; of a line what the event released
-  double factor_1 = 0, factor_2 = 0;       // K_I and K_II of the tip before it grew [Pa m^(1/2)]
-  double resistance = 0;                   // energy per area that it met [J/m^2]
-  double surface_energy = 0;               // what the new area took of the released energy [J]
+  // Energy release rates at the beginning and at the end of the extension [J/m^2]; 0 at an end that is no tip.
+  double rate_before = 0, rate_after = 0;
+  // Released energy [J]: the integral of the energy release rate over the new crack area; for a crack line, the energy
+  // that the event released.
+  double released_energy = 0;
+  double factor_1 = 0, factor_2 = 0;  // K_I and K_II of the tip before it grew [Pa m^(1/2)]
+  double resistance = 0;              // fracture energy at the tip [J/m^2]
+  double surface_energy = 0;          // part of the released energy that the new crack area took [J]
 
   TipId tip() const { return {crack, end}; }
   bool has_ended() const { return crack::has_ended(state); }
 };
 
-// Starts the record of the growth of a tip at `from`, which turns by `angle`. `resistance` is the energy per new area
-// that growth takes there [J/m^2].
+// Begins the record of an extension of the tip at `from`, which turns by `angle` [rad]. `resistance` is the energy that
+// the growth takes per new crack area [J/m^2].
 inline Extension begin_extension(const TipId& tip, const Point& from, double angle, double load_factor,
                                  const AffineFactors& factors, double resistance) {
   Extension e;

@@ -9,22 +9,22 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-// Smallest slope of the equivalent factor over the load factor that counts, as a share of the size of the proportional
-// (K_I, K_II): below it the loads press the tip shut, and it does not grow. By the hoop stress criterion the slope of a
-// tip pressed shut goes with the third power of K_II / K_I; it has this value where that ratio is 6e-4, which is about
-// the error of the factors.
+// Smallest slope of the equivalent factor over the load factor that counts as opening, as a share of the norm of the
+// proportional (K_I, K_II). Below this slope the loads press the tip shut, and it does not grow. By the hoop stress
+// criterion the slope of a tip that is pressed shut is of third order in K_II / K_I; it has this value at K_II / K_I =
+// 6e-4, which is about the error of the factors.
 constexpr double share_of_rounding = 1e-9;
 
 // Load factor at which the range without growth ends in `direction` (1 or -1), by bisection from `inside`, a load
 // factor in the range; infinite if there is no end. At large load factors the equivalent factor exceeds the load factor
-// times its slope less twice the constant part, which bounds the search.
+// times its slope minus twice the constant part, which bounds the search.
 double end_of_range(const AffineFactors& factors, const GrowthLaw& law, double inside, double direction) {
   const double slope = law.kink(direction * factors.proportional).equivalent_factor;
   if (!(slope > share_of_rounding * factors.proportional.stableNorm())) return infinity * direction;
   const double smallest_share = law.directions ? law.directions->smallest_share() : 1;
   const double constant = factors.constant.stableNorm() / std::sqrt(std::min(1.0, smallest_share));
   double low = inside, high = direction * 2 * (law.toughness + 2 * constant) / slope;
-  if (law.asking.function) {  // no bound is known of what it gives
+  if (law.asking.function) {  // nothing bounds the values of the function
     constexpr int most_doublings = 60;
     for (int k = 0; k < most_doublings && law.ratio(factors, high) < 1; ++k) low = high, high *= 2;
     if (law.ratio(factors, high) < 1) return infinity * direction;
@@ -38,8 +38,8 @@ double end_of_range(const AffineFactors& factors, const GrowthLaw& law, double i
 }
 
 // Load factor at which the growth ratio of a tip is least, by golden section search; the bounds are a few times the
-// constant part. The hoop stress criterion is used because its ratio is convex in the load factor everywhere: that of
-// the energy release rate is not where kinks close.
+// toughness plus the constant part, over the proportional part. The ratio by hoop stress is used, because it is convex
+// in the load factor everywhere; the ratio by energy release rate is not convex where kinks close.
 double least_loaded(const AffineFactors& factors, GrowthLaw law) {
   const double size = factors.proportional.stableNorm();
   double high = 4 * (law.toughness + factors.constant.stableNorm()) / size, low = -high;

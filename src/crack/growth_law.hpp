@@ -14,11 +14,11 @@ namespace bempd::crack {
 struct GrowthRange {
   double lowest = -std::numeric_limits<double>::infinity(), highest = std::numeric_limits<double>::infinity();
 
-  bool is_empty() const { return lowest > highest; }  // the tip grows at every load factor
+  bool is_empty() const { return lowest > highest; }  // true: the tip grows at every load factor
   bool holds(double load_factor) const { return lowest < load_factor && load_factor < highest; }
 
-  // Load factor at which the tip grows next if the load factor rises (`upwards`) or falls: the present one if it lies
-  // outside the range, infinite if the tip does not grow in this direction.
+  // Load factor at which the tip grows next if the load factor rises (`upwards`) or falls. If the present load factor
+  // lies outside the range, it is that load factor; infinite if the tip does not grow in this direction.
   double next(double present, bool upwards) const {
     if (!holds(present)) return present;
     return upwards ? highest : lowest;
@@ -27,16 +27,17 @@ struct GrowthRange {
 
 // Growth law of a tip at its present place: the criterion for kinks, and the properties of the material around the tip.
 struct GrowthLaw {
-  double toughness = 0;      // K_I at which it grows straight on; 0 or infinite: it does not grow [Pa m^(1/2)]
+  double toughness = 0;      // K_I at which the tip grows straight on; 0 or infinite: no growth [Pa m^(1/2)]
   double plane_modulus = 0;  // E, in plane strain E / (1 - nu^2) [Pa]
   KinkCriterion criterion = KinkCriterion::hoop_stress;
-  // Table of a fracture energy that depends on the direction, or null, and the direction of the crack from the x axis
-  // [rad]. The toughness is then that in a direction with the share 1.
+  // Table of a fracture energy that depends on the direction of growth, or null. With a table, `toughness` belongs to a
+  // direction with the share 1.
   const ResistanceDirections* directions = nullptr;
-  double heading = 0;
-  AskingTip asking{};  // with a function, the toughness is a number to begin with only
+  double heading = 0;  // direction of the crack from the x axis [rad]
+  // Data for the host's function of the fracture energy. With a function, `toughness` is only a first value.
+  AskingTip asking{};
 
-  // Law with the toughness that the host's function gives for these factors; the same law if there is no function.
+  // Law with the toughness that the host's function gives for these factors; the same law if the host gave no function.
   GrowthLaw with_host_toughness(const Point& factors, double t_stress) const;
   GrowthLaw with_host_toughness(const AffineFactors& factors, double load_factor) const {
     return asking.function ? with_host_toughness(factors.at(load_factor), asking.t_stress.dot(Point(1, load_factor)))
@@ -44,8 +45,9 @@ struct GrowthLaw {
   }
 
   double share_in(double angle) const { return directions ? directions->share(heading + angle) : 1; }
-  // Energy per area that growth at an angle takes, and the energy release rate of a kink [J/m^2].
+  // Energy per area that growth at an angle takes [J/m^2].
   double resistance(double angle = 0) const { return toughness * toughness / plane_modulus * share_in(angle); }
+  // Energy release rate of a kink [J/m^2].
   double rate(const Kink& kink) const {
     return kink.equivalent_factor * kink.equivalent_factor / plane_modulus * share_in(kink.angle);
   }
@@ -54,15 +56,17 @@ struct GrowthLaw {
     return directions ? directions->kink(factors, heading, criterion) : kink_of(factors, criterion);
   }
   Kink kink(const AffineFactors& factors, double load_factor) const { return kink(factors.at(load_factor)); }
-  // Ratio of the equivalent mode I factor in the direction of growth to the toughness: the tip grows when it reaches 1.
+  // Ratio of the equivalent factor (mode I in the direction of growth) to the toughness. The tip grows when this ratio
+  // reaches 1.
   double ratio(const AffineFactors& factors, double load_factor) const {
     if (!(toughness > 0)) return 0;
     return kink(factors, load_factor).equivalent_factor / with_host_toughness(factors, load_factor).toughness;
   }
-  // Range of load factors in which ratio() is below 1; unbounded if the toughness is infinite, or is not positive (no
-  // fracture). By the hoop stress criterion the factor is a maximum of functions linear in the load factor, so the
-  // range is an interval. By the energy release rate, without kinks that close, it is the interval around the load
-  // factor 0, or around the one at which the ratio is least; likewise with a function of the host.
+  // Range of load factors in which ratio() is below 1; unbounded if the toughness is infinite or not positive (no
+  // fracture). By the hoop stress criterion the equivalent factor is a maximum of functions linear in the load factor,
+  // so the range is an interval. By the energy release rate this holds unless kinks close, and a function of the host
+  // may have any form: the range is then the interval around the load factor 0, or around the load factor with the
+  // least ratio by hoop stress.
   GrowthRange range(const AffineFactors& factors) const;
   // Smallest load factor >= 0 at which the ratio is 1 or more; infinite if there is none.
   double first_load_factor(const AffineFactors& factors) const;

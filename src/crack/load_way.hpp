@@ -9,15 +9,17 @@ namespace bempd::crack {
 enum class Control {
   // The load factor is held: where growth is unstable, events follow each other at one load factor, out of equilibrium.
   load,
-  // Nothing is held: at each event a tip just reaches its toughness, or the most stretched bonds their critical
-  // stretch. The load factor falls where growth is unstable, and every state is one of equilibrium.
+  // The load factor follows the equilibrium path: at each event a tip just reaches its toughness, or the most stretched
+  // bonds their critical stretch. The load factor falls where growth is unstable.
   path
 };
 
-// Relative difference below which load factors or growth ratios count as equal (a tie): rounding may put either first.
+// Relative difference below which two load factors or growth ratios count as equal (a tie), because rounding may put
+// either first.
 constexpr double tie_share = 1e-9;
 
-// Path of the load factor: its present value, the direction in which it changes, and what is held constant meanwhile.
+// Path of the load factor: its present value, the direction in which it changes, and its control (what is held
+// constant).
 struct LoadWay {
   double present;
   bool upwards = true;
@@ -25,7 +27,8 @@ struct LoadWay {
 
   LoadWay back() const { return {present, !upwards, control}; }
   double sense() const { return upwards ? 1 : -1; }
-  double ahead(double load_factor) const { return sense() * load_factor; }  // grows on the way
+  // Number that is larger for load factors that come later on the path.
+  double ahead(double load_factor) const { return sense() * load_factor; }
   double end() const { return ahead(std::numeric_limits<double>::infinity()); }
   // Load factor at which an event with the critical load factor `critical` takes place: the present one if the load
   // factor is held and has already passed `critical`, else `critical` itself.

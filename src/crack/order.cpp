@@ -6,8 +6,7 @@ namespace bempd::crack {
 
 namespace {
 
-// Rank of a candidate for growth: overloaded tips, which do not wait, come first; of the others those with a smaller
-// key.
+// Rank of a candidate for growth. Overloaded tips do not wait and come first; otherwise the smaller key comes first.
 struct Rank {
   bool waits;
   double key;
@@ -25,8 +24,8 @@ Rank rank_of(const Candidate& candidate, bool upwards) {
 
 }  // namespace
 
-// Finds the candidate that grows first. Ties are compared with the very first rank, so that they do not depend on the
-// order of the candidates.
+// Finds the candidate that grows first. Ties are measured from the first rank, so that they do not depend on the order
+// of the candidates.
 std::optional<FirstToGrow> first_to_grow(std::span<const Candidate> candidates, bool upwards) {
   if (candidates.empty()) return std::nullopt;
   Rank first = rank_of(candidates.front(), upwards);

@@ -4,8 +4,8 @@
 
 namespace bempd::crack {
 
-// Forman, Kearney and Engle, J. Basic Eng. 89, 1967: da/dN = C dK^m / ((1 - R) K_c - dK), which grows beyond all bounds
-// where K reaches K_c.
+// Forman, Kearney and Engle, J. Basic Eng. 89, 1967: da/dN = C dK^m / ((1 - R) K_c - dK). The rate is unbounded where
+// K_max reaches K_c.
 class Forman final : public RateLaw {
  public:
   Forman(double coefficient, double exponent, double threshold)

@@ -6,7 +6,7 @@
 
 namespace bempd::crack {
 
-// Growth in a cycle by a function of the host.
+// Growth rate given by a function of the host.
 class HostRate final : public RateLaw {
  public:
   using Function = std::function<double(const TipCycle&)>;

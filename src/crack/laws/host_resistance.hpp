@@ -6,11 +6,11 @@
 
 namespace bempd::crack {
 
-// Fracture energy that a tip meets, by a function of the host [J/m^2].
+// Fracture energy at a tip [J/m^2], given by a function of the host.
 class HostResistance {
  public:
-  // Function of the host, which is told of a held load as a cycle with equal factors at its two ends. The cycle's
-  // length is that by which the tip has grown.
+  // Function of the host, which receives a constant load as a cycle whose two loads are equal. The cycle's `length` is
+  // the length by which the tip has grown [m].
   using Function = std::function<double(const TipCycle&)>;
 
   explicit HostResistance(Function function) : function_(std::move(function)) {}
@@ -22,14 +22,14 @@ class HostResistance {
   Function function_;
 };
 
-// Tip, with all that the host's function for its fracture energy is told about it. Where the function is null, the
-// fracture energy is the number given for the material.
+// Tip, with the data that the host's function for the fracture energy receives. If `function` is null, the fracture
+// energy is the number given for the material.
 struct AskingTip {
   const HostResistance* function = nullptr;
   TipId id{};
   Point place{0, 0};
-  double grown = 0;      // in the model [m]
-  Point t_stress{0, 0};  // constant and proportional part of T [Pa]
+  double grown = 0;      // growth of the tip in the model [m]
+  Point t_stress{0, 0};  // constant and proportional part of the T-stress [Pa]
 };
 
 }  // namespace bempd::crack

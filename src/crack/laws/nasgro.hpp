@@ -7,10 +7,10 @@
 
 namespace bempd::crack {
 
-// The NASGRO equation as in Harter, AFGROW Users Guide and Technical Manual, AFRL-VA-WP-TR-1999-3016:
-// da/dN = C [(1 - f) / (1 - R) dK]^n (1 - dK_th / dK)^p / (1 - K_max / K_c)^q, with the share f of K_max at which a
-// crack opens by plane stress or strain (alpha 1 to 3) and the largest stress over the flow stress (Newman, Int. J.
-// Fract. 24, 1984).
+// The NASGRO equation as in Harter, AFGROW Users Guide and Technical Manual, AFRL-VA-WP-TR-1999-3016: da/dN = C [(1 -
+// f) / (1 - R) dK]^n (1 - dK_th / dK)^p / (1 - K_max / K_c)^q. The crack opens at the share f of K_max, which depends
+// on the constraint factor alpha (1 in plane stress to 3 in plane strain) and on `stress`, the largest stress over the
+// flow stress (Newman, Int. J. Fract. 24, 1984).
 class Nasgro final : public RateLaw {
  public:
   struct Closure {

@@ -4,8 +4,8 @@
 
 namespace bempd::crack {
 
-// Paris and Erdogan, J. Basic Eng. 85, 1963, with the load ratio of Walker, ASTM STP 462, 1970:
-// da/dN = C [(1 - R)^(gamma - 1) dK]^m. With gamma = 1 the ratio has no effect.
+// Paris and Erdogan, J. Basic Eng. 85, 1963, with the load ratio R as in Walker, ASTM STP 462, 1970: da/dN = C [(1 -
+// R)^(gamma - 1) dK]^m. With gamma = 1, R has no effect.
 class ParisWalker final : public RateLaw {
  public:
   ParisWalker(double coefficient, double exponent, double walker, double threshold)

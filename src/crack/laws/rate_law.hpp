@@ -9,28 +9,29 @@
 
 namespace bempd::crack {
 
-// How far a tip grows in a cycle, below the load at which it breaks.
+// Law of crack growth per load cycle, for loads below the load at which the tip breaks.
 class RateLaw {
  public:
-  // `threshold`: range up to which the tip does not grow [Pa m^(1/2)].
+  // `threshold`: range dK up to which the tip does not grow [Pa m^(1/2)].
   explicit RateLaw(double threshold) : threshold_(threshold) {}
   RateLaw(const RateLaw&) = delete;
   RateLaw& operator=(const RateLaw&) = delete;
   virtual ~RateLaw() = default;
 
-  // Growth in a cycle [m], or in a unit of time. A tip whose faces are pressed together does not grow.
+  // Growth in one cycle [m], or in a unit of time. A tip whose faces are pressed together does not grow.
   double rate(const TipCycle& cycle) const {
     if (!(cycle.highest > 0) || !(cycle.range() > threshold_)) return 0;
     return growth(cycle);
   }
-  // Growth in a cycle [m] of a tip that has grown by `grown`, which retardation slows down in the zone of an overload.
+  // Growth in one cycle [m] of a tip that has grown by `grown`. Retardation slows the growth down in the zone of an
+  // overload.
   double rate(const TipCycle& cycle, const Overload& overload, double grown) const {
     if (!retardation_ || !retardation_->acts(overload, grown, cycle.highest)) return rate(cycle);
     const Retardation::Reduced reduced = retardation_->reduced(cycle, overload, grown);
     return reduced.share > 0 ? reduced.share * rate(reduced.cycle) : 0;
   }
 
-  // Null: earlier loads have no effect.
+  // Retardation by earlier loads; null: earlier loads have no effect.
   const Retardation* retardation() const { return retardation_.get(); }
   void slow_down(std::unique_ptr<Retardation> retardation) { retardation_ = std::move(retardation); }
 

@@ -8,7 +8,7 @@
 
 namespace bempd::crack {
 
-// Law of crack growth per cycle, or per unit of time, as a host states it.
+// Law of crack growth per load cycle or per unit of time, in the numbers that the host gives.
 struct RateParameters {
   enum class Retarding { none = 0, wheeler = 1, willenborg = 2 };
   enum class Kind { paris_walker = 1, forman = 2, nasgro = 3, sustained = 4, host = 5 };
@@ -18,22 +18,22 @@ struct RateParameters {
   double walker = 1;
   double p = 0, q = 0;
   Nasgro::Closure closure;
-  double threshold = 0, critical = 0;  // [Pa m^(1/2)]; critical 0: the toughness of the material
+  double threshold = 0, critical = 0;  // [Pa m^(1/2)]; `critical` 0: the toughness of the material
   HostRate::Function function;
 
   Retarding retarding = Retarding::none;
   double yield_strength = 0;   // [Pa]
-  double zone_constraint = 0;  // 0: by the plane state of the material
+  double zone_constraint = 0;  // constraint of plastic zones; 0: by the plane state of the material
   double wheeler_exponent = 0, shutoff_ratio = 0;
 
-  double flow_stress = 0;  // mean stress that a net section bears [Pa]; 0: it is not watched
+  double flow_stress = 0;  // limit stress of a net section [Pa]; 0: net sections are not checked
 };
 
-// The law in plane strain or plane stress.
+// Makes the growth law; `plane_strain` chooses the constraint of plastic zones if the host gave none.
 std::unique_ptr<RateLaw> make_rate_law(const RateParameters& parameters, bool plane_strain);
 
-// Stress intensity factor at which a tip breaks: that of the law, or if it has none the toughness of the material,
-// which is infinite if unknown. Throws Error (argument) if the law's rate depends on it and neither is known.
+// Stress intensity factor at which a tip breaks: `critical` of the parameters or, if that is 0, the toughness of the
+// material (infinite if unknown). Throws Error (argument) if the growth rate depends on this factor and it is unknown.
 double critical_of(const RateParameters& parameters, double toughness);
 
 }  // namespace bempd::crack

@@ -8,11 +8,12 @@
 
 namespace bempd::crack {
 
-// How the fracture energy that a tip meets differs from that of its material; null: not in this way.
+// Rules by which the fracture energy at a tip differs from the number of its material; a null pointer is a rule that is
+// not used.
 struct Resistance {
   std::shared_ptr<const ResistanceCurve> curve;
   std::shared_ptr<const ResistanceDirections> directions;
-  std::shared_ptr<const HostResistance> function;  // takes the place of all numbers
+  std::shared_ptr<const HostResistance> function;  // replaces the material's number and both tables
 
   bool is_constant() const { return !curve && !directions && !function; }
   bool operator==(const Resistance& other) const {

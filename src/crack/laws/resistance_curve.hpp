@@ -4,8 +4,8 @@
 
 namespace bempd::crack {
 
-// Fracture energy that changes with the growth of a tip (R-curve), in shares of the material's fracture energy. It is
-// linear between the rows of a table and constant before the first and behind the last one.
+// R-curve: fracture energy by the length that a tip has grown, in shares of the material's fracture energy. The curve
+// is linear between the rows of a table and constant outside of them.
 class ResistanceCurve {
  public:
   // `extensions`: lengths by which a tip has grown, >= 0 and ascending [m]; `shares` > 0.

@@ -14,14 +14,15 @@ namespace {
 
 constexpr double pi = std::numbers::pi;
 
-// Largest kink angle that is tried [rad], and number of even steps to it on either side.
+// Largest kink angle that is tried [rad].
 constexpr double widest_kink = 1.9;
+// Number of equal steps from 0 to the largest kink angle, on either side.
 constexpr int steps_to_widest = 64;
 
-// Number of the highest maxima of the ratio over trial angles; the largest ratio is sought around each of these.
+// Number of local maxima over the trial angles around which the largest ratio is searched.
 constexpr std::size_t most_tops = 3;
 
-// Indices of the highest maxima, the highest one first.
+// Indices of the highest local maxima, the highest one first.
 std::vector<std::size_t> tops_of(const std::vector<double>& values) {
   std::vector<std::size_t> tops;
   for (std::size_t k = 0; k < values.size(); ++k)
@@ -32,7 +33,7 @@ std::vector<std::size_t> tops_of(const std::vector<double>& values) {
   return tops;
 }
 
-// Largest value between two angles, by golden section search.
+// Largest value of a function between two angles, by golden section search.
 template <class Value>
 Kink largest_between(double low, double high, const Value& value) {
   constexpr double golden = 0.6180339887498949;
@@ -49,7 +50,7 @@ Kink largest_between(double low, double high, const Value& value) {
   return at_a > at_b ? Kink{a, at_a} : Kink{b, at_b};
 }
 
-// Angle within half a turn from `first`, for a direction without a sense.
+// Angle of an axis (a direction or its opposite) within half a turn from `first` on.
 double within_half_turn(double angle, double first) {
   double turned = std::fmod(angle - first, pi);
   if (turned < 0) turned += pi;
@@ -82,7 +83,8 @@ double ResistanceDirections::share(double angle) const {
 
 double ResistanceDirections::smallest_share() const { return *std::min_element(shares_.begin(), shares_.end()); }
 
-// Kink angles to try: even steps, and the directions of the table, where the ratio may have a cusp.
+// Kink angles to try: equal steps, and the directions of the table, where the ratio of energy release rate to fracture
+// energy may have a cusp.
 std::vector<double> ResistanceDirections::trial_angles(double heading) const {
   std::vector<double> trials;
   for (int k = -steps_to_widest; k <= steps_to_widest; ++k) trials.push_back(widest_kink * k / steps_to_widest);
@@ -108,7 +110,7 @@ Kink ResistanceDirections::kink(const Point& given, double heading, KinkCriterio
   };
   for (const std::size_t top : tops_of(values)) {
     take({trials[top], values[top]});
-    // The ratio is smooth between two trial angles, so each side of a top is searched by itself.
+    // The ratio is smooth between neighbouring trial angles, so both sides of a maximum are searched separately.
     if (top > 0) take(largest_between(trials[top - 1], trials[top], value));
     if (top + 1 < trials.size()) take(largest_between(trials[top], trials[top + 1], value));
   }

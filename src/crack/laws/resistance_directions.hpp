@@ -7,8 +7,9 @@
 
 namespace bempd::crack {
 
-// Fracture energy by the direction in which a crack runs, in shares of the material's fracture energy: of grain, layers
-// or weak planes. A direction and its opposite are the same. It is linear between the rows of a table.
+// Fracture energy by the direction of growth (grain, layers or weak planes), in shares of the material's fracture
+// energy. The share is linear in the angle between the rows of a table. A direction and its opposite have the same
+// share.
 class ResistanceDirections {
  public:
   // `angles`: from the x axis, counter-clockwise and ascending, within half a turn [rad]; `shares` > 0.
@@ -17,9 +18,9 @@ class ResistanceDirections {
   double share(double angle) const;
   double smallest_share() const;
 
-  // Kink of a tip with the factors (K_I, K_II), whose crack runs in the direction `heading` [rad]: the largest ratio of
-  // the energy release rate to the fracture energy, where the criterion says what that rate is. The equivalent factor
-  // is that of a tip which meets the material's own fracture energy.
+  // Kink of a tip with the factors (K_I, K_II) whose crack runs in the direction `heading` [rad]: the angle with the
+  // largest ratio of energy release rate to fracture energy. `criterion` defines the energy release rate at an angle.
+  // The equivalent factor is scaled so that it is compared with the toughness by the material's own fracture energy.
   Kink kink(const Point& factors, double heading, KinkCriterion criterion) const;
 
   bool operator==(const ResistanceDirections&) const = default;

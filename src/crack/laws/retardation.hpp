@@ -9,16 +9,16 @@
 
 namespace bempd::crack {
 
-// Plastic zone of the largest load that a tip has met, as far as it reaches ahead of the tip. Growth is counted from
-// the beginning of a step.
+// Plastic zone ahead of a tip, left by the largest load that the tip has met. Growth is measured from the beginning of
+// a step.
 struct Overload {
   double end = -std::numeric_limits<double>::infinity();  // growth of the tip at which the zone ends [m]
-  double zone = 0;                                        // its size [m]
-  double highest = 0;                                     // factor of mode I that left it [Pa m^(1/2)]
+  double zone = 0;                                        // size of the zone [m]
+  double highest = 0;  // equivalent factor of the load that left the zone [Pa m^(1/2)]
 };
 
-// Slower growth in the plastic zone of an earlier, higher load. The zone of a load is (K / yield strength)^2 over pi
-// times a constraint: 2 in plane stress, 6 in plane strain.
+// Retardation: slower growth in the plastic zone of an earlier, higher load. The size of a load's zone is (K / yield
+// strength)^2 / (pi constraint), with the constraint 2 in plane stress and 6 in plane strain.
 class Retardation {
  public:
   Retardation(double yield_strength, double constraint) : yield_strength_(yield_strength), constraint_(constraint) {}
@@ -30,31 +30,32 @@ class Retardation {
     const double ratio = std::max(0.0, highest) / yield_strength_;
     return ratio * ratio / (constraint_ * std::numbers::pi);
   }
-  // Overload after a cycle of a tip that has grown by `grown`: that of the cycle if its zone reaches at least as far,
-  // else the one before.
+  // Overload after a cycle of a tip that has grown by `grown`: the zone of this cycle if it reaches at least as far as
+  // the zone of `before`, else `before`.
   Overload after(const Overload& before, double grown, double highest) const {
     const double own = zone(highest);
     return grown + own >= before.end ? Overload{grown + own, own, highest} : before;
   }
-  // Whether the zone of an overload reaches beyond that of a cycle.
+  // Whether the plastic zone of an overload reaches beyond the zone of a cycle.
   bool acts(const Overload& overload, double grown, double highest) const {
     return grown + zone(highest) < overload.end;
   }
 
-  // Cycle and share by which retardation works: in the zone of an overload a tip grows by the share times its rate in
-  // this cycle. `grown` is as in acts().
+  // Cycle and factor that describe retardation: inside the zone of an overload a tip grows by `share` times its rate in
+  // `cycle`.
   struct Reduced {
     TipCycle cycle;
     double share = 1;
   };
+  // Retarded growth in a cycle; `grown` is as in acts().
   virtual Reduced reduced(const TipCycle& cycle, const Overload& overload, double grown) const = 0;
 
  private:
   double yield_strength_, constraint_;
 };
 
-// Wheeler, J. Basic Eng. 94, 1972: the rate times (zone of the cycle / distance to the end of the overload's zone) to a
-// power.
+// Wheeler, J. Basic Eng. 94, 1972: the rate is multiplied by a power of the ratio of the cycle's zone to the distance
+// to the end of the overload's zone.
 class Wheeler final : public Retardation {
  public:
   Wheeler(double yield_strength, double constraint, double exponent)
@@ -69,9 +70,9 @@ class Wheeler final : public Retardation {
 };
 
 // Willenborg, Engle and Wood, AFFDL-TM-71-1-FBR, 1971, generalized by Gallagher: both factors of a cycle are reduced by
-// phi [K_overload sqrt(distance to the end of its zone / its size) - K_max] with
-// phi = (1 - dK_th / K_max) / (shut-off ratio - 1). An overload by the shut-off ratio stops the tip. The reduction acts
-// through the load ratio R, so the law of growth must know it.
+// phi [K_overload sqrt(distance to the end of the overload's zone / size of that zone) - K_max] with phi = (1 - dK_th /
+// K_max) / (shut-off ratio - 1). A tip stops if K_overload / K_max is the shut-off ratio. The reduction acts through
+// the load ratio R only, so the growth law must depend on R.
 class Willenborg final : public Retardation {
  public:
   Willenborg(double yield_strength, double constraint, double threshold, double shutoff_ratio)

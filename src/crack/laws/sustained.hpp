@@ -4,8 +4,8 @@
 
 namespace bempd::crack {
 
-// Growth in time under a sustained load, as in stress corrosion: v = C K^n while K exceeds a threshold. A cycle is a
-// unit of time, at its highest load.
+// Growth in time under a sustained load, as in stress corrosion: v = C K^n if K exceeds a threshold. One cycle stands
+// for a unit of time at the cycle's highest load.
 class Sustained final : public RateLaw {
  public:
   Sustained(double coefficient, double exponent, double threshold)
