@@ -13,9 +13,9 @@ namespace {
 // integrated by the Runge-Kutta rule, with an error far below that of the step itself.
 constexpr double parts_of_a_step = 24;
 
-// Largest growth inside the plastic zone of an overload that is integrated at once, as a share of the distance to the
-// zone's end, because retardation varies with this distance: by a part of a block, and by one whole program where
-// several programs are passed at once.
+// Largest growth in the plastic zone of an overload that is integrated at once, as a share of the distance to the
+// zone's end: by a part of a block, because retardation varies, and by a whole program where several are passed at
+// once.
 constexpr double share_of_zone = 0.04, share_of_zone_by_program = 0.002;
 
 double rate_of(const TipOnStep& tip, double grown, const Block& block, const Overload& overload) {
@@ -82,8 +82,7 @@ double TipOnStep::critical_at(double grown) const {
   return between(critical[part], critical[part + 1], at - static_cast<double>(part));
 }
 
-// Curvature from the previous step; 0 if that step is unknown, or if the tip grew in it by most of its own part of the
-// crack.
+// Curvature from the previous step; 0 if that step is unknown, or the tip grew by most of its crack's part in it.
 double TipOnStep::bend(std::size_t level) const {
   const double start = own_length(), longest = 0.7 * start;
   const bool is_known = !past.empty() && past[level].equivalent * before[level].equivalent > 0;
@@ -173,8 +172,7 @@ std::optional<std::vector<double>> CycleIntegration::program_growth(const Growth
   return sum;
 }
 
-// Growth after `by` units of the independent variable (cycles or programs), by the classical Runge-Kutta rule of fourth
-// order; empty if a tip would be critical.
+// Growth after `by` cycles or programs, by the classical Runge-Kutta rule; empty if a tip would be critical.
 template <class Rates>
 std::optional<std::vector<double>> CycleIntegration::advanced(const Growth& grown, double by,
                                                               const Rates& rates_at) const {
@@ -215,8 +213,7 @@ bool CycleIntegration::pass_programs(CyclesOnStep& now, std::size_t goal, double
   return false;
 }
 
-// Passes a part of the present block. Returns false if a tip reaches its critical factor in this part, or the goal is
-// reached.
+// Passes a part of the present block. Returns false if a tip breaks in this part, or the goal is reached.
 bool CycleIntegration::pass_block(CyclesOnStep& now, const Growth& at_start, std::size_t goal, double growth,
                                   double most_cycles) const {
   const auto after = [&](double cycles) {

@@ -11,18 +11,18 @@ struct StepResult {
   fracture::StopReason reason;
   std::int64_t events = 0;
   std::int64_t broken_bonds = 0;
-  std::int64_t unstable_event = 0;  // number of the first event at which equilibrium was lost; 0: none
-  std::int64_t face_switches = 0;   // places where faces have closed or opened
-  std::int64_t ties = 0;            // tips or places that tied with one that grew
-  bool hanging = false;             // separated, and nothing has come off
+  std::int64_t unstable_event = 0;  // number of the first event out of equilibrium; 0: none
+  std::int64_t face_switches = 0;   // number of places where crack faces have closed or opened
+  std::int64_t ties = 0;            // number of tips or bonds that tied with the one that was chosen
+  bool hanging = false;             // separated, although a hinge joins the parts
   double seconds_total = 0, seconds_solve = 0, seconds_update = 0, seconds_search = 0;
 };
 
 struct GrowthResult {
-  int tips = 0;   // that have grown
-  int ended = 0;  // of them at an edge, a hole or another crack
+  int tips = 0;   // number of tips that have grown
+  int ended = 0;  // number of these tips that ended at an edge, a hole or another crack
   double load_factor = 0;
-  double length = 0;  // of all extensions
+  double length = 0;  // sum of the lengths of all extensions
   double released_energy = 0;
 };
 

@@ -8,14 +8,15 @@
 
 namespace bempd::model {
 
-// Crack end around which the clear radius is asked.
+// Crack end whose clear radius is wanted.
 struct ClearTip {
   crack::TipId id;
   Point place{0, 0}, direction{1, 0};
 };
 
-// Radius around a tip that contains nothing but the tip and the straight crack behind it: no edge, no other material,
-// no other crack, and no bend or end of its own. `paths` are those of all cracks, empty for one that there is not.
+// Radius around a tip within which there is only the straight crack behind the tip: no edge, no other material, no
+// other crack, and no bend or other end of the tip's own crack. `paths` are the paths of all cracks in the order of
+// their ids, empty for a crack that does not exist.
 double clear_radius(const scene::Scene& scene, const regions::Discretization& discretization,
                     const std::vector<std::vector<Point>>& paths, const ClearTip& tip);
 

@@ -22,42 +22,44 @@ struct Grown;
 struct PreparedScene;
 enum class ExtensionDirections;
 
-// Growth of cracks with boundary elements: which tips may grow, and scenes with longer cracks, in which the run of the
-// scene before goes on.
+// Growth of cracks with boundary elements: finds the tips that may grow, and prepares scenes with longer cracks, in
+// which the run of the previous scene continues.
 class CrackGrowth {
  public:
   explicit CrackGrowth(Model& model) : model_(model) {}
 
-  // Extends the tips that become critical first by a length, at their critical load factor; unchanged operators of the
-  // scene are kept. Throws Error and changes nothing if no tip can grow.
+  // Extends the tips that reach their toughness first by a length, at their critical load factor. Operators that do not
+  // change are reused. Throws Error and changes nothing if no tip can grow.
   GrowthResult grow(double length);
 
-  // Tips that the host keeps from growing.
+  // Freezes a tip, so that it does not grow, or releases it.
   void set_frozen(int crack, int end, bool frozen);
   bool is_frozen(const crack::TipId& tip) const { return frozen_.contains(tip); }
   const std::set<crack::TipId>& frozen() const { return frozen_; }
   void set_all_frozen(std::set<crack::TipId> frozen) noexcept { frozen_ = std::move(frozen); }
 
-  // Whether cracks with elements can grow in steps; in a material without a fracture energy they are stationary.
+  // Whether cracks with boundary elements grow in steps with these options. Cracks in a material without a fracture
+  // energy are stationary.
   bool is_driven_by(const fracture::SteppingOptions& stepping) const;
-  // Tips with elements that may grow: neither frozen by the host nor stopped before an interface.
+  // Tips with boundary elements that may grow: neither frozen by the host nor stopped.
   std::vector<regions::TipValues> growing_tips();
-  // Forgets the stress intensity factors of tips: the scene or its loads have changed.
+  // Forgets the stress intensity factors of tips, because the scene or its loads have changed.
   void forget_factors() noexcept { factors_.scene = nullptr; }
 
   // Prepared scene with longer cracks, in which the present run continues (longer_cracks.cpp). `on_way` are the values
-  // of loads that act; null for those of the host. Throws crack::CannotGrow if the longer cracks are impossible.
+  // of loads and supports that act; null for the values that the host has set. Throws crack::CannotGrow if the longer
+  // cracks are impossible.
   std::unique_ptr<PreparedScene> with_cracks(std::vector<scene::Crack> longer, const scene::SceneValues* on_way);
-  // Prepared scene with other patches, which are then those of the model's scene, as are `cracks` if elements carry
-  // more of them; `layout` is an entry of fracture::EvolutionState::layouts (laid_patches.cpp). The present run
-  // continues in it in the same way. After an error the model's scene is as before.
+  // Prepared scene with other lattice patches, in which the present run continues (laid_patches.cpp). The model's scene
+  // gets these patches and, if given, `cracks`; after an error it is as before. `layout` is an entry of
+  // fracture::EvolutionState::layouts, `on_way` as for with_cracks().
   std::unique_ptr<PreparedScene> with_patches(std::vector<regions::Patch> patches,
                                               std::optional<std::vector<scene::Crack>> cracks,
                                               const scene::SceneValues* on_way, std::int64_t layout);
-  // Prepared scene with the extensions of `growing`, in which the run continues in the same way.
+  // Prepared scene with the extensions of `growing` added to the cracks `before`; otherwise like with_cracks().
   std::unique_ptr<PreparedScene> extended_scene(const std::vector<scene::Crack>& before, Growing& growing,
                                                 const scene::SceneValues* on_way);
-  // Prepares the scene with the extended cracks and enters the growth in its history.
+  // Prepares the scene with the extended cracks, and enters the growth in the history of its run.
   Grown grown(const std::vector<scene::Crack>& before, Growing growing, ExtensionDirections directions,
               const scene::SceneValues* on_way);
 

@@ -19,33 +19,36 @@ class CrackResults {
  public:
   explicit CrackResults(Model& model) : model_(model) {}
 
-  // Tips of cracks with elements, then tips in lattices, each sorted by crack; computed once for each generation.
+  // Tips of cracks with boundary elements, then tips in lattices, each group sorted by crack. They are computed once
+  // for each generation (state of the body).
   const std::vector<regions::TipValues>& tips();
   int count() const;
-  // Path of a crack; throws Error (argument) without it.
+  // Path of a crack; throws Error (argument) if the crack does not exist.
   std::vector<crack::PathVertex> path(int crack) const;
-  double length(int crack) const;  // 0: of all
+  double length(int crack) const;  // of the crack with this id; 0: sum over all cracks
   // Tangential and normal openings of a crack at fractions of its length [m].
   std::vector<Point> openings(int crack, const std::vector<double>& fractions);
   // Extensions of all cracks in the order of the run.
   std::span<const fracture::CrackExtension> extensions() const;
 
-  // Record of tips at events, as the option tips.record asks for.
+  // Whether tips are recorded at events, as the option tips.record asks.
   bool are_recorded() const;
+  // Adds the present tips to the record.
   void record();
   const std::vector<results::TipRecord>& history() const { return history_; }
   void set_history(std::vector<results::TipRecord> history) { history_ = std::move(history); }
-  // Drops what was recorded after the first `count` records.
+  // Drops all records after the first `count`.
   void keep_records(std::size_t count) noexcept {
     history_.erase(history_.begin() + static_cast<std::ptrdiff_t>(count), history_.end());
   }
 
-  // Tips under the loads that act at present.
+  // Tips of all cracks under the loads that act at present.
   std::vector<regions::TipValues> present_tips() const;
-  // Tips of cracks with elements in a prepared scene.
+  // Tips of cracks with boundary elements in a prepared scene.
   std::vector<regions::TipValues> tips_of(const PreparedScene& prepared, regions::TipDetail detail) const;
-  // Tips of crack lines: place, direction and load factors of growth as in the run, stress intensity factors by rings.
-  // `with_loads` false: without these load factors, which may need trial steps.
+  // Tips of crack lines (cracks that grow in lattices by steps of a spacing): place, direction and load factors of
+  // growth as in the run, stress intensity factors from contours (rings) around the tips. Without `with_loads` the load
+  // factors, which may need trial steps, are left out.
   std::vector<regions::TipValues> tips_of_lines(bool with_loads = true) const;
   bool have_elements() const;
   std::vector<Point> openings_in_lattices(int crack, const std::vector<double>& fractions) const;
@@ -54,7 +57,7 @@ class CrackResults {
  private:
   void take_growth_past_face_changes(std::vector<regions::TipValues>& tips);
   std::vector<regions::TipValues> tips_in_lattices() const;
-  std::vector<std::vector<Point>> paths_in_lattices() const;  // none of a crack with elements
+  std::vector<std::vector<Point>> paths_in_lattices() const;  // empty for a crack with elements
 
   Model& model_;
   std::vector<regions::TipValues> tips_;

@@ -17,7 +17,7 @@ namespace bempd::model {
 
 struct PreparedScene;
 
-// Prepared scene with longer cracks, in whose history the growth is entered, and its tips.
+// Prepared scene with longer cracks, its tips, and the growth that is entered in the history of its run.
 struct Grown {
   std::unique_ptr<PreparedScene> scene;
   std::vector<regions::TipValues> tips;
@@ -25,10 +25,11 @@ struct Grown {
 };
 
 // Directions of extensions: as they are given; as chords of the path if the option crack.direction says so; or chosen
-// with their lengths by the library, which shortens extensions where the path turns sharply.
+// together with the lengths by the library, which shortens extensions where the path turns sharply.
 enum class ExtensionDirections { given, by_option, chosen };
 
-// Time that a scene has taken so far, by kinds of work [s].
+// Time that a scene has taken so far [s]: for solutions, for changes of the factorization, and for the search for
+// events.
 struct TimeSpent {
   double solve = 0, update = 0, search = 0;
 
@@ -36,26 +37,27 @@ struct TimeSpent {
 };
 TimeSpent time_spent_in(const PreparedScene& prepared);
 
-// Whether a crack line has come to the border of a boundary element region, or so close that it can continue there
-// (border_crossing.cpp).
+// Whether a crack line (crack that grows in a lattice by steps of a spacing) has reached the border of a boundary
+// element region, or is so close to the border that it can continue behind it (border_crossing.cpp).
 bool leaves_lattice(const fracture::CrackExtension& extension, const scene::Scene& scene,
                     const regions::Discretization& discretization);
-// Place of its first tip in boundary elements; empty if it cannot continue there.
+// Place of a crack line's first tip in boundary elements behind the border; empty if the line cannot continue there.
 std::optional<Point> place_behind_border(const fracture::CrackExtension& extension, const scene::Scene& scene,
                                          const regions::Discretization& discretization);
-// Whether a crack line is at the border itself, where it stops if it cannot continue in boundary elements.
+// Whether a crack line is at the border of a boundary element region, where it stops if it cannot continue behind it.
 bool is_at_border(const fracture::CrackExtension& extension, const scene::Scene& scene,
                   const regions::Discretization& discretization);
-// Last extension of one end of a crack; empty (default values) if it has not grown.
+// Last extension of one end of a crack; default values if that end has not grown.
 fracture::CrackExtension last_extension_of(const crack::TipId& tip,
                                            std::span<const fracture::CrackExtension> extensions);
-// Number of extensions in a list up to the last one of a tip that a crack has as a point: it has all of them. Its path
-// may have fewer points, where elements carry it.
+// Number of leading entries of a list of extensions that a crack of the scene already contains at a tip: up to the
+// tip's last extension that ends at a point of the crack. The crack may have fewer points than extensions, because
+// points are left out where elements carry it.
 std::size_t known_extensions(const scene::Crack& crack, const crack::TipId& tip,
                              std::span<const fracture::CrackExtension> extensions);
-// Adds the extensions of a tip to its crack that it does not have.
+// Adds to a crack those extensions of its tip that it does not contain.
 void add_extensions(scene::Crack& crack, const crack::TipId& tip, std::span<const fracture::CrackExtension> extensions);
-// The crack of a line with all places that the line has reached, at both ends if it has begun in the run.
+// Crack of a crack line, to which all places that the line has reached are added; at both ends if it began in the run.
 scene::Crack& crack_with_line(std::vector<scene::Crack>& cracks, const crack::TipId& line,
                               std::span<const fracture::CrackExtension> extensions, const scene::Scene& scene,
                               double tolerance);

@@ -10,8 +10,8 @@ namespace bempd::model {
 
 class Model;
 
-// Results on edges for coupled hosts: nodes and cells in order, and the forces of supports and neighbours on the region
-// [N].
+// Results on edges for coupled hosts: nodes and cells in order along an edge, and the forces of supports and
+// neighbouring regions on the region [N].
 class EdgeResults {
  public:
   explicit EdgeResults(Model& model) : model_(model) {}

@@ -20,12 +20,13 @@ namespace bempd::model {
 class Model;
 struct Growing;
 
-// Carrier of cracks with boundary elements, for one call of a host. When a tip grows, the scene is prepared anew beside
-// the one before, and the run goes on there. The same is done where a lattice patch gets more blocks around a line.
+// Carrier of cracks with boundary elements, for one call of a host. When a tip grows, a scene with the longer crack is
+// prepared beside the present one, and the run continues in it. The same is done where a lattice patch (lattice inside
+// a body) gets more blocks around a crack line.
 class ElementCarrier final : public fracture::BodyCarrier {
  public:
-  // `on_way` are the values of loads that act; null for those that the host has set. Tips grow if `grows`; a line that
-  // continues in boundary elements grows there in any case.
+  // `on_way` are the values of loads and supports that act; null for those that the host has set. Tips grow only if
+  // `grows`. A crack line that continues in boundary elements grows there in any case.
   ElementCarrier(Model& model, const scene::SceneValues* on_way, bool grows);
   ~ElementCarrier() override;
 
@@ -34,22 +35,23 @@ class ElementCarrier final : public fracture::BodyCarrier {
   crack::Advance advance(const crack::Step& step) override;
   std::vector<Point> openings(int crack, const std::vector<double>& fractions) override;
 
-  // Scene in which tips have grown at the present load factor; the model itself stays as it is, but for the cracks of
-  // its scene, which are those `before` again after a failure. Throws crack::CannotGrow and crack::FreesLoadedPart.
+  // Scene in which the tips of `growing` have grown at the present load factor. Of the model only the cracks of its
+  // scene change; after a failure they are `before` again. Throws crack::CannotGrow and crack::FreesLoadedPart.
   Grown longer(const std::vector<scene::Crack>& before, const Growing& growing, ExtensionDirections directions);
-  // Scene in which a line has come to boundary elements behind its border, with the cracks of the model's scene; empty
-  // if it cannot. If no load drives it, another process takes all energy that is released.
+  // Scene in which a crack line has continued from its lattice into boundary elements, with the longer crack in the
+  // model's scene; empty if the line cannot continue. If no load drives the line, another process such as fatigue takes
+  // all released energy.
   std::optional<Grown> continued_in_elements(const crack::TipId& tip, bool is_driven);
-  // Lets the run go on in a scene with longer cracks, in whose history the growth is entered.
+  // Continues the run in a scene with longer cracks, in whose history the growth is entered.
   void go_on_in(std::unique_ptr<PreparedScene> next, const fracture::Growth& growth);
 
   fracture::CrackEvolution& body() override;
   bool follow_breaks(const std::vector<coupling::StageChange>& broken) override;
   bool take_over_lines(bool run_ends) override;
 
-  // Time that the scenes before the present one have taken.
+  // Time that the scenes before the present one have taken in this call.
   const TimeSpent& spent() const { return spent_; }
-  // Returns the model to the scene in which it was when the carrier was made.
+  // Returns the model to the scene that it had when the carrier was made.
   void take_back() noexcept;
 
  private:
@@ -69,13 +71,13 @@ class ElementCarrier final : public fracture::BodyCarrier {
   Model& model_;
   const scene::SceneValues* on_way_;
   bool grows_;
-  std::vector<scene::Crack> cracks_;      // at the start
-  std::vector<regions::Patch> patches_;   // likewise
-  std::unique_ptr<PreparedScene> start_;  // null: no crack has grown yet
+  std::vector<scene::Crack> cracks_;      // of the scene when the carrier was made
+  std::vector<regions::Patch> patches_;   // of the scene when the carrier was made
+  std::unique_ptr<PreparedScene> start_;  // scene when the carrier was made; null: no crack has grown yet
   TimeSpent spent_;
   std::size_t extensions_seen_;
 
-  // Tips are computed again only after an event or a contact change: nothing changes them in between.
+  // Whether the values of the tips are known. They are computed again only after an event or a change of contact.
   bool is_known_ = false;
   std::int64_t events_ = 0, switches_ = 0;
   std::vector<regions::TipValues> values_;

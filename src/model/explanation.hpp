@@ -16,12 +16,12 @@ struct Explanation {
 
   enum class Next { nothing = 0, bond = 1, tip = 2 };
   Next next = Next::nothing;
-  int region = 0;      // of the bond
+  int region = 0;      // region of the bond
   crack::TipId tip{};  // crack 0: no tip
   Point place{unknown, unknown};
-  double load_factor = unknown;  // at which it happens
-  double ratio = unknown;        // at present: stretch over critical stretch, or equivalent K_I over toughness
-  std::string text;              // sentences
+  double load_factor = unknown;  // load factor at which this happens
+  double ratio = unknown;        // present stretch over critical stretch, or equivalent K_I over toughness
+  std::string text;              // the explanation in sentences
 };
 
 Explanation explain(Model& model, bool upwards);

@@ -7,17 +7,18 @@
 
 namespace bempd::model {
 
-// End of a tip's path, and the tip's state there.
+// End of an extension, and the state of the tip there.
 struct ExtensionEnd {
   Point to;
-  crack::TipState state;  // there
+  crack::TipState state;
 };
 
-// Straight path of the tip at `end` of a crack for an extension of the given length. It ends at the first edge, hole or
-// crack that lies on it or a little beyond, because a thin ligament breaks; and at the end of a crack that it passes
-// closely.
-// It stops before an interface, except with a region of the same material: it crosses an interface with boundary
-// elements as if there were none, and continues in a lattice to a place between material points.
+// End of a straight extension of the tip at `end` of a crack, by a given length. The extension ends at the first edge,
+// hole or crack that lies on it or a little beyond it, because a thin ligament breaks, and at the end of a crack that
+// it passes closely.
+// The extension stops before an interface, unless the region behind has the same material. It crosses an interface
+// between boundary element regions as if there were none; behind an interface with a lattice it ends between material
+// points.
 ExtensionEnd end_of_extension(const scene::Scene& scene, const std::vector<scene::Crack>& cracks, int crack, int end,
                               const Point& direction, double length, double tolerance);
 
@@ -26,8 +27,8 @@ void extend(scene::Crack& crack, int end, const Point& to);
 
 double length_of(const scene::Crack& crack);
 
-// Distance from a tip to the nearest edge, hole or other crack [m]. Interfaces that the crack can cross into other
-// boundary elements do not count.
+// Distance from a tip to the nearest edge, hole or other crack [m]. Interfaces between boundary element regions of one
+// material, which cracks can cross, do not count.
 double clearance_of_tip(const scene::Scene& scene, const std::vector<scene::Crack>& cracks, int crack, int end);
 
 }  // namespace bempd::model

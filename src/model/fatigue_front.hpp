@@ -10,37 +10,37 @@
 
 namespace bempd::model {
 
-// Tip with its stress intensity factors under each load of the spectrum.
+// Tip with its stress intensity factors under each load of a program of cycles.
 struct FrontTip {
   regions::TipValues values;
-  double angle = 0;                         // by which it turns as it grows [rad]
-  std::vector<crack::LevelFactors> levels;  // by load
-  std::size_t high = 0, low = 0;            // loads that its records tell of
-  const crack::RateLaw* law = nullptr;      // null: it does not grow by cycles
+  double angle = 0;                         // angle by which the tip turns as it grows [rad]
+  std::vector<crack::LevelFactors> levels;  // values under each load
+  std::size_t high = 0, low = 0;            // indices of the loads that the tip's record shows
+  const crack::RateLaw* law = nullptr;      // law of growth by cycles; null: the tip does not grow
   int region = 0;
-  double effective_tip_ahead = 0;  // of its place [m]
-  double critical = 0;             // factor at which it breaks here; infinite: not known [Pa m^(1/2)]
+  double effective_tip_ahead = 0;  // distance of the effective tip ahead of the tip's place [m]
+  double critical = 0;             // factor at which the tip breaks at its place; infinite: unknown [Pa m^(1/2)]
 
   crack::TipId id() const { return {values.crack, values.end}; }
 };
 
 using Front = std::vector<FrontTip>;
 
-// Reads fronts of scenes: tips with their factors under each load, and the laws by which they grow.
+// Computes fronts of scenes: the tips with their factors under each load, and the laws by which they grow.
 class FrontReader {
  public:
   FrontReader(Model& model, CrackLengthening& lengthening, const LoadLevels& levels)
       : model_(model), lengthening_(lengthening), levels_(levels) {}
 
-  // Front of a scene with longer cracks; null: of the model's.
+  // Front of the scene of the trial `longer`; null: of the model's scene.
   Front front(const std::vector<regions::TipValues>& tips, LongerCracks* longer);
-  // Whether a tip turns spacing by spacing, by the stress ahead of it: the tip of a line around which no contour gives
-  // factors. Not if load cases are combined.
+  // Whether a tip turns at each spacing by the stress ahead of it: the tip of a crack line around which no contour
+  // (ring) fits, unless load cases are combined.
   bool turns_by_itself(const FrontTip& tip) const {
     return tip.values.method == regions::TipMethod::stress_ahead && !levels_.combine_cases();
   }
-  // Stress intensity factors at which a tip breaks, at even shares of a step from its beginning to its end. `after` is
-  // the tip behind the step; null if it has ended.
+  // Stress intensity factors at which a tip breaks, at equally spaced places of a step from its beginning to its end
+  // `to`. `after` is the tip after the step; null if the tip has ended.
   std::vector<double> critical_along(const FrontTip& before, const FrontTip* after, const Point& to) const;
 
  private:
@@ -57,7 +57,7 @@ class FrontReader {
 
 const FrontTip* tip_in(const Front& front, const crack::TipId& tip);
 
-// Warns of cracks in lattices that are so short that the stress around their tips is not that of a tip.
+// Warns of cracks in lattices that are too short for the stress around their tips to be that of a crack tip.
 void warn_of_short_lines(const Front& front, const std::vector<scene::Crack>& cracks,
                          const CrackLengthening& lengthening);
 

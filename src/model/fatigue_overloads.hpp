@@ -8,11 +8,11 @@
 
 namespace bempd::model {
 
-// What is remembered of a tip at its place; null: nothing.
+// Overload that is remembered of a tip at its present place; null if there is none.
 const RememberedOverload* remembered_at(const FrontTip& tip, const std::vector<RememberedOverload>& known,
                                         const std::vector<scene::Crack>& cracks);
 
-// Growth of tips by cycles by which their cracks have not been extended yet [m].
+// Waiting growth: growth of tips by cycles by which their cracks have not been extended yet [m].
 class WaitingGrowth {
  public:
   double& operator[](const crack::TipId& tip) { return of_tips_[tip]; }
@@ -21,7 +21,7 @@ class WaitingGrowth {
     return found == of_tips_.end() ? 0 : found->second;
   }
   std::vector<double> of(const Front& front) const;
-  // Takes over what was waiting at the end of the call before.
+  // Takes over the growth that was waiting at the end of the previous call.
   void take_up(const std::vector<RememberedOverload>& known, const Front& front,
                const std::vector<scene::Crack>& cracks);
 
@@ -29,18 +29,18 @@ class WaitingGrowth {
   std::map<crack::TipId, double> of_tips_;
 };
 
-// Overloads that tips have met in a call of growth by cycles, counted from the tips' present places.
+// Overloads that tips have met in a call of growth by cycles, measured from the tips' present places.
 class MetOverloads {
  public:
-  // Takes over the overloads that the tips had met at the end of the earlier call that this one continues. Throws Error
-  // (argument) if they are not known.
+  // Takes over the overloads that the tips had met at the end of the earlier call which this call continues. Throws
+  // Error (argument) if these overloads are unknown.
   void take_up(const std::vector<RememberedOverload>& known, const Front& front,
                const std::vector<scene::Crack>& cracks, double first_cycle);
   void set(const crack::TipId& tip, const crack::Overload& overload) { met_[tip] = overload; }
-  // Sets the overload at the end of a step, in which the tip has grown.
+  // Sets the overload of a tip after a step in which the tip has grown.
   void set_after_step(const crack::TipOnStep& tip, crack::Overload overload);
   crack::Overload of(const crack::TipId& tip) const;
-  // What is to be remembered of the tips, with the growth of each that waits.
+  // Overloads to be remembered, with the waiting growth of each tip.
   std::vector<RememberedOverload> remembered(const Front& front, const std::vector<double>& waiting) const;
 
  private:

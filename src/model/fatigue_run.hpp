@@ -11,15 +11,14 @@
 
 namespace bempd::model {
 
-// Growth of a tip below which its crack is not extended, as a share of the tip's size: it waits for more.
+// Growth of a tip, as a share of the tip's size, below which its crack is not extended and the growth waits for more.
 inline constexpr double tiny_growth = 1e-6;
 
-// Run of a call in which cracks grow by cycles.
-//
-// A step extends the tips in proportion to their rates, so far that the tip that grows most in relation to its size
-// grows by the length of the step. The cycles are then counted with the factors before and after the step
-// (crack/cycle_step). If lengths or directions differ from those assumed, the step is repeated with the new ones, as in
-// Heun's method; what remains of a difference enters the next step.
+// Run of a call in which cracks grow by load cycles.
+// A step extends the tips in proportion to their rates. Its length is that of the leader, the tip that grows most in
+// relation to its size. The cycles are then counted with the factors before and after the step (crack/cycle_step). If
+// lengths or directions differ from the assumed ones, the step is repeated with the new values, as in Heun's method; a
+// difference that remains enters the next step.
 class FatigueRun {
  public:
   FatigueRun(Model& model, CrackLengthening& lengthening, const FatigueOptions& options);
@@ -31,16 +30,16 @@ class FatigueRun {
   }
 
  private:
-  // Step that has been computed but not accepted yet; lists have an entry for each tip of the front.
+  // Trial of a step, which is not accepted yet. Lists have an entry for each tip of the front.
   struct Trial {
-    std::vector<double> lengths;  // asked for
+    std::vector<double> lengths;  // assumed growth of each tip
     std::vector<double> angles;
     LongerCracks longer;
     Front after;
     std::vector<crack::TipOnStep> on_step;
     crack::CyclesOnStep cycles;
   };
-  // Plan of a step: the growth of each tip, and the leader, which grows most in relation to its size.
+  // Plan of a step: the growth of each tip, and the leader, the tip that grows most in relation to its size.
   struct Plan {
     std::vector<double> lengths;
     std::size_t leader = 0;
@@ -55,7 +54,7 @@ class FatigueRun {
   double size_of(std::size_t tip) const;
   double longest(std::size_t tip) const;
   double cycles_left() const { return options_.most_cycles - report_.cycles; }
-  bool step();  // false where the run is over
+  bool step();  // returns false if the run is over
   Trial compute_step(const Plan& plan);
   Trial trial(std::vector<double> lengths, std::vector<double> angles, std::size_t leader);
   std::vector<crack::TipOnStep> on_step(const Trial& trial) const;
@@ -80,12 +79,12 @@ class FatigueRun {
   crack::CycleProgram program_;
   FrontReader reader_;
   Front front_;
-  std::vector<scene::Crack> cracks_;  // as they are now
-  std::vector<double> rates_;         // of the front, mean over the program
+  std::vector<scene::Crack> cracks_;  // cracks with their growth so far
+  std::vector<double> rates_;         // growth per cycle of each tip of the front, as the mean over the program
   WaitingGrowth waiting_;
   std::map<crack::TipId, double> grown_;
-  std::map<crack::TipId, double> last_growth_;                            // in the step before [m]
-  std::map<crack::TipId, std::vector<crack::LevelFactors>> last_levels_;  // before that
+  std::map<crack::TipId, double> last_growth_;                            // growth of each tip in the previous step [m]
+  std::map<crack::TipId, std::vector<crack::LevelFactors>> last_levels_;  // values of each tip before the previous step
   MetOverloads overloads_;
   crack::CycleProgram::Place place_;
   FatigueStepLength step_;

@@ -12,22 +12,23 @@ namespace bempd::model {
 
 struct PreparedScene;
 
-// Layout of patches in which blocks behind a crack line are elements again. These carry the crack there, so its path
-// in the scene goes on to its tips.
+// Layout of lattice patches (lattices inside a body, made of square blocks) in which blocks behind a crack line are
+// boundary elements again. These elements carry the crack there, so that the crack of the scene reaches to its present
+// tips.
 struct ShorterPatches {
   regions::GivenBack layout;
-  std::vector<scene::Crack> cracks;  // of the scene, with the longer one
-  int crack;                         // id of that one
-  std::vector<Point> path;           // its whole one, of which the scene needs fewer points
+  std::vector<scene::Crack> cracks;  // cracks of the scene, with the longer crack
+  int crack;                         // id of the longer crack
+  std::vector<Point> path;           // whole path of the longer crack, of which the scene needs fewer points
 };
 
-// What a patch can give back behind the line that has grown last, by the scene's cracks, all extensions so far, and
-// patches that may not be in the scene yet. Empty if that is nothing.
+// Layout in which patches give blocks back behind the crack line that has grown last; empty if there is none.
+// `extensions` are all extensions so far; `patches` need not be in the scene yet.
 std::optional<ShorterPatches> shorter_patches(const scene::Scene& scene, const std::vector<regions::Patch>& patches,
                                               std::span<const crack::Extension> extensions);
 
-// Whether no intact bond joins the two faces of the crack in the blocks that are to be given back, and nothing else is
-// broken, held or without its loads there.
+// Whether the crack faces are separated in the blocks that are to be given back: no intact bond joins them, and nothing
+// else there is broken, held, or freed from its loads.
 bool has_separated_faces(const PreparedScene& prepared, const ShorterPatches& back);
 
 }  // namespace bempd::model

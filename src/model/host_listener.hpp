@@ -11,15 +11,15 @@
 
 namespace bempd::model {
 
-// Reports the progress of long phases of a call to the host, at most ten times a second. A phase with an estimate is
-// told before it begins, whatever was told just before, and a line of the log has it from a second on.
+// Reports the progress of long phases of a call to the host, at most ten times a second. The beginning of a phase with
+// an estimated time is always reported, and written to the log if the estimate is at least a second.
 class HostListener final : public PhaseListener {
  public:
   // Function of the host. It receives the phase, the share done, the seconds so far and the expected total (0 if
   // unknown), and returns false to cancel the call.
   using Function = std::function<bool(const char* phase, double share, double seconds, double expected)>;
 
-  // Function of the log, with the level of the line.
+  // Function of the host's log, which receives a line and its level.
   using Log = std::function<void(int level, const std::string& message)>;
 
   void tell(Function function) { function_ = std::move(function); }

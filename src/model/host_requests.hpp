@@ -25,7 +25,7 @@ class HostRequests {
   }
   void set_phase_progress(HostListener::Function function) { phases_.tell(std::move(function)); }
   const Log& log() const { return log_; }
-  // Functions for progress and log; exchanged for empty ones, a call reports nothing.
+  // Functions for progress and log. While they are exchanged for empty functions, a call reports nothing.
   struct Listeners {
     Progress progress;
     Log log;
@@ -34,7 +34,7 @@ class HostRequests {
     return {std::exchange(progress_, std::move(next.progress)), std::exchange(log_, std::move(next.log))};
   }
   PhaseListener* phase_listener() { return phases_.or_null(); }
-  // Calls the host's progress function; false if it asks to stop.
+  // Calls the host's progress function; returns false if the function asks to stop.
   bool goes_on(const fracture::EvolutionState& state) const {
     return !progress_ || progress_(state.load_factor, state.events, state.broken_bonds);
   }

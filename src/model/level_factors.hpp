@@ -9,21 +9,23 @@
 
 namespace bempd::model {
 
-// What is known of each tip of a scene under each load of a spectrum: lists by tip, then by load.
+// Values of each tip under each load of a program of cycles: lists by tip, then by load.
 using FactorsOfTips = std::vector<std::vector<crack::LevelFactors>>;
 
-// Finds stress intensity factors of tips under the loads of a spectrum. If the loads are load factors and no faces
-// close or open, they are affine functions. Otherwise the scene is moved to these load factors and back to the highest
-// one, or solved under a load by itself. Its history does not record that.
+// Finds the stress intensity factors of tips under the loads of a program of cycles. Between load factors at which no
+// faces close or open, the factors are affine functions of the load factor. Otherwise the scene is moved to these load
+// factors and back to the highest one, or solved under each load separately. The history of the run does not record
+// this.
 class LevelSolver {
  public:
-  // `longer`: the scene; null is that of the model.
+  // `longer`: trial whose scene is used; null: the model's scene.
   LevelSolver(Model& model, CrackLengthening& lengthening, const LoadLevels& levels, LongerCracks* longer)
       : model_(model), lengthening_(lengthening), levels_(levels), longer_(longer) {}
 
-  // Stress intensity factors, and T on request.
+  // Stress intensity factors, and T-stress if asked for.
   FactorsOfTips factors(const std::vector<regions::TipValues>& tips, bool with_t_stress);
-  // Calls `read` while the body is in equilibrium under each load, or each of those that `chosen` marks.
+  // Calls `read` while the body is in equilibrium under each load; if `chosen` is not empty, only under the loads that
+  // it marks.
   void under_each(const std::function<void(std::size_t level)>& read, const std::vector<char>& chosen = {});
 
  private:

@@ -11,17 +11,19 @@
 #include "scene/options.hpp"
 #include "scene/scene.hpp"
 
-// Crack lines of a prepared scene: the bonds around them, their paths, and their factors.
+// Crack lines (cracks that grow in lattices by steps) of a prepared scene: the bonds around them, their paths, and
+// their stress intensity factors.
 namespace bempd::model {
 
-// Lattices of the scene in their present state, as functions about cracks in bonds read it.
+// Lattices of a prepared scene in their present state, in the form that functions for cracks in bonds read.
 regions::BondedBody bonded_body(const scene::Scene& scene, const PreparedScene& prepared);
 
-// Path of a crack that cuts bonds. An end that has grown lies where its cut ended; an end that has not grown lies at
-// its effective tip.
+// Path of a crack that cuts bonds. In a lattice each described end is replaced: by the place where the first extension
+// begins if the end has grown, else by the effective tip.
 std::vector<crack::PathVertex> path_in(const scene::Scene& scene, const PreparedScene& prepared, int crack);
 
-// Stress intensity factors of a tip by sums around it, for the run itself; empty if no sum has room.
+// Stress intensity factors of a crack line's tip from contours (rings) around it; empty if no contour fits or the faces
+// are closed.
 std::optional<fracture::TipFactors> factors_around(const scene::Scene& scene, const scene::Options& options,
                                                    const PreparedScene& prepared, const fracture::GrowingTip& tip,
                                                    const coupling::Affine& displacement);

@@ -9,13 +9,13 @@
 
 namespace bempd::model {
 
-// Call in which crack lines in lattices are extended by whole steps of a spacing, and cracks with boundary elements
-// beside them. A step with elements has a scene of its own, in which lines are extended as well. Steps of lines alone
-// change the model's scene, which is then at its last accepted state, or at that of a trial. A line that has come to
-// boundary elements goes on in them by a step.
+// Call of the host that extends crack lines (cracks in lattices) by whole spacings, and cracks with boundary elements
+// beside them. A step that extends elements has a scene of its own, in which crack lines are extended as well. A step
+// of crack lines alone changes the model's scene, which is then in its last accepted state or in that of a trial. A
+// crack line that has reached boundary elements continues in them in one step.
 class LineLengthening final : public CrackLengthening {
  public:
-  // Throws Error (argument) if cracks do not grow as lines.
+  // Throws Error (argument) if cracks in lattices do not grow as lines.
   explicit LineLengthening(Model& model);
 
   std::vector<regions::TipValues> tips() override;
@@ -48,7 +48,8 @@ class LineLengthening final : public CrackLengthening {
   bool in_trial_ = false;
 };
 
-// The lengthening for the cracks of a model, in boundary elements alone or with lines in lattices.
+// Makes the lengthening for the cracks of a model: LineLengthening if there are cracks in bonds or crack lines, else
+// CrackLengthening.
 std::unique_ptr<CrackLengthening> lengthening_for(Model& model);
 
 }  // namespace bempd::model

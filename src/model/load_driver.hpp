@@ -11,7 +11,7 @@ namespace bempd::model {
 class ElementCarrier;
 class Model;
 
-// Steps and load programs: moves the load factor, and with it values of loads and supports, while bonds break and
+// Steps and load programs: moves the load factor, and with it the values of loads and supports, while bonds break and
 // cracks grow. A call that fails or is cancelled leaves the model as it was before.
 class LoadDriver {
  public:
@@ -28,7 +28,8 @@ class LoadDriver {
   fracture::LoadInterval admissible_load_factors();
 
  private:
-  // Runs to a target. `on_way` are the values of loads and supports that act; null for those that the host has set.
+  // Runs to a target load factor. `on_way` are the values of loads and supports that act; null for those that the host
+  // has set.
   StepResult run(double target, fracture::Goal goal, const scene::SceneValues* on_way = nullptr);
   // Runs to a target, records tips meanwhile, and calls the host's progress function after each event (recording.cpp).
   void run_recording(double target, fracture::Goal goal, const fracture::SteppingOptions& stepping,

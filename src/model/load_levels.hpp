@@ -11,7 +11,7 @@ namespace bempd::model {
 // Loads on the body at an end of a cycle: its own loads at a load factor, or a combination of load cases.
 struct LoadLevel {
   double load_factor = 0;
-  std::vector<double> cases{};  // a factor for each of the first cases, by id; empty: the own loads
+  std::vector<double> cases{};  // factors of the cases 1, 2, ..; empty: the body's own loads
 
   auto operator<=>(const LoadLevel&) const = default;
 };
@@ -22,7 +22,7 @@ struct LoadBlock {
   double cycles = 0;
 };
 
-// Different loads of a spectrum, each with a number, and the blocks by these numbers.
+// Different loads of a program of cycles, each with a number, and the blocks of cycles in terms of these numbers.
 class LoadLevels {
  public:
   explicit LoadLevels(const std::vector<LoadBlock>& blocks);
@@ -32,9 +32,9 @@ class LoadLevels {
   const std::vector<crack::Block>& blocks() const { return blocks_; }
 
   bool combine_cases() const { return !levels_.front().cases.empty(); }
-  // Numbers of the lowest load, and of the highest one that is an upper end of cycles; only if no load cases are
-  // combined.
+  // Number of the lowest load; only if no load cases are combined.
   std::size_t lowest() const { return 0; }
+  // Number of the highest load that is an upper end of cycles; only if no load cases are combined.
   std::size_t highest() const { return highest_; }
   double factor(std::size_t number) const { return levels_[number].load_factor; }
 

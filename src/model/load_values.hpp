@@ -15,13 +15,13 @@ namespace bempd::model {
 
 class Model;
 
-// Values of loads and supports: those that the host sets, those that act on the body, and the time at which the first
-// become the second.
+// Values of loads and supports: those that the host sets, those that act on the body, and the time at which the values
+// that were set take effect.
 class LoadValues {
  public:
   explicit LoadValues(Model& model) : model_(model) {}
 
-  // Sets values, which act from the next step or result on.
+  // Sets values of a load or support, which act from the next step or result on.
   template <class Values>
   void set_load_values(int load, Values values);
   template <class Values>
@@ -29,7 +29,7 @@ class LoadValues {
   // Sets one value for each node of a support's or load's edge part, as pairs of x and y.
   void set_nodal_values(bool of_support, int id, std::vector<double> constant, std::vector<double> proportional);
 
-  // Changes values of the scene by `set`, in other ways than above; they also act from the next step or result on.
+  // Changes values of the scene by calling `set`. The new values act from the next step or result on.
   template <class Set>
   void change(const Set& set) {
     values_will_be_set();
@@ -48,28 +48,33 @@ class LoadValues {
     // Values at the end of the last step, at the present load factor. Empty before the first step, when the body is at
     // rest.
     std::optional<scene::SceneValues> in_force;
-    double path_end = 0;                        // load factor
-    std::optional<scene::SceneValues> earlier;  // that act, while others do
+    double path_end = 0;  // load factor at the end of the path of values
+    // Values that act while new values of the host wait to take effect.
+    std::optional<scene::SceneValues> earlier;
   };
   ActingValues& present() { return present_; }
   const ActingValues& present() const { return present_; }
 
-  struct Before {  // to come back to
+  // Values of loads and supports that act on the body, and where they come from.
+  // Loads before a change, to which go_back_to() returns.
+  struct Before {
     regions::DofConditions conditions;
     fracture::RunLoads::SavedLoads run;
     Acting acting;
     std::optional<fracture::RunLoads::Heat> heat;
     std::optional<fracture::RunLoads::FaceLoads> faces;
   };
-  // Lets other values act on the prepared body, or those that the host has set.
+  // Lets other values act on the prepared body. Returns the loads before.
   Before replace(regions::DofConditions conditions, Acting acting);
+  // Lets the values that the host has set act on the prepared body. Returns the loads before.
   Before apply_pending();
   void go_back_to(Before before) noexcept;
-  // Calls `read` while the prepared body is in equilibrium under other values, in the state in which it is.
+  // Calls `read` while the prepared body is in equilibrium under other values, with its present bonds and cracks. The
+  // state of the run is restored afterwards.
   void under(scene::SceneValues values, const std::function<void(PreparedScene&)>& read);
-  // Ends a path of values at its end values, which act already: enters them as the values in force, with the conditions
-  // `known` that they cause. The conditions are computed here if empty (cracks have grown since). A failure leaves the
-  // model at that point of the path.
+  // Ends a path of values at its end values, which act already, and enters them as the values in force. `known` are the
+  // conditions that they cause; empty: the conditions are computed here, because cracks have grown since. After a
+  // failure the model stays at that point of the path.
   void arrive(std::optional<regions::DofConditions> known, std::optional<scene::SceneValues> host_values) noexcept;
 
  private:

@@ -9,33 +9,34 @@
 
 namespace bempd::model {
 
-// Load factor at which a tip grows; infinite if it never does.
+// Load factor at which a tip grows; infinite if the tip never grows.
 struct TipLoad {
   crack::TipId tip;
   double load_factor;
 };
 
-// Load factors of growth of all tips that may grow, in elements and in lattices, of a body in equilibrium. The body's
-// own load factor 0 stands for the load factor `shift` (scene::moved()).
+// Load factors of growth of all tips, in elements and in lattices, of a body in equilibrium; infinite for the tips
+// `frozen`. The load factor 0 of this body stands for the load factor `shift` (scene::moved()).
 std::vector<TipLoad> growth_loads(const PreparedScene& scene, const std::vector<regions::TipValues>& tips,
                                   const std::set<crack::TipId>& frozen, double shift);
-// The lowest load of some cracks (ids); NaN if none of them is there.
+// Smallest load factor of growth among some cracks (ids); NaN if none of these cracks has a tip.
 double first_load(const std::vector<TipLoad>& loads, const std::vector<int>& cracks);
 
 // Results of a scene with one mesh, to compare with those of another mesh.
 struct MeshAnswers {
-  std::vector<Point> places;  // of nodes, ascending by x, then y; places with two nodes (crack faces) are left out
+  // Places of nodes, ascending by x, then y; places with two nodes (crack faces) are left out.
+  std::vector<Point> places;
   std::vector<Eigen::Vector2d> displacements;
   std::vector<Eigen::Vector2d> reactions;
-  bool supports_share = false;           // forces of nodes that several of them hold
+  bool supports_share = false;           // whether several supports hold the same node
   double carried = 0;                    // half the sum of the magnitudes of reactions and nodal loads [N]
-  std::vector<regions::TipValues> tips;  // with boundary elements
+  std::vector<regions::TipValues> tips;  // tips of cracks with boundary elements
   std::vector<TipLoad> loads;
   double growth_load = 0;  // load factor of the first growth; infinite if no tip grows
-  crack::TipId first;      // tip that grows then
+  crack::TipId first;      // tip that grows first
 };
 
-// Reads the results of a body in equilibrium, with its tips there.
+// Reads the results of a body in equilibrium. `supports` is their number; `tips` and `loads` are those of the body.
 MeshAnswers read_answers(const PreparedScene& scene, std::size_t supports, std::vector<regions::TipValues> tips,
                          std::vector<TipLoad> loads);
 

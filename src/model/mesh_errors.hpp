@@ -7,7 +7,8 @@
 
 namespace bempd::model {
 
-// Errors of the vector (K_I, K_II) of a tip: relative error of its length, and error of its direction [rad].
+// Errors of the vector (K_I, K_II) of a tip: the relative error of its length (`size`), and the error of its direction
+// [rad].
 struct TipErrors {
   crack::TipId tip;
   Point place{0, 0};
@@ -20,22 +21,22 @@ struct TipErrors {
 struct MeshErrors {
   double displacement = 0, reaction = 0, intensity = 0;
   double growth_load = 0;       // load factor of the first growth, relative to itself
-  std::vector<TipErrors> tips;  // with boundary elements
+  std::vector<TipErrors> tips;  // tips of cracks with boundary elements
 
   double largest() const;
 };
 
 MeshErrors operator*(double factor, MeshErrors errors);
 
-// Estimated errors of the finest of some meshes, each of which has elements half as long as those of the one before;
-// at least two. `tolerance` is the distance up to which places are the same.
+// Estimated errors of the finest of at least two meshes, each with elements half as long as those of the previous mesh.
+// Places closer than `tolerance` count as the same.
 MeshErrors estimated(const std::vector<const MeshAnswers*>& meshes, double tolerance, const scene::Options& options);
 
-// Estimated errors of a mesh, from its difference from a finer one.
+// Estimated errors of `mesh`, from its difference from the mesh `finer` with halved elements.
 MeshErrors estimated_by_finer(const MeshAnswers& finer, const MeshAnswers& mesh, double tolerance,
                               const scene::Options& options);
 
-// Factor by which the largest error of the finest mesh falls with the next halving.
+// Factor by which the largest error of the finest mesh falls if its elements are halved.
 double expected_reduction(const std::vector<const MeshAnswers*>& meshes, double tolerance,
                           const scene::Options& options);
 

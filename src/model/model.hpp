@@ -28,8 +28,9 @@
 
 namespace bempd::model {
 
-// Model of a host: the scene, its options and names, and the parts that prepare it, drive its loads, grow its cracks,
-// answer requests for results, and save its states. Each part knows the model, and asks other parts through it.
+// Model of a host: the scene, its options and names, and the parts that prepare the scene, drive its loads, grow its
+// cracks, answer requests for results, and save states of the run. Each part knows the model, and asks other parts
+// through the model.
 class Model {
  public:
   scene::Options& options() { return options_; }
@@ -42,8 +43,8 @@ class Model {
   scene::Scene& editable_scene();
 
   void prepare();
-  PreparedScene& prepared();        // prepares if needed
-  PreparedScene& in_equilibrium();  // likewise, under the values that were set
+  PreparedScene& prepared();        // prepares the model if needed
+  PreparedScene& in_equilibrium();  // prepares the model if needed, and solves it under the values that were set
   const PreparedScene* prepared_or_null() const { return preparation_.prepared(); }
   double load_factor() const;
   std::int64_t generation() const { return preparation_.generation(); }
@@ -51,20 +52,20 @@ class Model {
   // (`unsolvable`) is discarded too, so that the host can correct the scene.
   void call_failed(bool was_prepared, bool unsolvable) noexcept;
 
-  // What is prepared: the scene, its operators, and how they are chosen.
+  // Parts that prepare: the scene and its operators, the accuracy of bodies, treatments of cracks, and the solver.
   Preparation& preparation() { return preparation_; }
   Accuracy& accuracy() { return accuracy_; }
   CrackTreatments& treatments() { return treatments_; }
   AttachedSolver& solver() { return solver_; }
 
-  // What drives the run: values of loads, steps and programs, growth by lengths and by cycles.
+  // Parts that drive the run: values of loads, steps and programs, growth by lengths and by cycles.
   LoadValues& loads() { return loads_; }
   LoadDriver& driver() { return driver_; }
   CrackGrowth& growth() { return growth_; }
   Fatigue& fatigue() { return fatigue_; }
   const Fatigue& fatigue() const { return fatigue_; }
 
-  // Results, at present or under load cases.
+  // Parts that give results, at present or under load cases.
   Results& results() { return results_; }
   Pieces& pieces() { return pieces_; }
   EdgeResults& edges() { return edges_; }
@@ -75,8 +76,7 @@ class Model {
   ResultFiles& files() { return files_; }
   const ResultFiles& files() const { return files_; }
 
-  // Saved states of the run; requests of the host to a running call, and the host's functions that a call reports to;
-  // the lines of the log.
+  // Parts for saved states of the run, for requests of the host to a running call, and for the lines of the log.
   States& states() { return states_; }
   HostRequests& host() { return host_; }
   RunReports& reports() { return reports_; }

@@ -10,36 +10,38 @@
 
 namespace bempd::model {
 
-// Tip of a line in a lattice, which spreads the stress that is unbounded at the tip over about a horizon.
+// Tip of a crack line in a lattice. The lattice spreads the stress, which is unbounded at the tip, over about a
+// horizon.
 struct SpreadTip {
   Point place{0, 0};
-  double radius = 0;  // beyond which the stress of the lattice is that of the body [m]
+  double radius = 0;  // distance from the tip beyond which the lattice has the body's stress [m]
 };
 
-// Net section of a tip: the straight line through it in the direction in which it grows, from edge to edge of its
-// region, without holes and without the cracks along it.
+// Net section of a tip: the straight line through the tip in the direction of growth, from edge to edge of the tip's
+// region, without holes and without cracks along the line.
 class NetSection {
  public:
-  // `outline` of the region; `cracks` by id; `crack` has the tip at `place`; `spread`: tips of lines in lattices.
+  // `outline`: of the region; `cracks`: all cracks by id; `crack`: id of the crack whose tip is at `place`; `spread`:
+  // tips of crack lines in lattices.
   NetSection(const Outline& outline, const std::vector<scene::Crack>& cracks, int crack, const Point& place,
              const Point& direction, const std::vector<SpreadTip>& spread);
 
-  // Places at which the stress has to be known.
+  // Places at which the stress must be known.
   std::vector<Point> places() const;
-  // Load over the one that the section bears as a rigid, perfectly plastic one: the largest ratio of the work of the
+  // Load on the section over its limit load as a rigid, perfectly plastic section: the largest ratio of the work of the
   // stresses to `flow_stress` times the opening, over all rotations and the translation that open the tip. 0 if the
-  // loads press the section together. `factors` of mode I belong to the spread tips.
+  // loads press the section together. `factors`: mode I factors of the spread tips.
   double share(const std::vector<regions::PointValue>& stresses, double flow_stress,
                const std::vector<double>& factors) const;
 
  private:
-  // End of a piece at a spread tip: within the radius the field of the tip takes the place of the stress.
+  // End of a piece of the section at a spread tip. Within the radius the field of the tip replaces the stress.
   struct SpreadEnd {
     std::size_t tip = 0;
     double radius = 0;  // 0: the piece does not end at such a tip [m]
   };
   struct Piece {
-    double from, to;  // along the line, from the tip [m]
+    double from, to;  // along the section, from the tip [m]
     std::array<SpreadEnd, 2> ends{};
 
     double first() const { return from + ends[0].radius; }
@@ -55,7 +57,8 @@ class NetSection {
 
   void take_out(const scene::Crack& crack, double half_width);
   void take_out(const Piece& part);
-  // Integral of the distance from a place over the section.
+  // Integral over the section of the distance from the place `centre`, which is measured along the section from the
+  // tip.
   double opening_about(double centre) const;
 
   Point place_, direction_;

@@ -10,25 +10,25 @@ namespace bempd::model {
 
 class Model;
 
-// Why a part of the model is as it is.
+// Reason for which a part of the model has elements or a lattice.
 enum class PartReason {
-  given = 1,  // the host has added it with its elements or its lattice
-  body = 2,   // elements of a body, which the library has chosen
-  crack = 3   // a crack of the body was to run in a lattice
+  given = 1,  // the host added the region with its elements or lattice
+  body = 2,   // elements of a body, which the library chose
+  crack = 3   // lattice of a body, in which a crack is to run
 };
 
-// Part of the model: a region of the host, or a patch that was cut out of a body.
+// Part of the model: a region of the host, or a lattice patch that was cut out of a body.
 struct Part {
   bool is_lattice = false;
-  int body = 0, region = 0;  // ids: of the region that the host has added, and for requests
+  int body = 0, region = 0;  // ids of the host's region, and of the region that is this part
   PartReason reason = PartReason::given;
-  int crack = 0;  // for which a patch was laid
+  int crack = 0;  // crack for which a lattice patch was laid; 0: none
   int horizon_ratio = 0;
-  double spacing = 0;         // of a lattice [m]
-  std::int64_t elements = 0;  // boundary elements on its edges and cracks, so far as it is planned
+  double spacing = 0;         // spacing of a lattice [m]
+  std::int64_t elements = 0;  // boundary elements on edges and cracks, as far as they are planned
   std::int64_t points = 0;    // material points
-  // Load factors at which the cracks of a patch first grow, by its lattice and by elements alone. Infinite: they do not
-  // grow; NaN: not known.
+  // Load factors at which the cracks of a patch first grow, computed with the lattice, and with boundary elements in
+  // its place. Infinite: no growth; NaN: unknown.
   double growth_load = std::numeric_limits<double>::quiet_NaN(), growth_load_of_elements = growth_load;
   Outline outline;
 };

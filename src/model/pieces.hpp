@@ -18,8 +18,8 @@ struct PieceNodes {
 
 struct PieceState {
   std::int64_t nodes = 0;
-  int supports = 0, loads = 0;  // numbers of those that hold and load the piece
-  int free_motions = 0;         // number of rigid motions that supports leave free
+  int supports = 0, loads = 0;  // numbers of supports and loads on the piece
+  int free_motions = 0;         // number of rigid motions that the supports leave free
   coupling::RigidFit motion;
 };
 
@@ -49,7 +49,7 @@ class Pieces {
 
   Model& model_;
   PieceNodes found_;
-  std::int64_t generation_ = 0;  // of the model, when they were found
+  std::int64_t generation_ = 0;  // generation of the model when the pieces were found
 };
 
 }  // namespace bempd::model

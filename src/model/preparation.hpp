@@ -11,8 +11,8 @@ namespace bempd::model {
 
 class Model;
 
-// Scene of a model and what is prepared from it. Parts of the model change both: cracks grow, elements of bodies are
-// refined, and a scene that is prepared anew takes the place of the one before.
+// Scene of a model, and all that is prepared from it. Parts of the model change both: cracks grow, elements of bodies
+// are refined, and a scene that is prepared anew replaces the previous one.
 class Preparation {
  public:
   explicit Preparation(Model& model) : model_(model) {}
@@ -20,18 +20,19 @@ class Preparation {
   scene::Scene& scene() { return scene_; }
   const scene::Scene& scene() const { return scene_; }
 
-  // Builds a prepared scene, which does not take the place of the present one yet. `before` is the scene with shorter
-  // cracks, or smaller patches; null if there is none. Its unchanged operators are reused, unless all are made `anew`:
-  // they then have the same digits whatever the scene before was.
+  // Operators of a scene that is prepared after another one: unchanged ones are reused, or all are computed anew, so
+  // that their digits do not depend on the scenes before.
   enum class Operators { kept, anew };
+  // Builds a prepared scene, which does not replace the present one yet. `before` is the scene with shorter cracks or
+  // other patches; null if there is none.
   std::unique_ptr<PreparedScene> build(const PreparedScene* before, Operators operators = Operators::kept) const;
-  PreparedScene* prepared() const { return prepared_.get(); }  // null before it is prepared
-  // Puts a prepared scene, or null, in the place of the present one, which it returns.
+  PreparedScene* prepared() const { return prepared_.get(); }  // null before the scene is prepared
+  // Replaces the prepared scene by another one, or by null, and returns the previous one.
   std::unique_ptr<PreparedScene> exchange(std::unique_ptr<PreparedScene> next) noexcept {
     return std::exchange(prepared_, std::move(next));
   }
 
-  // Number of the present state of the body: results of an earlier one are out of date.
+  // Number of the present state of the body. Results with an earlier number are out of date.
   std::int64_t generation() const { return generation_; }
   void has_changed() noexcept { ++generation_; }
 

@@ -27,13 +27,15 @@ struct PreparedScene {
   std::unique_ptr<coupling::EquilibriumSystem> system;
   std::unique_ptr<fracture::CrackEvolution> evolution;
   std::optional<fracture::InterfaceBonds> interface_bonds;
-  std::size_t first_tips = 0, tip_laws = 0;  // of cracks that grow as lines
-  int anchored_pieces = 0;                   // at first
+  // Numbers of the initial tips of crack lines, and of the laws by which they grow.
+  std::size_t first_tips = 0, tip_laws = 0;
+  int anchored_pieces = 0;  // number of pieces with a support or a load before any growth
   std::int64_t interior_kernel_evaluations = 0;
-  std::optional<std::vector<regions::SingularPlace>> singular_places;  // once they are asked for
+  // Places of unbounded stress; empty until they are asked for.
+  std::optional<std::vector<regions::SingularPlace>> singular_places;
 };
 
-// Fluid pressures in cracks under given conditions.
+// Sum of the fluid pressures in each crack under given conditions.
 fracture::CrackPressures pressures_of(const regions::DofConditions& conditions);
 
 }  // namespace bempd::model

@@ -9,16 +9,17 @@ namespace bempd::model {
 
 class Model;
 
-// Errors of the present results by source.
+// Errors of the present results, by source.
 struct ErrorSources {
   MeshErrors boundary;
-  double model = 0;  // difference of the next load of growth between the growth criteria
+  // Relative difference of the next load factor of growth between the growth criteria.
+  double model = 0;
   bool has_lattices = false;
-  double halving_seconds = 0, halving_bytes = 0;  // of preparing with half as long elements
+  double halving_seconds = 0, halving_bytes = 0;  // for preparing the scene with halved elements
 };
 
-// Errors at the present loads and cracks, for which the scene is solved with its elements merged in pairs and fours, or
-// halved where there are few. Throws Error (order) once bonds have broken or a part has come off.
+// Errors at the present loads and cracks. For these the scene is solved with its elements merged in pairs and fours, or
+// halved if there are few elements. Throws Error (order) once bonds have broken or a part has come off.
 ErrorSources errors_now(Model& model);
 
 // Magnitudes of the errors of displacements [m] and stresses [Pa] at places; NaN where they are not known.
@@ -26,8 +27,8 @@ struct PlaceErrors {
   std::vector<double> displacement, stress;
 };
 
-// Errors of the values at places in the body, from meshes as in errors_now(). They are unknown in lattices, and for
-// stress also where it is unbounded.
+// Errors of the values at places in the body, from meshes as in errors_now(). The errors are unknown in lattices, and
+// for stress also at places where stress is unbounded.
 PlaceErrors errors_at(Model& model, const std::vector<Point>& places, const results::Side& side);
 
 }  // namespace bempd::model

@@ -13,11 +13,13 @@ struct RememberedOverload {
   crack::TipId tip;
   Point place{0, 0};
   crack::Overload overload;
-  double waiting = 0;  // growth of a line by cycles by which it has not been extended yet, less than a spacing [m]
+  // Growth of a crack line by cycles that is less than a spacing, so that the crack has not been extended by it yet
+  // [m].
+  double waiting = 0;
 };
 
-// Overloads as numbers in states, and back; a growth that waits is a row of its own. Throws Error (argument) for
-// numbers that are none.
+// Overloads as numbers in states, and back. A waiting growth is a row of its own. overloads_of() throws Error
+// (argument) for numbers that are no overloads.
 std::vector<double> numbers_of(const std::vector<RememberedOverload>& overloads);
 std::vector<RememberedOverload> overloads_of(const std::vector<double>& numbers);
 
