@@ -15,12 +15,12 @@ namespace bempd::model {
 
 namespace {
 
-// Meshes with more halvings than this would only be needed for errors within rounding.
+// Largest number of halvings; more would only be needed for errors within rounding.
 constexpr int most_halvings = 8;
 
-// Scenes of which two meshes were solved are solved with elements halved once more to tell errors if they have no
-// lattice and at most so many elements: that takes two to three times as long as these two meshes took. With tips there
-// are more, since the size and the direction of their factors have errors of different orders.
+// Largest number of elements of a scene that is solved with elements halved once more to estimate errors, if it has no
+// lattice and only two meshes were solved. That takes two to three times as long as the two meshes together. Scenes
+// with tips may have more elements, since the length and the direction of (K_I, K_II) have errors of different orders.
 constexpr double most_elements_to_halve = 125, most_elements_to_halve_with_tips = 160;
 
 const scene::OptionGroup accuracy_group(scene::OptionPlace::general, [] {
@@ -139,8 +139,8 @@ void Accuracy::solve_next() {
   levels_.push_back(solve(static_cast<int>(levels_.size()), finest_));
 }
 
-// Solves a small scene that has two meshes with the elements of the last one halved. Where its errors are larger than
-// wanted, that is its third mesh; else it tells the errors and goes. Returns whether anything is new.
+// Solves a small scene that has two meshes with the elements of the second mesh halved. If the errors are larger than
+// wanted, this becomes the third mesh; else only its error estimate is kept. Returns whether anything is new.
 bool Accuracy::solve_halved_once_more() {
   const Level& last = levels_.back();
   const double most = last.answers.tips.empty() ? most_elements_to_halve : most_elements_to_halve_with_tips;
@@ -170,14 +170,14 @@ MeshErrors Accuracy::estimate() const {
 
 double Accuracy::reduction() const { return expected_reduction(meshes(), tolerance_, model_.options()); }
 
-// Whether results hardly converge, as the displacement at a support or a force that acts at a point.
+// Whether results hardly converge, as they do where a support or a force acts at a point.
 bool Accuracy::stagnates() const {
-  constexpr std::size_t enough = 4;  // meshes
+  constexpr std::size_t enough = 4;  // number of meshes that shows this
   constexpr double least_reduction = 1.5;
   return levels_.size() >= enough && reduction() < least_reduction;
 }
 
-// Cost of the mesh after `more` halvings of the finest one solved.
+// Cost of the mesh after `more` halvings of the finest mesh that was solved.
 MeshCost Accuracy::predicted(int more) const {
   MeshCost cost = levels_.back().cost;
   const MeshCost& before = levels_[levels_.size() - 2].cost;
@@ -191,7 +191,7 @@ MeshCost Accuracy::predicted(int more) const {
   return cost;
 }
 
-// Whether the results are too far off.
+// Whether the errors are larger than wanted, or the option test.halvings asks for more halvings.
 bool Accuracy::wants_more() const {
   const int given = model_.options().whole_number("test.halvings");
   return given < 0 ? estimate().largest() > wanted() : levels_.back().cost.halvings < given;
@@ -246,8 +246,9 @@ const PreparedScene& Accuracy::scene_of_plan() {
   return model_.prepared_or_null() || !finest_ ? model_.prepared() : *finest_;
 }
 
-// Sets the error of each tip's factors. In the chosen plan a tip has an error of its own, which holds as long as it has
-// not grown and there are no constant loads; else the plan's error relative to the largest factors of all tips holds.
+// Raises the error of each tip's factors to that of the mesh. The chosen plan has an error for each tip, which holds as
+// long as the tip has not grown and there are no constant loads; else the plan's error relative to the largest factors
+// of all tips holds.
 void Accuracy::raise_errors(std::vector<regions::TipValues>& tips) const {
   if (!chosen_) return;
   double largest = 0;

@@ -11,7 +11,8 @@
 #include "model/extension_end.hpp"
 #include "model/model.hpp"
 
-// Crack lines that leave their lattice continue in the boundary elements behind it.
+// Crack lines (cracks that grow in a lattice by steps of a spacing) that leave their lattice continue in the boundary
+// elements behind it.
 namespace bempd::model {
 
 namespace {
@@ -19,13 +20,13 @@ namespace {
 // Distance of a crack's first tip with elements behind the interface with the lattice, in spacings.
 constexpr double into_elements = 1.5;
 
-// Least room, in spacings, that the crack's first tip with elements must have ahead of it in their region; with less,
-// the line stops at the interface.
+// Least room, in spacings, ahead of the crack's first tip with elements in their region. With less room the line stops
+// at the interface.
 constexpr double room_in_elements = 0.5;
 
-// Distance from the interface, in horizons, below which the stress points ahead of a line no longer give the load on
-// its tip; the line then continues in elements at once (docs/mixed_cracks.md). Along an oblique path it is divided by
-// the cosine of the angle to the interface's normal, or by the least cosine if that is larger.
+// Distance from the interface, in horizons, below which the stress points ahead of a crack line do not give the load on
+// its tip; the line then continues in elements at once (docs/mixed_cracks.md). On an oblique path the distance is
+// divided by the cosine of the angle to the interface's normal, which counts as at least least_cosine.
 constexpr double near_elements = 2, least_cosine = 0.5;
 
 bool is_in(const scene::Scene& scene, int id, const Point& place, double tolerance) {
@@ -34,7 +35,7 @@ bool is_in(const scene::Scene& scene, int id, const Point& place, double toleran
 
 // Whether an extension of a crack line ends at the border of a boundary element region.
 bool ends_at_border(const scene::Scene& scene, const fracture::CrackExtension& e, double tolerance) {
-  constexpr double closely = 0.25;  // of a step
+  constexpr double closely = 0.25;  // share of the extension's length
   const Point from(e.from_x, e.from_y), to(e.x, e.y), ahead = to + closely * (to - from);
   const std::vector<int> ids = scene.region_ids();
   const auto any = [&](bool elements, const Point& place) {
@@ -45,9 +46,9 @@ bool ends_at_border(const scene::Scene& scene, const fracture::CrackExtension& e
   return any(false, from) && any(true, ahead);
 }
 
-// Place of the first tip with elements of a line that leaves its lattice. The line's straight continuation has to
-// reach a straight interface with boundary elements of the same material, from a place within `spacings` of it. Empty
-// if it does not.
+// Place of the first tip with elements of a crack line that leaves its lattice. The straight continuation of the line
+// has to reach a straight interface with boundary elements of the same material within `spacings`; empty if it does
+// not.
 std::optional<Point> tip_behind_border(const scene::Scene& scene, const fracture::CrackExtension& e, double spacings,
                                        double tolerance) {
   const Point from(e.from_x, e.from_y), to(e.x, e.y), along = (to - from).normalized();
@@ -75,8 +76,8 @@ std::optional<Point> tip_behind_border(const scene::Scene& scene, const fracture
   return std::nullopt;
 }
 
-// The crack of a tip, also if it has begun in the run. Such cracks have the numbers after those of the scene; the ones
-// that stay in their lattices have no points there, since the run knows their paths.
+// Crack of a tip in a list of cracks, which is added if it began in the run. Such cracks have the numbers after those
+// of the scene. Cracks that stay in their lattices have no points in the list, because the run knows their paths.
 scene::Crack& crack_of(const crack::TipId& tip, std::vector<scene::Crack>& cracks) {
   const auto number = static_cast<std::size_t>(tip.crack) - 1;
   if (number >= cracks.size()) cracks.resize(number + 1, scene::Crack{{}, 0, 0, true});
@@ -90,7 +91,8 @@ void shorten(scene::Crack& crack, int end) {
   --(at_start ? crack.grown_at_start : crack.grown_at_end);
 }
 
-// Ends a crack that has begun in the run where it leaves the body: a line goes on to the end of its step.
+// Ends a crack that began in the run at the outline of the body: the last step of a crack line may go beyond the
+// outline.
 void end_at_outline(scene::Crack& crack, int end, const scene::Scene& scene, double tolerance) {
   const std::vector<int> ids = scene.region_ids();
   const auto is_outside = [&](const Point& place) {
@@ -157,21 +159,21 @@ bool is_at_border(const fracture::CrackExtension& e, const scene::Scene& scene, 
 
 std::optional<Point> place_behind_border(const fracture::CrackExtension& e, const scene::Scene& scene,
                                          const regions::Discretization& d) {
-  constexpr double far = 64;  // spacings: leaves_lattice() has said that it is near
+  constexpr double far = 64;  // spacings; leaves_lattice() has checked the distance
   return tip_behind_border(scene, e, far, d.tolerance);
 }
 
-// Whether a tip of a crack line has come to a border with boundary elements, where it would run along the interface, or
-// so close that the line can continue in them.
+// Whether a tip of a crack line has reached a border with boundary elements, where it would run along the interface, or
+// is so close to it that the line can continue in the elements.
 bool leaves_lattice(const fracture::CrackExtension& e, const scene::Scene& scene, const regions::Discretization& d) {
   if (is_at_border(e, scene, d)) return true;
-  double horizons = 0;  // in spacings
+  double horizons = 0;  // largest horizon of the lattices, in spacings
   for (const auto& region : d.regions)
     if (const auto grid = region->lattice_grid()) horizons = std::max(horizons, grid->horizon / grid->spacing);
   return tip_behind_border(scene, e, near_elements * horizons, d.tolerance).has_value();
 }
 
-// Crack lines that have come to a border since the last call.
+// Tips of crack lines that have reached a border since the last call.
 std::vector<crack::TipId> ElementCarrier::lines_at_border() {
   std::vector<crack::TipId> lines;
   const std::vector<fracture::CrackExtension>& all = body().progress().extensions;
@@ -182,7 +184,8 @@ std::vector<crack::TipId> ElementCarrier::lines_at_border() {
   return lines;
 }
 
-// A line that is only near the border, and cannot continue behind it, grows on in its lattice.
+// Continues the lines at a border in boundary elements, or stops them. A line that is only near the border and cannot
+// continue behind it grows on in its lattice.
 bool ElementCarrier::take_over_lines(bool run_ends) {
   if (!run_ends) follow_lines();
   std::vector<crack::TipId> lines = lines_at_border();
@@ -207,7 +210,7 @@ bool ElementCarrier::take_over_lines(bool run_ends) {
   return !lines.empty();
 }
 
-// Continues one line in the boundary elements behind its lattice; false if it cannot.
+// Continues a crack line in the boundary elements behind its lattice; returns false if that is impossible.
 bool ElementCarrier::cross_border(const crack::TipId& tip) {
   std::optional<Grown> next = continued_in_elements(tip, true);
   if (!next) return false;
@@ -216,7 +219,7 @@ bool ElementCarrier::cross_border(const crack::TipId& tip) {
   return true;
 }
 
-// The scene's crack is extended by the line's path, whose bonds are broken already, and by a piece behind the
+// Extends the scene's crack by the path of the crack line, whose bonds are broken already, and by a piece behind the
 // interface.
 std::optional<Grown> ElementCarrier::continued_in_elements(const crack::TipId& tip, bool is_driven) {
   const std::vector<scene::Crack> before = model_.scene().cracks();
@@ -233,7 +236,7 @@ std::optional<Grown> ElementCarrier::continued_in_elements(const crack::TipId& t
   }
 }
 
-// Scene in which a line has continued to `place` in boundary elements, with its growth entered in the history.
+// Scene in which a crack line has continued to `place` in boundary elements, with this growth entered in the history.
 Grown ElementCarrier::continued_in_elements(const crack::Extension& last, const Point& place,
                                             std::vector<scene::Crack> longer, bool is_driven) {
   const crack::TipId tip = last.tip();

@@ -11,11 +11,12 @@ namespace bempd::model {
 
 namespace {
 
-// Sine of the angle up to which a crack seen from its tip counts as straight.
+// Sine of the largest angle between a part of a crack and the tip's direction, seen from the tip, at which the crack
+// counts as straight.
 constexpr double straight_within = 0.1;
 
-// Distance to the part of an edge behind which the body does not go on with the same material. `joined` are the spans
-// of fractions behind which it does, in ascending order.
+// Distance from a place to that part of an edge behind which the body does not continue with the same material.
+// `joined` are the spans of the edge, as fractions in ascending order, behind which it continues.
 double distance_to_free_part(const Edge& edge, const std::vector<std::pair<double, double>>& joined,
                              const Point& place) {
   if (joined.empty()) return distance(edge, place);
@@ -30,7 +31,8 @@ double distance_to_free_part(const Edge& edge, const std::vector<std::pair<doubl
   return nearest;
 }
 
-// Distance from the end of a crack with this path to its first bend, its other end, or what lies beyond the bend.
+// Distance from a crack's end to its first bend or its other end, or to a part of the crack behind the bend that is
+// nearer.
 double clear_of_own_crack(const std::vector<Point>& path, const ClearTip& tip) {
   double reached = 0;
   std::size_t k = path.size() - 1;

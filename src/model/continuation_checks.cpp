@@ -1,5 +1,5 @@
-// Checks that a run can continue from what a saved state holds for that (Continuation). Its numbers are already known
-// to be finite (state_checks.cpp).
+// Checks whether a run can continue from the data that a saved state holds for that (Continuation). All numbers are
+// known to be finite (state_checks.cpp).
 #include <algorithm>
 #include <cmath>
 #include <set>
@@ -69,7 +69,8 @@ bool is_sound(const fracture::FaceState& faces, const PreparedScene& scene) {
          are_below(faces.pending, terms);
 }
 
-// Whether `tips` can be the earlier state of the tips `later`: in a window tips may grow or end, but none begins.
+// Whether `tips` can be an earlier state of the tips `later`. In a window (region around the tips that is solved alone)
+// tips may grow or end, but none begins.
 bool are_those_of(const std::vector<fracture::GrowingTip>& tips, const std::vector<fracture::GrowingTip>& later,
                   std::size_t laws) {
   const auto is_same = [&](const fracture::GrowingTip& tip, const fracture::GrowingTip& then) {

@@ -21,7 +21,7 @@ namespace {
 
 constexpr int most_rounds_of_faces = 64;
 
-// Thickness of the body at each extension, by the regions of the scene before the growth.
+// Thickness of the body at each extension, by the regions before the growth.
 std::vector<double> thickness_at(const scene::Scene& scene, const PreparedScene& prepared,
                                  const std::vector<fracture::CrackExtension>& extensions) {
   std::vector<double> thickness;
@@ -35,7 +35,7 @@ std::vector<double> thickness_at(const scene::Scene& scene, const PreparedScene&
 constexpr const char* no_tip_with_elements =
     "no crack in a BEM region has a tip; add one, or let cracks in peridynamic regions grow by steps";
 
-// Smallest load factor from zero upwards at which a tip grows, and which tip that is. Throws Error (unsolvable) if none
+// Smallest load factor >= 0 at which a tip grows, and the tip that grows there. Throws Error (unsolvable) if no tip
 // grows.
 std::pair<double, crack::FirstToGrow> first_growth(const std::vector<regions::TipValues>& tips,
                                                    const scene::Options& options) {
@@ -139,8 +139,8 @@ std::unique_ptr<PreparedScene> CrackGrowth::extended_scene(const std::vector<sce
 
 Grown CrackGrowth::grown(const std::vector<scene::Crack>& before, Growing growing, ExtensionDirections directions,
                          const scene::SceneValues* on_way) {
-  constexpr double turns = 0.01;                                        // [rad]
-  const double turns_too_much = 0.35 * model_.accuracy().step_share();  // [rad]
+  constexpr double turns = 0.01;  // turn above which extensions become chords [rad]
+  const double turns_too_much = 0.35 * model_.accuracy().step_share();  // turn above which extensions are halved [rad]
   constexpr int most_halvings = 4;
   const std::vector<double> angles = [&] {
     std::vector<double> all;

@@ -38,8 +38,8 @@ void CrackLengthening::go_to(double load_factor) {
   model_.preparation().has_changed();
 }
 
-// The energy that the body releases is recorded with each extension. Below the toughness all of it is taken by the
-// process that lets the crack grow, so none becomes kinetic energy.
+// Records with each extension the energy that the body releases. Below the toughness the process that lets the crack
+// grow takes all of this energy, so none becomes kinetic energy.
 LongerCracks CrackLengthening::lengthened(const std::vector<Lengthened>& tips) {
   Growing growing;
   growing.load_factor = growing.critical_load_factor = model_.load_factor();

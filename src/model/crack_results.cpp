@@ -19,7 +19,7 @@ namespace bempd::model {
 
 namespace {
 
-// Copies the load factors and kink angles of growth from a carrier's tip to the results.
+// Copies the load factors and kink angles of growth from a tip of a carrier to the tip's results.
 void copy_growth(regions::TipValues& values, const crack::Tip& tip) {
   values.kink_angle = tip.kink_angle, values.critical_kink_angle = tip.critical_kink_angle;
   values.critical_load_factor = in_range(tip.range.highest);
@@ -33,8 +33,8 @@ void never_grows(regions::TipValues& tip) {
   tip.critical_kink_angle = tip.load_error = regions::TipValues::unknown;
 }
 
-// Takes the stress intensity factors that the run has fitted to the stress ahead of the tip. They are used for tips
-// that have no room for a ring (contour) around them.
+// Takes the stress intensity factors that the run has fitted to the stress ahead of a tip around which no contour
+// (ring) fits.
 void take_stress_ahead(regions::TipValues& values, const crack::Tip& tip, double load_factor) {
   if (!tip.factors.at(load_factor).allFinite()) return;
   values.method = regions::TipMethod::stress_ahead;
@@ -50,7 +50,7 @@ bool has_extensions(const crack::TipId& tip, std::span<const fracture::CrackExte
   });
 }
 
-// Length by which an end of a crack has grown in lattices, without extensions that the scene's crack contains.
+// Length by which an end of a crack has grown in lattices, without extensions that the scene's crack contains [m].
 double grown_among_bonds(int crack, int end, const scene::Crack& described,
                          std::span<const fracture::CrackExtension> extensions) {
   double sum = 0;
@@ -59,7 +59,7 @@ double grown_among_bonds(int crack, int end, const scene::Crack& described,
   return sum;
 }
 
-// Id of the crack in a lattice that is nearest to a place; among all described cracks if none lies in a lattice.
+// Id of the crack whose path is nearest to a place; 0 if all paths are empty.
 int crack_nearest(const Point& place, const std::vector<std::vector<Point>>& paths) {
   int nearest = 0;
   double least = std::numeric_limits<double>::infinity();
@@ -116,7 +116,7 @@ std::vector<regions::TipValues> CrackResults::present_tips() const {
   return all;
 }
 
-// Tips found among the broken bonds of the lattices, in growth bond by bond.
+// Tips found from the broken bonds of lattices, in growth bond by bond.
 std::vector<regions::TipValues> CrackResults::tips_in_lattices() const {
   const regions::BondedBody body = bonded_body(model_.scene(), model_.prepared());
   std::vector<regions::TipValues> tips =
@@ -125,7 +125,8 @@ std::vector<regions::TipValues> CrackResults::tips_in_lattices() const {
   return tips;
 }
 
-// Tips of crack lines: place, direction and load factors as in the run, stress intensity factors by rings.
+// Tips of crack lines, with stress intensity factors from contours (rings) around them or, where no contour fits, from
+// the stress ahead of them.
 std::vector<regions::TipValues> CrackResults::tips_of_lines(bool with_loads) const {
   fracture::LineCarrier& lines = *model_.prepared().evolution->lines();
   const std::vector<crack::Tip> carried = with_loads ? lines.tips() : lines.tips_without_loads();
@@ -210,8 +211,8 @@ std::vector<Point> ElementCarrier::openings(int crack, const std::vector<double>
   const double before = grown_among_bonds(crack, 0, model_.scene().cracks()[number], model_.cracks().extensions());
   for (std::size_t k = 0; k < fractions.size(); ++k) {
     double part = is_whole ? fractions[k] : (fractions[k] * length - before) / own;
-    // A crack lies a little beside its described points in a lattice and so has another length. A place near an end in
-    // elements may then come to lie slightly beyond that end.
+    // The path of a crack in a lattice differs a little from the described points, and so does its length. A place near
+    // an end in elements may therefore lie slightly beyond that end.
     if (cracks[number].region_at(0) > 0) part = std::max(part, 0.0);
     if (cracks[number].region_at(1) > 0) part = std::min(part, 1.0);
     const int region = part < 0 || part > 1 ? 0 : cracks[number].part_at(part).region;

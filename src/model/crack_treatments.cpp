@@ -36,7 +36,7 @@ void CrackTreatments::set(int crack, CrackTreatment treatment) {
            "; choose this treatment before, or freeze and release the crack now");
   }
   if (!model_.prepared_or_null() && (was_in_lattice || treatment == CrackTreatment::lattice)) model_.editable_scene();
-  // If the crack is released while only one of its tips is frozen, the host has frozen that tip alone: it stays so.
+  // Releasing a crack of which only one tip is frozen leaves this tip frozen, because the host has frozen it alone.
   if (is_frozen || (model_.growth().is_frozen({crack, 0}) && model_.growth().is_frozen({crack, 1})))
     for (const int end : {0, 1}) model_.growth().set_frozen(crack, end, is_frozen);
   if (model_.prepared_or_null()) return;
@@ -68,7 +68,7 @@ std::vector<regions::LatticeCrack> CrackTreatments::in_lattices() const {
   return cracks;
 }
 
-// Throws Error (argument) if a crack is to have elements in a lattice that the host has added.
+// Throws Error (argument) if a crack with the treatment `elements` runs through a lattice that the host has added.
 void CrackTreatments::require_elements() const {
   for (const auto& [crack, treatment] : treatments_) {
     if (treatment != CrackTreatment::elements) continue;
@@ -92,7 +92,7 @@ void CrackTreatments::add_patches() {
   loads_of_elements_.clear();
   try {
     loads_of_elements_ = model_.accuracy().loads_of_elements();
-  } catch (const Error& error) {  // they are only for comparison
+  } catch (const Error& error) {  // these load factors are only for comparison
     if (error.failure() == Failure::cancelled) throw;
   }
   const int own = model_.scene().region_count();

@@ -34,8 +34,8 @@ std::vector<int> EdgeResults::cells(int region, int edge) {
   return regions::edge_cells(model_.prepared().discretization, region, nodes(region, edge));
 }
 
-// Forces that the elements and bonds of a body (ids of regions) exert on all nodes, less the loads on these regions:
-// what neighbours and supports exert on the body.
+// Forces of neighbours and supports on a body (ids of its regions) at all nodes: the forces that the elements and bonds
+// of the body exert on the nodes, minus the loads on its regions.
 Eigen::VectorXd EdgeResults::forces_from_outside(const std::vector<int>& body) {
   const PreparedScene& prepared = model_.prepared();
   const regions::Discretization& d = prepared.discretization;
@@ -53,7 +53,7 @@ Eigen::VectorXd EdgeResults::forces_from_outside(const std::vector<int>& body) {
     for (const regions::OperatorNodes& one : operators->nodes_of_operators())
       force += system.operators().force_on(one.nodes, state.total_displacement, state.load_factor);
   }
-  if (body.size() > 1) {  // regions share terms
+  if (body.size() > 1) {  // regions of a body share bonds
     std::sort(terms.begin(), terms.end());
     terms.erase(std::unique(terms.begin(), terms.end()), terms.end());
   }
@@ -78,7 +78,7 @@ Eigen::VectorXd EdgeResults::forces_from_outside(const std::vector<int>& body) {
 }
 
 // Forces of neighbouring regions at the nodes of an interface. Where several interfaces of a body meet in a node, each
-// gets the force of its own tractions plus an equal part of what these leave of the node's whole force.
+// interface gets the force of its own tractions, and an equal part of what the tractions leave of the node's force.
 std::map<int, Point> EdgeResults::forces_of_neighbours(int region_id, int edge) {
   const regions::Discretization& d = model_.prepared().discretization;
   const scene::Scene& scene = model_.scene();

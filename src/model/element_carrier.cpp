@@ -67,7 +67,7 @@ std::size_t ElementCarrier::index_of(const crack::TipId& tip) const {
   return static_cast<std::size_t>(found - tips_.begin());
 }
 
-// Scene with longer cracks that `grow` prepares. If it cannot be, the cracks of the model are `before` again.
+// Scene with longer cracks that `grow` prepares. If there is no such scene, the cracks of the model are `before` again.
 Grown ElementCarrier::grown(const std::vector<scene::Crack>& before, const std::function<Grown()>& grow) {
   try {
     return grow();
@@ -94,8 +94,8 @@ Grown ElementCarrier::longer(const std::vector<scene::Crack>& before, const Grow
   }
 }
 
-// Lets the tip that is due grow, with those that tie with it. If that is impossible, the tips that cannot grow alone
-// either are stopped (the due tip if each could).
+// Lets the tip of `step` grow, together with the tips that tie with it. If that is impossible, the tips that cannot
+// grow even alone are stopped, or the tip of `step` if each of them could.
 crack::Advance ElementCarrier::advance(const crack::Step& step) {
   check_cancelled();
   update();
@@ -124,7 +124,7 @@ crack::Advance ElementCarrier::advance(const crack::Step& step) {
   }
 }
 
-// Tips that cannot grow alone either, out of several that cannot grow together; none if only one was to grow.
+// Tips that cannot grow even alone, among several that cannot grow together; empty if only one tip was to grow.
 std::vector<crack::TipId> ElementCarrier::tips_that_cannot_grow(const Growing& growing,
                                                                 const std::vector<scene::Crack>& before) {
   std::vector<crack::TipId> stopped;
@@ -156,8 +156,8 @@ void ElementCarrier::change_scene(std::unique_ptr<PreparedScene> next,
   if (!start_) start_ = std::move(next);
 }
 
-// Gives patches more blocks around lines that have grown since the last call, and elements what lies behind these lines
-// where the faces are apart.
+// Gives lattice patches more blocks around crack lines that have grown since the last call, and gives blocks behind
+// these lines back to boundary elements where the crack faces are separated.
 void ElementCarrier::follow_lines() {
   const CrackTreatments& treatments = model_.treatments();
   if (treatments.patches().empty()) return;
@@ -176,7 +176,8 @@ void ElementCarrier::follow_lines() {
   }
 }
 
-// Gives patches more blocks around bonds that have broken where cracks do not grow as lines.
+// Gives lattice patches more blocks around bonds that have broken, where cracks do not grow as lines. Returns whether a
+// patch has no room for them.
 bool ElementCarrier::follow_breaks(const std::vector<coupling::StageChange>& broken) {
   CrackTreatments& treatments = model_.treatments();
   if (treatments.patches().empty() || body().lines()) return false;
@@ -202,8 +203,8 @@ bool ElementCarrier::follow_breaks(const std::vector<coupling::StageChange>& bro
   return has_no_room;
 }
 
-// Lets the run go on in other patches, and with other cracks in elements. If these cannot be, for lack of memory as
-// well, the patches stay, and a line goes on in elements.
+// Continues the run with other lattice patches and, if given, other cracks in elements. Returns false and leaves the
+// patches as they are if that scene is impossible, or for lack of memory.
 bool ElementCarrier::change_patches(std::vector<regions::Patch> patches,
                                     std::optional<std::vector<scene::Crack>> cracks, std::int64_t layout) {
   body().sources().bring_up_to_date();

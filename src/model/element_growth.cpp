@@ -11,9 +11,10 @@ namespace bempd::model {
 
 namespace {
 
-// Lengths of extensions that the library chooses: shares of the crack's length and of the distance to the nearest edge,
-// hole or other crack, where the latter counts as at least a share of the crack's length. Stress intensity factors then
-// change by about a tenth in a step. A ligament shorter than the last extension breaks with it.
+// Lengths of extensions that the library chooses: at most step_over_crack times the crack's length, and
+// step_over_clearance times the distance to the nearest edge, hole or other crack, where the latter limit is at least
+// least_step_over_crack times the crack's length. Stress intensity factors then change by about a tenth in a step, and
+// a ligament shorter than the last extension breaks with that extension.
 constexpr double step_over_crack = 0.1, step_over_clearance = 0.12, least_step_over_crack = 0.01;
 
 Kink kink_at(const regions::TipValues& tip, double load_factor, const scene::Options& options) {
@@ -26,8 +27,8 @@ const regions::TipValues* tip_of(const fracture::CrackExtension& e, const std::v
   return found == tips.end() ? nullptr : &*found;
 }
 
-// Load factor at which a tip just reaches its toughness, if it exceeds it at `load_factor`; else `load_factor` itself,
-// also if the toughness is exceeded at every load factor.
+// Load factor at which a tip that is overloaded at `load_factor` just reaches its toughness; `load_factor` itself if
+// the tip is not overloaded there, or is overloaded at every load factor.
 double critical_load_factor(const regions::TipValues& tip, double load_factor, const scene::Options& options) {
   const crack::GrowthRange range = law_of(tip, options).range(factors_of(tip));
   if (range.is_empty() || range.holds(load_factor)) return load_factor;
@@ -63,7 +64,7 @@ Growing growing_with(const std::vector<regions::TipValues>& tips, std::size_t fi
   growing.ratio = ratio_of(tips[first]);
   growing.critical_load_factor = load_factor;
   if (growing.is_in_equilibrium()) {
-    growing.ratio = 1;  // but for rounding
+    growing.ratio = 1;  // up to rounding
   } else {
     growing.critical_load_factor = critical_load_factor(tips[first], load_factor, options);
   }
@@ -103,7 +104,7 @@ double chosen_length(const scene::Scene& scene, const Growing& growing, const sc
   return least;
 }
 
-// Cracks are extended one after another, so that two that grow into each other meet.
+// Extends cracks one after another, so that two cracks that grow into each other meet.
 std::vector<scene::Crack> extended(const scene::Scene& scene, std::vector<scene::Crack> cracks, double tolerance,
                                    Growing& growing) {
   for (std::size_t k = 0; k < growing.tips.size(); ++k) {
@@ -158,7 +159,7 @@ std::optional<double> end_of_path(const Growing& growing, const std::vector<regi
 
 namespace {
 
-// Energy per area that growth straight on takes [J/m^2].
+// Energy per area that growth straight ahead takes [J/m^2].
 double resistance_ahead_of(const regions::TipValues& tip) {
   const double share = tip.directions ? tip.directions->share(heading_of(tip.direction)) : 1;
   return tip.toughness * tip.toughness / tip.plane_modulus * share;
@@ -166,9 +167,9 @@ double resistance_ahead_of(const regions::TipValues& tip) {
 
 }  // namespace
 
-// Energies of a growth. Each extension releases the integral of its energy release rate (trapezoidal rule). On the
-// equilibrium path the rate is the fracture energy all along. For tips that have ended, whose last rate is unknown, the
-// remainder of `released` is divided by length.
+// Energies of a growth. An extension releases the integral of its energy release rate (trapezoidal rule); on the
+// equilibrium path the rate equals the fracture energy all along. Tips that have ended have no last rate: they share
+// the rest of `released` by the lengths of their extensions.
 fracture::Growth with_energies(Growing growing, const std::vector<regions::TipValues>& after,
                                const std::vector<double>& thickness, double released,
                                std::optional<double> beyond_path) {

@@ -22,8 +22,8 @@ std::string name_of(const crack::TipId& tip) {
 
 std::string place_of(const Point& place) { return text("(", place.x(), ", ", place.y(), ")"); }
 
-// Load factor at which a tip grows if the load factor rises (`upwards`) or falls; infinite if it never grows, NaN if
-// not known.
+// Load factor at which a tip grows if the load factor rises (`upwards`) or falls; infinite if the tip never grows, NaN
+// if unknown.
 double critical_load_factor(const regions::TipValues& tip, bool upwards) {
   const double critical = upwards ? tip.critical_load_factor : tip.critical_load_factor_down;
   return std::abs(critical) == std::numeric_limits<double>::max()
@@ -73,14 +73,14 @@ class Explainer {
  private:
   bool is_before(double one, double other) const { return upwards_ ? one < other : one > other; }
 
-  // Whether a tip grows by itself in this stepping mode: not in load increments, and in a lattice only as a crack line
-  // (in growth bond by bond, tips are only read from broken bonds).
+  // Whether a tip grows by itself in this stepping mode. In load increments no tip does. In a lattice only the tip of a
+  // crack line does; in growth bond by bond, tips are only read from broken bonds.
   bool grows(const regions::TipValues& tip) const {
     if (stepping_.mode != fracture::SteppingMode::events) return false;
     return tip.method == regions::TipMethod::elements || evolution_.lines() != nullptr;
   }
 
-  // Finds the tip that grows next. An overloaded tip grows at the present load factor if that is held constant.
+  // Finds the tip that grows next. If the load factor is held constant, an overloaded tip grows at the present one.
   void find_tip() {
     const bool is_held = stepping_.control == fracture::Control::load;
     for (const regions::TipValues& tip : model_.cracks().tips()) {
@@ -169,7 +169,7 @@ class Explainer {
     reasons.add(which + " does not reach its toughness on this way of the load factor.");
   }
 
-  // Tips that have ended are no longer among the model's tips; they are found by the extensions with which they ended.
+  // Tells of tips that have ended. They are not among the model's tips, but their last extensions say where they ended.
   void tell_of_ended(Reasons& reasons) const {
     for (const fracture::CrackExtension& e : model_.cracks().extensions()) {
       const char* where = nullptr;
@@ -190,7 +190,8 @@ class Explainer {
     }
   }
 
-  // Last records of the last growth by cycles, of tips that grow and are still where it left them.
+  // Records of tips at the end of the last growth by cycles: only tips that grow, and cracks that have not changed
+  // since.
   std::vector<FatigueRecord> grown_by_cycles() const {
     std::vector<FatigueRecord> last;
     for (const FatigueRecord& record : model_.fatigue().records()) {

@@ -13,23 +13,23 @@ using crack::TipState;
 
 namespace {
 
-// Search distance ahead of a tip over the extension's length: a tip that would stop closer than that before an edge or
-// a crack is extended to it.
+// Search distance ahead of a tip, as a multiple of the extension's length: a tip that would stop within this distance
+// before an edge or a crack is extended to it.
 constexpr double reach = 1.25;
 
-// Distance over the extension's length within which a tip that passes the end of a crack joins it, because the ligament
-// would break.
+// Distance, as a share of the extension's length, within which a tip that passes the end of a crack joins that end,
+// because the ligament between them would break.
 constexpr double near_an_end = 0.1;
 
-// Distance over the extension's length within which a tip joins a corner of an outline, because elements beside the
-// corner would become tiny.
+// Distance, as a share of the extension's length, within which a tip joins a corner of an outline, because elements
+// beside the corner would become tiny.
 constexpr double near_a_corner = 1e-3;
 
-// Distance left before an interface over the extension's length (at most half of the distance to it). Elements can
-// neither cross such an interface nor lie on it.
+// Distance, as a share of the extension's length, that is left before an interface; at most half of the tip's distance
+// to the interface. Elements can neither cross such an interface nor lie on it.
 constexpr double before_an_interface = 0.25;
 
-// Smallest distance of a tip before or behind an interface that its crack crosses, over the extension's length.
+// Smallest distance, as a share of the extension's length, between a tip and an interface that its crack crosses.
 constexpr double least_distance_from_crossing = 0.25;
 
 // Whether a place lies on an interface of boundary element regions of one material, which cracks can cross.
@@ -48,8 +48,8 @@ bool is_inside(const scene::Scene& scene, const Point& place, double tolerance) 
                      [&](int id) { return locate(scene.region(id).outline(), place, tolerance) == Location::inside; });
 }
 
-// Length of an extension that crosses interfaces at the distances `crossings`: as given, or a little shorter or longer
-// if its tip would lie too close to one of them.
+// Length of an extension that crosses interfaces at the distances `crossings`: the given length, or a slightly
+// different one if the tip would lie too close to an interface.
 double length_clear_of_crossings(double length, const std::vector<double>& crossings) {
   const double clear = least_distance_from_crossing * length;
   const auto gap = [&](double way) {
@@ -82,8 +82,8 @@ class Meetings {
     }
   }
 
-  // Adds a crack as an obstacle. Of the growing crack itself (`own`) the segment that ends at its tip `own_end` is left
-  // out.
+  // Adds a crack as an obstacle. If it is the growing crack itself (`own`), the segment that ends at the growing tip
+  // `own_end` is left out.
   void add_obstacle(const scene::Crack& crack, bool own, int own_end) {
     const std::size_t last = crack.points.size() - 1;
     for (std::size_t i = 0; i < last; ++i) {
@@ -100,10 +100,11 @@ class Meetings {
     if (!own || own_end == 0) ends_.push_back(crack.points.back());
   }
 
-  // Distances to interfaces that the crack crosses, because it continues in boundary elements behind them.
+  // Distances from the tip to interfaces that the crack crosses, because boundary elements continue behind them.
   const std::vector<double>& crossings() const { return crossings_; }
 
-  // First obstacle on the path. Ends of cracks are tested last and replace an obstacle next to them.
+  // First obstacle on the path; empty if there is none. Ends of cracks are tested last and replace an obstacle next to
+  // them.
   std::optional<ExtensionEnd> first() {
     for (const Point& end : ends_) {
       const double fraction = closest_fraction(way_, end), close = near_an_end * length_;
@@ -134,22 +135,21 @@ class Meetings {
   std::vector<Point> ends_;
 };
 
-// Distances in spacings. A tip with elements that would come closer than near_a_lattice to the lattice ahead is
-// extended into it, so that no element becomes much shorter than a spacing.
-// It then lies into_a_lattice behind the interface, but at most in the middle of the lattice, and at least
-// least_into_a_lattice. The half puts it midway between two columns of points: on a column the error of the load factor
-// of its first growth is twice as large.
+// Distances from the interface with a lattice, in spacings. A tip with elements that would come closer than
+// near_a_lattice to the lattice is extended into it, so that no element becomes much shorter than a spacing.
+// The tip then lies into_a_lattice behind the interface, or in the middle of a narrower lattice; lattices narrower than
+// twice least_into_a_lattice are not entered. The half spacing puts the tip midway between two columns of points: on a
+// column the error of the load factor of its first growth is twice as large.
 constexpr double near_a_lattice = 2, into_a_lattice = 4.5, least_into_a_lattice = 1;
 
-// Smallest cosine of the angle between a path and the interface's normal for which into_a_lattice is divided by the
-// cosine.
+// Smallest cosine of the angle between a path and the interface's normal by which into_a_lattice is divided.
 constexpr double least_cosine_to_border = 1.0 / 3;
 
 // First straight edge of a lattice of the same material on the path of a tip.
 struct LatticeAhead {
   Point place;
-  double way, spacing, width;  // width: of the lattice on the way
-  double cosine;               // of the angle between the way and the normal of the edge
+  double way, spacing, width;  // to the edge, between points, and across the lattice along the path [m]
+  double cosine;               // cosine of the angle between the path and the edge's normal
 
   double into() const {
     return std::min(into_a_lattice * spacing / std::max(cosine, least_cosine_to_border), 0.5 * width);
@@ -197,7 +197,7 @@ bool is_on_interface(const scene::Scene& scene, const Point& place, double toler
 }
 
 // Distance of a place from an edge, without the parts of the edge that are interfaces which cracks can cross. Infinite
-// if all of it can be crossed.
+// if cracks can cross all of the edge.
 double distance_without_crossable(const scene::Scene& scene, const Edge& edge, const Point& x, double tolerance) {
   const double whole = distance(edge, x);
   std::vector<double> ends{0.0, edge.joint(), 1.0};
@@ -263,7 +263,7 @@ double length_of(const scene::Crack& crack) {
 double clearance_of_tip(const scene::Scene& scene, const std::vector<scene::Crack>& cracks, int crack, int end) {
   const double tolerance = geometric_tolerance(scene.bounding_box());
   const Point& tip = tip_of(cracks[static_cast<std::size_t>(crack) - 1], end);
-  std::vector<std::pair<double, Edge>> nearest_first;  // with a lower bound on the distance
+  std::vector<std::pair<double, Edge>> nearest_first;  // with a lower bound on the distance of each edge
   for (const int region : scene.region_ids())
     for (const Edge& edge : edges_of(scene.region(region).outline()))
       nearest_first.emplace_back(least_distance(edge, tip), edge);

@@ -22,10 +22,10 @@ double equivalent_in(const Point& factors, double angle, KinkCriterion criterion
   return criterion == KinkCriterion::hoop_stress ? hoop_factor(factors, angle) : kinked_factors(factors, angle).x();
 }
 
-// Parts of a step at whose ends a fracture energy that varies from place to place is read.
+// Number of parts of a step at whose ends a fracture energy that varies from place to place is read.
 constexpr int parts_of_step = 16;
 
-// Outline of a region, or of the whole body to which it belongs as a lattice patch, or out of which patches are cut.
+// Outline of a region; of the whole body if the region is a lattice patch of it, or patches are cut out of the region.
 const Outline& whole_outline(const scene::Scene& scene, int region) {
   const int part_of = scene.region(region).part_of();
   const scene::Region& body = scene.region(part_of > 0 ? part_of : region);
@@ -49,13 +49,13 @@ const crack::RateLaw* FrontReader::law_in(int region) {
   return law.get();
 }
 
-// The direction of a tip is that under the load where its equivalent factor is larger: of the highest and the lowest
-// load factor, or of all combinations of load cases.
+// Sets the direction of a tip: the direction under the load with the largest equivalent factor, out of the highest and
+// the lowest load factor, or out of all combinations of load cases.
 void FrontReader::set_direction(FrontTip& tip) const {
   const KinkCriterion criterion = growth_criterion(model_.options());
   crack::GrowthLaw law = law_of(tip.values, model_.options());
   tip.high = levels_.highest(), tip.low = levels_.lowest();
-  // A line without room for a contour (ring) around its tip turns by the stress ahead of it, also under load cases.
+  // A crack line without room for a contour (ring) around its tip turns, under load cases, by the stress ahead of it.
   const bool by_stress = tip.values.method == regions::TipMethod::stress_ahead && levels_.combine_cases();
   const auto kink_at = [&](std::size_t level) {
     Kink kink = law.kink(tip.levels[level].factors);
@@ -102,7 +102,7 @@ Front FrontReader::front(const std::vector<regions::TipValues>& tips, LongerCrac
   for (std::size_t t = 0; t < front.size(); ++t) {
     front[t].levels = std::move(factors[t]);
     set_direction(front[t]);
-    // The tips were read under the present loads. Under load cases a tip acts where its highest combination says.
+    // The effective tip under load cases is that under the highest combination, not under the present loads.
     if (levels_.combine_cases()) front[t].values.felt_ahead = front[t].levels[front[t].high].felt_ahead;
     front[t].effective_tip_ahead = lengthening_.effective_tip_ahead(front[t].values, scene);
   }
@@ -114,7 +114,7 @@ void FrontReader::add_net_sections(Front& front, LongerCracks* longer) {
   std::vector<scene::Crack> cracks;
   lengthening_.in_scene_of(longer, [&] { cracks = lengthening_.cracks(); });
   const PreparedScene& scene = longer ? lengthening_.scene_of(*longer) : lengthening_.scene();
-  std::vector<SpreadTip> spread;  // those with elements have no radius
+  std::vector<SpreadTip> spread;  // the radius of tips with elements is 0
   for (const FrontTip& tip : front) spread.push_back({tip.values.place, lengthening_.spread(tip.values, scene)});
   std::vector<std::optional<NetSection>> sections;
   for (const FrontTip& tip : front) {
@@ -133,8 +133,8 @@ void FrontReader::add_net_sections(Front& front, LongerCracks* longer) {
   });
 }
 
-// Factors at which a tip breaks, at even shares of a step. They change evenly from its beginning to its end, but for a
-// fracture energy that varies from place to place, which is read along the step.
+// Factors at which a tip breaks, at equally spaced places of a step. They change linearly from its beginning to its
+// end, except for a fracture energy that varies from place to place, which is read along the step.
 std::vector<double> FrontReader::critical_along(const FrontTip& before, const FrontTip* after, const Point& to) const {
   const pd::VariedEnergy* energies = lengthening_.scene().discretization.region(before.region).toughness().if_any();
   const bool is_stated = parameters_of(before.region)->critical > 0;

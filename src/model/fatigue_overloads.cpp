@@ -12,7 +12,7 @@ namespace bempd::model {
 namespace {
 
 constexpr std::size_t numbers_of_one = 7;
-constexpr double is_waiting = 2;  // is added to the end
+constexpr double is_waiting = 2;  // added to the crack's end in a row for waiting growth
 
 }  // namespace
 

@@ -9,8 +9,8 @@ namespace bempd::model {
 
 namespace {
 
-// Length of a step towards an edge, a hole or another crack: a share of the distance that is left, but no less than a
-// share of the tip's size (size_of()), so that the last of these ever shorter steps arrives there.
+// Length of a step towards an edge, a hole or another crack: length_over_clearance times the distance that is left, but
+// at least least_step times the tip's size (size_of()), so that ever shorter steps arrive there.
 constexpr double length_over_clearance = 0.25, least_step = 0.02;
 
 }  // namespace
@@ -20,7 +20,7 @@ void FatigueRun::find_rates() {
   for (std::size_t t = 0; t < front_.size(); ++t) rates_.push_back(crack::mean_rate(without_growth(t), 0, program_));
 }
 
-// Data of a tip for a step in which it does not grow.
+// Data of a tip for a step in which the tip does not grow.
 crack::TipOnStep FatigueRun::without_growth(std::size_t tip) const {
   const FrontTip& of = front_[tip];
   crack::TipOnStep one;
@@ -32,7 +32,7 @@ crack::TipOnStep FatigueRun::without_growth(std::size_t tip) const {
   return one;
 }
 
-// Length of a crack between the places at which its tips act.
+// Length of a tip's crack between the effective tips at its ends [m].
 double FatigueRun::length_of_crack(std::size_t tip) const {
   const int crack = front_[tip].values.crack;
   double length = length_of(cracks_[static_cast<std::size_t>(crack) - 1]);
@@ -41,7 +41,8 @@ double FatigueRun::length_of_crack(std::size_t tip) const {
   return length;
 }
 
-// Length of a tip's crack by the cycles so far, including growth of lines that waits until it fills a whole spacing.
+// Length of a tip's crack by the cycles so far [m], including growth of crack lines that waits until it fills a
+// spacing.
 double FatigueRun::length_by_cycles(std::size_t tip) const {
   double length = length_of_crack(tip);
   for (std::size_t t = 0; t < front_.size(); ++t)
@@ -49,7 +50,7 @@ double FatigueRun::length_by_cycles(std::size_t tip) const {
   return length;
 }
 
-// Size of a tip: its part of the crack's length. The growing ends of a crack share the length in the ratio of their
+// Size of a tip: its part of the crack's length. The growing ends of a crack share the length in proportion to their
 // rates.
 double FatigueRun::size_of(std::size_t tip) const {
   double sum = 0;
@@ -66,8 +67,8 @@ double FatigueRun::longest(std::size_t tip) const {
   return std::max(length, lengthening_.growth_increment(at));
 }
 
-// Plans a step; empty if no tip grows by more than rounding. If few cycles are left, the present rates limit the
-// lengths, with room for rising rates.
+// Plans a step; empty if no tip grows by more than rounding. If few cycles are left, the growth in them at the present
+// rates limits the lengths, with room for rising rates.
 std::optional<FatigueRun::Plan> FatigueRun::plan() const {
   constexpr double room = 1.3;
   Plan plan;
@@ -86,13 +87,14 @@ std::optional<FatigueRun::Plan> FatigueRun::plan() const {
   return plan;
 }
 
-// Whether the cycles of a trial end before a line has grown by half a step: then it is not extended yet.
+// Whether a crack line is not extended in a trial, because the cycles end before the line has grown by half a step.
 bool FatigueRun::waits(const Trial& trial, std::size_t tip) const {
   return trial.cycles.end != crack::CyclesEnd::growth &&
          trial.cycles.growth[tip] < 0.5 * lengthening_.growth_increment(front_[tip].values);
 }
 
-// Tip with elements that leads instead of a line that waits; empty if none grows by more than rounding.
+// Tip with elements that leads the step instead of a crack line that waits; empty if no such tip grows by more than
+// rounding.
 std::optional<std::size_t> FatigueRun::leader_instead(const Trial& trial) const {
   for (std::size_t t = 0; t < front_.size(); ++t)
     if (!is_line(t) && trial.cycles.growth[t] > tiny_growth * size_of(t)) return t;

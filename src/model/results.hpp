@@ -13,7 +13,7 @@ namespace bempd::model {
 class Model;
 struct PreparedScene;
 
-// Solution of a prepared scene in the form in which regions read it.
+// Solution of a prepared scene, in the form in which regions read it.
 regions::Solution solution_of(const PreparedScene& prepared);
 
 // Results of a model in equilibrium: fields of regions, values at places, reactions of supports.
@@ -27,15 +27,16 @@ class Results {
   std::span<const pd::Bond> bonds(int region);
   std::vector<regions::BondState> bond_states(int region);
 
-  // Field of a region; computed once for each generation.
+  // Field of a region; computed once for each generation (state of the body).
   const regions::FieldValues& field(int region, regions::Field field);
   regions::FieldSize field_size(int region, regions::Field field) {
     return this->region(region).results().field_size(field);
   }
   results::FieldsOfScene fields();
 
-  // Reaction of a support: sum of its nodal forces [N], and of their moments about a place [N m].
+  // Reaction of a support: the sum of its nodal forces [N].
   Eigen::Vector2d reaction(int support);
+  // Moment of the nodal forces of a support about a place [N m].
   double reaction_moment(int support, const Point& about);
 
   // Values at places in the body; stresses only if `with_stress`. `side` chooses a face for places on cracks.

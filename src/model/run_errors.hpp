@@ -9,47 +9,47 @@ namespace bempd::model {
 
 class Model;
 
-// Results of a run that another mesh of the scene can have as well.
+// Results of a run that can be compared with those of a run of the same scene in another mesh.
 struct RunAnswers {
-  // Growth of all cracks before an event [m], and the resistance of the body there [N].
+  // Growth of all cracks before an event [m], and the resistance of the body at the event [N].
   struct Place {
     double grown, resistance;
   };
-  std::vector<Place> places;  // by event
+  std::vector<Place> places;  // one for each event
   std::vector<crack::Extension> extensions;
 };
 
 RunAnswers run_answers(const fracture::EvolutionState& state);
 
-// Differences of the results of two runs, or errors of those of a run.
+// Differences between the results of two runs, or errors of the results of one run.
 struct RunDifference {
-  double first_growth = 0;  // load factor of the first growth, relative
-  double peak = 0;          // largest resistance, relative
-  bool is_at_start = true;  // that is before any growth
-  double path = 0;          // largest distance between paths, or between tips along them [m]
-  int crack = 0;            // whose path that is
+  double first_growth = 0;  // relative difference of the load factor of the first growth
+  double peak = 0;          // relative difference of the largest resistance
+  bool is_at_start = true;  // whether the largest resistance occurs before any growth
+  double path = 0;          // largest distance between crack paths, or between tips along a path [m]
+  int crack = 0;            // id of the crack with that distance
 };
 
 RunDifference difference(const RunAnswers& run, const RunAnswers& other);
-// Share by which the resistance of another run exceeds the peak of the first one; 0 if it does not.
+// Share by which the largest resistance of `other` exceeds that of `run`; 0 if it does not exceed it.
 double rise_above_peak(const RunAnswers& run, const RunAnswers& other);
-// Largest angle by which an extension turns behind another one of the same tip [rad].
+// Largest angle by which an extension turns from the previous extension of the same tip [rad].
 double largest_turn_of(const RunAnswers& run);
 
-// Errors of a run, one for each source; they are told side by side and never summed up.
+// Errors of a run by source. The sources are reported side by side and never summed up.
 struct RunErrors {
-  double expected_seconds = 0;  // that they take, roughly
-  double seconds = 0;           // that they took
-  bool is_made = false;
+  double expected_seconds = 0;  // estimated time for finding the errors
+  double seconds = 0;           // time that finding the errors took
+  bool is_made = false;         // whether the errors were found
   bool has_patches = false;
-  RunDifference boundary;  // lengths of boundary elements and of extensions
-  RunDifference lattice;   // lattice patches in place of elements
+  RunDifference boundary;  // error by the lengths of boundary elements and extensions
+  RunDifference lattice;   // error by lattice patches in place of elements
 };
 
 // Errors of the run of a model until now, from further runs of its scene: one with extensions twice as long (and
 // elements twice as long if the host gave them); one of the first extensions only, a quarter as long; and, if the scene
-// has lattice patches, one with elements in their place. Nothing is run if that takes longer than `allowed` seconds by
-// estimate. Throws Error (order) for a run that cannot be repeated.
+// has lattice patches, one with elements in place of the patches. Nothing is run if the estimated time exceeds
+// `allowed` seconds. Throws Error (order) for a run that cannot be repeated.
 RunErrors errors_of_run(Model& model, double allowed);
 
 }  // namespace bempd::model

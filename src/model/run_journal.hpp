@@ -12,30 +12,33 @@
 
 namespace bempd::model {
 
-// Steps of a run so far, as another mesh of the same scene can repeat them: how far cracks have grown, and under which
-// loads. A run of other calls cannot be repeated.
+// Record of the steps of a run so far, by which another mesh of the same scene can repeat the run: how far cracks have
+// grown, and under which loads. A run with other calls than steps cannot be repeated.
 struct RunJournal {
-  // Successive steps to load factors in one direction, under the same values of loads and supports.
+  // Successive steps in one direction of the load factor, under the same values of loads and supports.
   struct Piece {
-    std::shared_ptr<const scene::SceneValues> values;  // shared by copies of the journal, which states have
+    std::shared_ptr<const scene::SceneValues> values;  // shared with copies of the journal in states
     std::set<crack::TipId> frozen;
-    double target = 0;    // load factor
+    double target = 0;    // target load factor
     double end = 0;       // load factor reached
     bool upwards = true;  // towards the target
-    double grown = -1;    // length of all growth at their end [m]; negative: none in these steps
+    double grown = -1;    // length of all growth at the end of the steps [m]; negative: no growth in them
   };
 
   std::vector<Piece> pieces;
-  bool is_known = true;  // false: growth by given lengths or cycles, programs, or a state that was read from bytes
-  bool has_new_values = false;  // since the last piece
-  std::size_t extensions = 0;   // that are counted in `grown`
-  double grown = 0;             // [m]
-  double seconds = 0;           // that the steps took
+  // Whether the run can be repeated: not after growth by given lengths or cycles, load programs, or a state that was
+  // read from bytes.
+  bool is_known = true;
+  bool has_new_values = false;  // whether values were set since the last piece
+  std::size_t extensions = 0;   // number of extensions that are counted in `grown`
+  double grown = 0;             // length of all growth [m]
+  double seconds = 0;           // time that all steps took
 
-  // Journal of a run that goes on from a state: the state's journal, or without one a journal that says that the run
-  // before is not known.
+  // Journal of a run that continues from a state: the journal of the state or, if the state has none, a journal that
+  // says that the run cannot be repeated.
   static RunJournal continued(const std::optional<RunJournal>& of_state);
-  // Enters a step from one load factor towards another, which ended at a third. `values` are taken if they are new.
+  // Enters a step from the load factor `from` towards `target`, which ended at `end`. `values` are stored only if they
+  // are new; `all` are all extensions of the run.
   void enter(double from, double target, double end, scene::SceneValues values, const std::set<crack::TipId>& frozen,
              std::span<const crack::Extension> all, double seconds_of_step);
 };

@@ -10,7 +10,7 @@ namespace bempd::model {
 
 class Model;
 
-// Runs code that only reports on finished work. Failures are ignored: a call must not fail for lack of memory for a
+// Runs code that only reports on finished work, and ignores its failures: a call must not fail for lack of memory for a
 // message.
 template <class Body>
 void say(const Body& body) noexcept {
@@ -25,16 +25,16 @@ class RunReports {
  public:
   explicit RunReports(Model& model) : model_(model) {}
 
-  // Writes a line with the host's names of the parts of the scene.
+  // Writes a line to the log, with the host's names for parts of the scene.
   void log(int level, const std::string& message) const;
 
   void tell_of_preparation() const;
   void tell_of_step(const StepResult& result, std::int64_t new_fragments, bool upwards);
-  // `before`: the scene with shorter cracks.
+  // Logs the growth of cracks; `before` is the scene with shorter cracks.
   void tell_of_growth(const fracture::Growth& growth, const PreparedScene& before) const;
-  // Tells of larger lattice patches, in which the run goes on.
+  // Logs the size of the lattice patches after their blocks have changed.
   void tell_of_layout() const;
-  // Warns once that lattice patches do not grow on, and why.
+  // Warns once that lattice patches cannot get more blocks, and why.
   void warn_of_patch(const std::string& why);
   // Warns once that a bond has broken near a patch's border.
   void warn_of_break(const Point& place);

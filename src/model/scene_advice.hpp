@@ -11,7 +11,8 @@ namespace bempd::model {
 // Advice on a scene that is valid but may give results that the host does not expect.
 struct Advice {
   std::vector<std::string> warnings;  // scenes that are too coarse, tips right before an edge, numbers of mixed units
-  std::vector<std::string> facts;  // of each material that breaks: toughness, internal length, strain at first growth
+  // Facts about each material that breaks: toughness, internal length, strain at first growth.
+  std::vector<std::string> facts;
 };
 
 Advice advice_on(const scene::Scene& scene, const regions::Discretization& d);

@@ -14,7 +14,7 @@ class AttachedSolver {
   explicit AttachedSolver(Model& model) : model_(model) {}
 
   linalg::SolverChoice choice() const;
-  // Attaches a solver before the model is prepared, else throws Error (order); null takes it away again, with all that
+  // Attaches a solver; throws Error (order) once the model is prepared. Null detaches the present solver, with all that
   // it has factorized.
   void attach(std::shared_ptr<linalg::ExternalSolver> solver);
 

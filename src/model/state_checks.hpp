@@ -10,7 +10,7 @@ void require_consistent(const SavedState& state);
 
 bool is_sound(const fracture::GrowingTip& tip);
 
-// Whether a continuation fits the state, and the continuation fits the scene (continuation_checks.cpp).
+// Whether a continuation fits the saved state and the scene (continuation_checks.cpp).
 bool fits(const fracture::Continuation& continuation, const fracture::EvolutionState& state,
           const PreparedScene& scene);
 

@@ -9,8 +9,9 @@
 // (state_bytes.cpp), check the numbers (state_checks.cpp), and find the fingerprint of values (fingerprint.cpp).
 namespace bempd::model {
 
-// What a number of a sound state may be. A visitor gets it as a second argument where it is not `finite`.
-enum class Allowed : std::uint8_t { finite, infinite, unknown };  // the last: NaN, too
+// Values that a number of a sound state may have: finite ones, infinite ones too, or any including NaN (`unknown`).
+// Visitors receive this as a second argument where it is not `finite`.
+enum class Allowed : std::uint8_t { finite, infinite, unknown };
 
 template <class Spring, class Visit>
 requires std::is_same_v<std::remove_const_t<Spring>, coupling::HoldingSpring>
@@ -50,7 +51,8 @@ void visit_members(Face& f, Visit& visit) { visit(f.term), visit(f.normal_x), vi
 template <class Faces, class Visit>
 requires std::is_same_v<std::remove_const_t<Faces>, fracture::FaceState>
 void visit_members(Faces& f, Visit& visit) {
-  std::vector<char> exact;  // the first flags of `closed`, which bytes of format 14 have in a list of their own
+  // First flags of `closed`; only bytes of format 14 have any in this list of their own.
+  std::vector<char> exact;
   visit(f.grown), visit(f.closed), visit(exact), visit(f.pending);
   if constexpr (!std::is_const_v<Faces>) f.closed.insert(f.closed.begin(), exact.begin(), exact.end());
 }

@@ -16,16 +16,16 @@ class States {
  public:
   explicit States(Model& model) : model_(model) {}
 
-  // `with_values`: also the values that the host has set, and the tips that it keeps frozen.
+  // `with_values`: the state also has the values that the host has set, and the tips that the host keeps frozen.
   SavedState save(bool with_values = false) const;
   void restore(const SavedState& state);
 
  private:
   void restore_body(const SavedState& state);
-  // Prepares the scene with the crack growth of a saved state, and checks that the state fits. A failure leaves the
-  // scene as it was.
+  // Prepares the scene with the crack growth of a saved state, and checks that the state fits the scene. After a
+  // failure the scene is as before.
   void grow_as(const SavedState& state);
-  // Scene with the crack growth of a saved state; null if the present scene has it already.
+  // Scene with the crack growth of a saved state; null if the present scene has this growth already.
   std::unique_ptr<PreparedScene> as_grown(const fracture::EvolutionState& state);
   bool has_grown_as(const fracture::EvolutionState& state) const;
 

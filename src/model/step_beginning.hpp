@@ -5,7 +5,8 @@
 
 namespace bempd::model {
 
-// Prepares the scene of a step. A request to stop is heard meanwhile: EventGivenUp, and the scene is not prepared.
+// Prepares the scene of a step. If the host asks to stop meanwhile, throws EventGivenUp and leaves the model
+// unprepared.
 inline void prepare_for_step(Model& model) {
   if (model.prepared_or_null()) return;
   const CancellationScope scope({CancellationScope::current().cancel, model.host().stop_request()});
@@ -17,7 +18,8 @@ inline void prepare_for_step(Model& model) {
   }
 }
 
-// Result of a step. One that is asked to stop before its first equilibrium has done nothing: the model is as before.
+// Result of a step. If the host asks to stop before the first equilibrium, the step has done nothing: the model is as
+// before.
 template <class Step>
 StepResult unless_stopped(const Step& step) {
   try {
