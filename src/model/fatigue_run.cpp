@@ -11,16 +11,16 @@ namespace bempd::model {
 
 namespace {
 
-// Least growth of a tip for which its crack is extended: as a share of its size, and of the growth of the leader; less
-// than that is carried over to later steps.
+// Least growth for which a tip's crack is extended: the smaller of least_growth times the tip's size and `slow` times
+// the growth of the leader. Smaller growth is carried over to later steps.
 constexpr double least_growth = 0.005, slow = 0.05;
 
-// Turn of a tip in a step [rad]: above the first the step is repeated in the direction of its chord, above the second
+// Turn of a tip in a step [rad]: above `turns` the step is repeated in the direction of its chord, above turns_too_much
 // it is halved.
 constexpr double turns = 0.01, turns_too_much = 0.35;
 
-// Largest difference of the length by which a tip is extended from its growth in the cycles of the step, as a share of
-// the length: at first (for the leader always), and after the step has been repeated.
+// Largest difference between the length of an extension and the tip's growth in the cycles of the step, as a share of
+// the length: in the first trial, and always for the leader (off_at_first), and in repeated trials (off_later).
 constexpr double off_at_first = 0.005, off_later = 0.03;
 
 constexpr int most_trials = 5;
@@ -66,8 +66,8 @@ void FatigueRun::find_front() {
   find_rates();
 }
 
-// Makes a step; returns false if the run is over. A step is halved if it turns too much, if its cycles are too
-// uncertain, or if it is impossible.
+// Makes a step; returns false if the run is over. A step is halved if it turns too much, if the error of its cycles is
+// too large, or if it is impossible.
 bool FatigueRun::step() {
   constexpr int most_halvings = 4;
   if (report_.steps >= options_.most_steps) return end_by(FatigueEnd::steps);
@@ -104,7 +104,7 @@ bool FatigueRun::step() {
 }
 
 // Computes a step by repeated trials, until its lengths belong to one number of cycles. If tips turn much in the first
-// trial, the second one begins with directions turned by half of that.
+// trial, the second trial begins with directions turned by half of these angles.
 FatigueRun::Trial FatigueRun::compute_step(const Plan& plan) {
   std::vector<double> angles;
   for (const FrontTip& tip : front_) angles.push_back(tip.angle);
@@ -120,7 +120,7 @@ FatigueRun::Trial FatigueRun::compute_step(const Plan& plan) {
   return now;
 }
 
-// Whether the cycles of a step end before the crack is longer by more than rounding.
+// Whether the cycles of a step end before the leading tip has grown by more than rounding.
 bool FatigueRun::is_too_short(const Trial& trial, std::size_t leader) const {
   return trial.cycles.end != crack::CyclesEnd::growth && trial.cycles.growth[leader] < tiny_growth * size_of(leader);
 }
@@ -166,7 +166,7 @@ std::vector<crack::TipOnStep> FatigueRun::on_step(const Trial& trial) const {
 
 double FatigueRun::turn(const Trial& trial, std::size_t tip) const {
   const FrontTip* after = tip_in(trial.after, front_[tip].id());
-  const bool is_curve = after && !after->values.directions;  // else turns are kinks
+  const bool is_curve = after && !after->values.directions;  // with a fracture energy by direction, turns are kinks
   return is_curve && trial.on_step[tip].growth > 0 && rates_[tip] > 0 ? after->angle : 0;
 }
 
@@ -176,8 +176,8 @@ double FatigueRun::largest_turn(const Trial& trial) const {
   return largest;
 }
 
-// Whether the growth of any tip in the cycles of a trial differs by more than a share from the growth for which the
-// trial was made. A tip that has ended cannot grow further.
+// Whether the growth of any tip in the cycles of a trial differs by more than a share from the length for which the
+// trial was made. A tip that has ended does not count if only its growth is larger.
 bool FatigueRun::differs_from_cycles(const Trial& trial, std::size_t leader, double share) const {
   for (std::size_t t = 0; t < front_.size(); ++t) {
     const crack::TipOnStep& tip = trial.on_step[t];
@@ -191,7 +191,7 @@ bool FatigueRun::differs_from_cycles(const Trial& trial, std::size_t leader, dou
 }
 
 bool FatigueRun::choose_step(const Trial& trial, std::size_t leader, bool must_stand) {
-  // Factors in lattices are rough from step to step: their changes do not tell the error of the cycles.
+  // Factors in lattices are rough from step to step, so that their changes do not show the error of the cycles.
   if (lengthening_.growth_increment(front_[leader].values) > 0) return true;
   const crack::TipOnStep& tip = trial.on_step[leader];
   const double so_far = report_.cycles - options_.first_cycle + trial.cycles.cycles;

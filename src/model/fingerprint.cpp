@@ -75,7 +75,7 @@ void add_changed_option(Hash& hash, const scene::OptionDescription& option, cons
   if (!is_default) add_option(hash, option, options);
 }
 
-// Options that the fingerprint of state format 14 contains, in their order; it also contained options with default
+// Options in the fingerprint of state format 14, in their order; that fingerprint also contained options with default
 // values.
 constexpr std::array options_of_format_14 = {
     "scheme",  "critical_stretch",         "pd.crack_tip", "pd.criterion", "crack.rule",
@@ -113,7 +113,7 @@ SceneFingerprint fingerprint(const scene::Scene& scene, const scene::Options& op
     add_place(body, load);
     add_values(body, load);
   }
-  std::uint64_t cracks = 0;  // their order does not matter
+  std::uint64_t cracks = 0;  // a sum, so that the order of the cracks does not matter
   for (const scene::Crack& crack : scene.cracks()) {
     if (crack.points.empty() || crack.has_begun) continue;
     Hash hash;

@@ -9,19 +9,21 @@
 #include "model/driven_growth.hpp"
 #include "model/prepared_scene.hpp"
 
-// Parts of crack lines that lattice patches give back to boundary elements.
+// Parts of crack lines (cracks in lattices) that lattice patches give back to boundary elements.
 namespace bempd::model {
 
 namespace {
 
-// Distance in spacings from a crack's path within which points may be left out where elements carry it.
+// Largest distance, in spacings, of a point of a crack from the path without the point, if it is left out where
+// elements carry the crack.
 constexpr double off_path = 0.02;
 
-// Distance in spacings from a crack's path within which a bond counts as broken by it, or a material point as on it.
+// Distance in spacings from a crack's path within which a bond counts as broken by the crack, or a material point as
+// lying on it.
 constexpr double beside_path = 0.25;
 
-// Marks the points of a polyline that lie between `first` and `last` and are farther from what the marked ones make
-// than `off`.
+// Marks those points of a polyline between `first` and `last` without which the polyline through the marked points
+// would leave out a point by more than `off`.
 void mark_needed(const std::vector<Point>& points, std::size_t first, std::size_t last, double off,
                  std::vector<char>& is_needed) {
   std::size_t farthest = first;
@@ -35,7 +37,8 @@ void mark_needed(const std::vector<Point>& points, std::size_t first, std::size_
   mark_needed(points, farthest, last, off, is_needed);
 }
 
-// Leaves out points that growth has added between two ways along a crack, where its path stays the same up to `off`.
+// Leaves out points that growth has added between the distances `from` and `to` along a crack, where the path stays the
+// same up to `off`.
 void leave_out_points(scene::Crack& crack, double from, double to, double off) {
   const std::vector<Point>& points = crack.points;
   const std::size_t count = points.size(), first_given = static_cast<std::size_t>(crack.grown_at_start),
@@ -119,7 +122,7 @@ bool has_separated_faces(const PreparedScene& prepared, const ShorterPatches& ba
     }
     return least;
   };
-  // A bond, or the sides and diagonals of a square of a cell.
+  // Energy terms are bonds, or cell squares (elements of a lattice cell) whose sides and diagonals count like bonds.
   const coupling::Terms& terms = prepared.system->terms();
   for (std::size_t t = 0; t < terms.size(); ++t) {
     std::vector<Point> places;

@@ -3,8 +3,8 @@
 
 namespace bempd::model {
 
-// Takes the growth of tips from a state a little ahead if faces open or close as soon as the load factor moves, as in a
-// body at rest. If there is no such equilibrium, nothing is known of the growth.
+// Takes the load factors of growth from a state a little ahead, if crack faces open or close as soon as the load factor
+// moves, as in a body at rest. If there is no equilibrium ahead, the growth is unknown.
 void CrackResults::take_growth_past_face_changes(std::vector<regions::TipValues>& tips) {
   for (const bool upwards : {true, false}) {
     std::vector<regions::TipValues> ahead(tips.size());

@@ -9,14 +9,15 @@
 #include "model/model.hpp"
 #include "regions/memory_limit.hpp"
 
-// Scenes with other lattice patches, in which the run of the previous scene continues.
+// Scenes with other lattice patches (lattices inside a body, made of blocks), in which the run of the previous scene
+// continues.
 namespace bempd::model {
 
 namespace {
 
 using Keys = std::unordered_map<std::uint64_t, int>;
 
-// Number of a place on a lattice's grid; empty off its points.
+// Number of a place on the grid of a lattice; empty if the place is no point of the grid.
 std::optional<std::uint64_t> key_of(const Point& place, const regions::LatticeGrid& grid) {
   constexpr double slack = 1e-3;  // spacings
   const Point at = (place - grid.origin) / grid.spacing;
@@ -33,7 +34,8 @@ int nearest(const regions::Region& region, const std::vector<Point>& positions, 
   return *std::min_element(nodes.begin(), nodes.end(), [&](int a, int b) { return off(a) < off(b); });
 }
 
-// Relates the nodes of a scene to those of the one before. Material points of patches keep their places on the grid.
+// Relation of the nodes of a scene to those of the previous scene. Material points of patches keep their places on the
+// grid.
 class NodeMatch {
  public:
   NodeMatch(const scene::Scene& scene, const regions::Discretization& now, const regions::Discretization& before)
@@ -59,7 +61,7 @@ class NodeMatch {
     former.node_now[static_cast<std::size_t>(other)] = node;
   }
 
-  // Patches of a body that the scene before has. Patches of the present scene may be parts of them.
+  // Lattice patches of a body in the previous scene. Patches of the present scene may be parts of these.
   std::vector<const regions::Region*> patches_before(const scene::Scene& scene, int body) const {
     std::vector<const regions::Region*> found;
     for (const auto& region : before_.regions)
@@ -84,7 +86,8 @@ class NodeMatch {
     }
   }
 
-  // Nodes with the same place keep their order, as those of the two faces of a crack.
+  // Matches the nodes of a region by their places. Nodes with the same place, as on the two faces of a crack, keep
+  // their order.
   void match_nodes(const regions::Region& region, const regions::Region& old) {
     std::map<std::pair<double, double>, std::vector<int>> at;
     const auto of = [](const Point& point) { return std::pair(point.x(), point.y()); };
@@ -105,22 +108,22 @@ class NodeMatch {
   const regions::Discretization &now_, &before_;
 };
 
-// Nodes of a term, those of a bond in its order.
+// Nodes of an energy term (bond or cell square); the nodes of a bond in its order.
 std::vector<int> nodes_of(const coupling::Terms& terms, std::size_t term) {
   std::vector<int> nodes;
   terms.for_each_node(term, [&](int node) { nodes.push_back(node); });
   return nodes;
 }
 
-// Numbers that terms of the scene before have now, for all that are not virgin. Terms of the same nodes keep their
-// order. Throws crack::CannotGrow if one is not there any more, but for those whose nodes are gone with a part of a
-// lattice.
+// Present numbers of those energy terms (bonds and cell squares) of the previous scene that are not virgin. Terms with
+// the same nodes keep their order. Throws crack::CannotGrow if such a term does not exist in the present scene, unless
+// its nodes are gone with a part of a lattice.
 std::unordered_map<int, int> terms_now(const PreparedScene& now, const PreparedScene& before,
                                        const fracture::FormerBody& former) {
   const std::vector<std::uint8_t>& stages = before.evolution->progress().stages;
   const coupling::Terms &terms = now.system->terms(), &old = before.system->terms();
   std::vector<char> is_wanted(former.node.size(), 0);
-  std::map<std::vector<int>, std::vector<int>> wanted;  // by nodes now: terms before, the last one first
+  std::map<std::vector<int>, std::vector<int>> wanted;  // earlier terms by their present nodes, the last one first
   for (std::size_t t = stages.size(); t-- > 0;) {
     if (stages[t] == 0) continue;
     std::vector<int> nodes = nodes_of(old, t);
@@ -146,8 +149,8 @@ std::unordered_map<int, int> terms_now(const PreparedScene& now, const PreparedS
   return found;
 }
 
-// Lets the run of the scene before continue in the next one. Throws crack::CannotGrow if it loses broken bonds, or if
-// elements in place of a lattice set a part free.
+// Continues the run of the previous scene in the next one. Throws crack::CannotGrow if the run would lose broken bonds,
+// or if elements in place of a lattice would set a part free.
 void continue_in(PreparedScene& next, const PreparedScene& before, const scene::Scene& scene, std::int64_t layout) {
   NodeMatch nodes(scene, next.discretization, before.discretization);
   nodes.former.has_fewer_terms = regions::gives_back(layout);

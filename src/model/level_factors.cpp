@@ -14,8 +14,8 @@ const regions::TipValues* tip_like(const regions::TipValues& tip, const std::vec
   return found == tips.end() ? nullptr : &*found;
 }
 
-// Stress intensity factors of tips by load factor. They are affine functions of it as long as the same faces are
-// closed; where faces close or open in between, the scene is moved to the load factors beyond.
+// Stress intensity factors of tips by load factor. The factors are affine in the load factor as long as the same faces
+// are closed. Where faces close or open in between, the scene is moved to the load factors beyond.
 class FactorsByLoadFactor {
  public:
   FactorsByLoadFactor(PreparedScene& scene, const std::vector<regions::TipValues>& tips, const LoadLevels& levels,
@@ -44,8 +44,8 @@ class FactorsByLoadFactor {
           factors_[t][level].factors = factors_of(*tip).at(levels_.factor(level));
   }
 
-  // Moves from the highest load factor downwards or upwards, until the faces closed at a load factor are those closed
-  // at the last one. Gaps and contact forces are affine, so the same faces are closed in between as well.
+  // Moves the scene from the highest load factor downwards or upwards, until the same faces are closed at a load factor
+  // and at the last one. Gaps and contact forces are affine, so the same faces are closed in between as well.
   void follow(bool downwards) {
     const std::size_t last = downwards ? 0 : levels_.size() - 1;
     if (last == levels_.highest()) return;
@@ -93,8 +93,8 @@ FactorsOfTips LevelSolver::factors(const std::vector<regions::TipValues>& tips, 
   return found;
 }
 
-// Whether faces of crack lines may close or open on the way to a load. Loads in proportion to load factors >= 0 press
-// the same faces on each other.
+// Whether faces of crack lines may close or open between the highest load and another load. Loads in proportion to load
+// factors >= 0 press the same faces on each other.
 bool LevelSolver::changes_faces(std::size_t level) {
   if (!lengthening_.grows_lines(scene()) || levels_.size() == 1 || scene().system->constraints().size() == 0)
     return false;

@@ -29,8 +29,9 @@ void LineLengthening::return_to_accepted() {
 
 namespace {
 
-// Scales the stress intensity factors of a grown tip without room for a contour to the geometric mean of those by the
-// stress ahead and those by the energy of its next step, if this energy gives its load.
+// Scales the stress intensity factors of a grown tip around which no contour (ring) fits. They become the geometric
+// mean of the factors by the stress ahead of the tip and the factors by the energy of the tip's next step, if this
+// energy gives the tip's load factor of growth.
 void scale_to_step_energy(regions::TipValues& tip, const scene::Options& options, double load_factor) {
   const bool is_told = tip.grown && tip.load_rule == crack::LoadRule::energy && tip.constant_factors.isZero(0) &&
                        load_factor > 0 && tip.critical_load_factor > 0;
@@ -96,7 +97,7 @@ int LineLengthening::region_of(const regions::TipValues& tip, const PreparedScen
   return 0;
 }
 
-// Place in boundary elements at which the next step of a line ends; empty if it goes on in its lattice.
+// Place in boundary elements at which the next step of a crack line ends; empty if the line continues in its lattice.
 std::optional<Point> LineLengthening::behind_border(const regions::TipValues& tip) const {
   const crack::Extension last = last_extension_of({tip.crack, tip.end}, model_.cracks().extensions());
   const regions::Discretization& discretization = model_.prepared().discretization;
@@ -111,7 +112,7 @@ double LineLengthening::growth_increment(const regions::TipValues& tip) const {
   return spacing_at(tip, model_.prepared());
 }
 
-// Law of the tips in the lattice around a tip; empty if the tip lies in no lattice.
+// Law of crack tips in the lattice around a tip; empty if the tip lies in no lattice.
 std::optional<pd::TipLaw> LineLengthening::law_at(const regions::TipValues& tip, const PreparedScene& scene) const {
   const int region = region_of(tip, scene);
   const regions::RegionBonds* bonds = region == 0 ? nullptr : scene.discretization.region(region).bonds();
@@ -129,8 +130,9 @@ double LineLengthening::spread(const regions::TipValues& tip, const PreparedScen
   return law ? 2 * law->horizon : 0;
 }
 
-// Distance ahead of its place at which a tip acts: 0 for an initial crack, whose cut ends so that it acts where it was
-// described. For a line that has grown the field tells it, or if it does not, the mean of straight lines counts.
+// Distance of the effective tip ahead of a tip's place. It is 0 for an initial crack, whose cut ends so that the
+// effective tip is at the described place. The stress field gives the distance for a line that has grown; if it does
+// not, the mean distance of straight lines counts.
 double LineLengthening::effective_tip_ahead(const regions::TipValues& tip, const PreparedScene& scene) const {
   constexpr double in_the_mean = 0.1, farthest = 1;  // in spacings
   if (tip.method == regions::TipMethod::elements || !tip.grown) return 0;
@@ -138,7 +140,7 @@ double LineLengthening::effective_tip_ahead(const regions::TipValues& tip, const
   return std::abs(tip.felt_ahead) < farthest * spacing ? tip.felt_ahead : in_the_mean * spacing;
 }
 
-// All tips are frozen while the load factor moves. Bonds that break then are away from tips: the body does not bear the
+// Freezes all tips while the load factor moves. Bonds that break meanwhile lie away from tips: the body cannot bear the
 // load, which is an error.
 void LineLengthening::go_to(double load_factor) {
   std::set<crack::TipId> all;
@@ -181,14 +183,14 @@ crack::Extension LineLengthening::extend(const Lengthened& one) {
     whole.state = crack::TipState::at_interface;
     break;
   }
-  // The length is that by which the crack's path becomes longer, not the sum of the steps: the tip of an initial crack
-  // acts ahead of where its cut ends, and its first step goes on from the cut's end.
+  // The length is that by which the crack's path becomes longer, not the sum of the steps: the effective tip of an
+  // initial crack lies ahead of the end of its cut, where the first step begins.
   whole.from_x = one.tip.place.x(), whole.from_y = one.tip.place.y();
   whole.length = model_.cracks().length(id.crack) - before;
   return whole;
 }
 
-// Lets a line go on in the boundary elements that it has come to; false if it goes on in its lattice.
+// Continues a crack line in the boundary elements that it has reached; returns false if it continues in its lattice.
 bool LineLengthening::continue_in_elements(const Lengthened& one, LongerCracks& longer) {
   std::optional<Grown> next;
   std::vector<scene::Crack> cracks;

@@ -10,21 +10,21 @@ namespace bempd::model {
 
 namespace {
 
-// Factors of the constant and of the proportional part of values.
+// Factors by which the constant and the proportional part of values are multiplied.
 struct Factors {
   double constant = 0, proportional = 0;
 };
 
-// Adds the constant and the proportional part of values, each times its factor, to the constant part of a sum. Both
-// have the same samples or places.
+// Adds the constant and the proportional part of values, each times its factor, to the constant part of a sum with the
+// same samples or places.
 template <class Kind>
 void add(Kind& sum, const Kind& values, const Factors& by) {
   for (std::size_t k = 0; k < sum.constant.size(); ++k)
     sum.constant[k] += by.constant * values.constant[k] + by.proportional * values.proportional[k];
 }
 
-// Sum of values of one condition, each times a factor. It is of the same kind as `zero` (samples or places) if all
-// values are, else a function.
+// Sum of values of one condition, each times a factor. If all values are of the same kind as `zero` (samples or
+// places), so is the sum; else the sum is a function.
 class Sum {
  public:
   explicit Sum(scene::Values zero) : sum_(std::move(zero)) {}
@@ -67,7 +67,8 @@ class Sum {
   std::vector<std::pair<scene::BoundaryFunction, Factors>> terms_;
 };
 
-// Values of one kind of conditions under a combination; `part` selects loads or supports of a case.
+// Values of all supports, or of all loads, under a combination of cases. `part` gives the values of a condition in a
+// case, and the factor of the case.
 template <class Part>
 std::vector<scene::Values> combined_of(const std::vector<scene::Values>& zeros, std::size_t cases, const Part& part) {
   std::vector<scene::Values> all;
@@ -94,7 +95,8 @@ std::vector<scene::Values> at_load_factor(const std::vector<scene::Values>& zero
   return all;
 }
 
-// A result of a combination, as if it acted in proportion to a load factor that is 1 now.
+// Tip under a combination, with load factors of growth as if the combination acted in proportion to a load factor that
+// is 1 now.
 regions::TipValues in_proportion(regions::TipValues tip, const scene::Options& options) {
   tip.constant_factors = Point::Zero(), tip.proportional_factors = tip.factors;
   complete(tip, options);

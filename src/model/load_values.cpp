@@ -18,8 +18,8 @@ void LoadValues::set_load_values(int load, Values values) {
   values_were_set();
 }
 
-// Temperature loads: sets the rest lengths of bonds and operators for the present temperatures. Returns what is needed
-// to undo that; empty if there are no temperatures, or if nothing changes.
+// Applies temperature loads: sets the rest lengths of bonds and operators for the present temperatures. Returns what is
+// needed to undo this; empty if there are no temperatures, or if nothing changes.
 std::optional<fracture::RunLoads::Heat> LoadValues::heat(const regions::DofConditions& conditions) {
   coupling::EquilibriumSystem& system = *model_.prepared().system;
   if (conditions.swelling.empty()) return std::nullopt;

@@ -12,7 +12,7 @@ namespace bempd::model {
 
 namespace {
 
-// Nodes by their exact places: a table with free slots behind each, as there are very many.
+// Nodes by their exact places, in a hash table with free slots, because bodies have very many nodes.
 class NodesAt {
  public:
   NodesAt(const std::vector<int>& nodes, const std::vector<Point>& positions) : positions_(positions) {
@@ -24,7 +24,7 @@ class NodesAt {
     }
   }
 
-  // Next node at a place, in their order, and the last one ever after; -1 if there is none.
+  // Next node at a place, in the order of the nodes; after the last node, the last one again. -1 if there is no node.
   int take(const Point& place) {
     int last = -1;
     for (std::size_t slot = first_slot(place); slots_[slot].node >= 0; slot = behind(slot)) {
@@ -47,11 +47,11 @@ class NodesAt {
   std::size_t behind(std::size_t slot) const { return (slot + 1) & (slots_.size() - 1); }
 
   const std::vector<Point>& positions_;
-  std::vector<Slot> slots_ = std::vector<Slot>(2);  // a power of two
+  std::vector<Slot> slots_ = std::vector<Slot>(2);  // their number is a power of two
 };
 
 // Whether the lattices of two scenes have the same bonds in the same order, so that broken bonds can be taken over. A
-// lattice with points on its outline may have moved to avoid a longer crack.
+// lattice with points on its outline may have moved its points to avoid a longer crack.
 bool has_same_bonds(const PreparedScene& now, const PreparedScene& before) {
   const coupling::Terms &a = now.system->terms(), &b = before.system->terms();
   if (a.size() != b.size()) return false;
@@ -66,8 +66,8 @@ bool has_same_bonds(const PreparedScene& now, const PreparedScene& before) {
   return true;
 }
 
-// Map from each node of the new scene to the node of the previous one whose displacement it takes: the region's node at
-// the same place (if there are several, in their order), else the region's nearest node.
+// Map from each node of the new scene to the node of the previous scene whose displacement it takes: the region's node
+// at the same place (several nodes at a place in their order), else the region's nearest node.
 std::vector<int> nodes_before(const regions::Discretization& now, const regions::Discretization& before) {
   std::vector<int> found(now.positions.size(), -1);
   for (std::size_t r = 0; r < now.regions.size(); ++r) {
@@ -86,7 +86,7 @@ std::vector<int> nodes_before(const regions::Discretization& now, const regions:
   return found;
 }
 
-// Nodes of the new scene by those of the previous one whose displacements they take, the first ones; -1: there is none.
+// First node of the new scene that takes the displacement of each node of the previous scene; -1: there is none.
 std::vector<int> nodes_now(const std::vector<int>& before, std::size_t count) {
   std::vector<int> now(count, -1);
   for (std::size_t node = before.size(); node-- > 0;)
@@ -94,7 +94,7 @@ std::vector<int> nodes_now(const std::vector<int>& before, std::size_t count) {
   return now;
 }
 
-// Ends of cracks that have entered a lattice: they had elements in the previous scene.
+// Crack ends that have entered a lattice: in the previous scene they had elements.
 std::vector<crack::TipId> entering(const regions::Discretization& next, const regions::Discretization& previous) {
   std::vector<crack::TipId> tips;
   const std::vector<regions::PartedCrack>& before = previous.cracks;
@@ -106,8 +106,8 @@ std::vector<crack::TipId> entering(const regions::Discretization& next, const re
   return tips;
 }
 
-// Builds the prepared scene with longer cracks. An argument error becomes CannotGrow: the scene was valid before, so
-// the longer cracks are the reason.
+// Builds the prepared scene with longer cracks. Argument errors become CannotGrow, because the scene was valid without
+// the longer cracks.
 std::unique_ptr<PreparedScene> built_with(Preparation& preparation, std::vector<scene::Crack> longer,
                                           const scene::SceneValues* on_way) {
   preparation.scene().set_cracks(std::move(longer));

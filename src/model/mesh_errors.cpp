@@ -13,12 +13,12 @@ namespace bempd::model {
 
 namespace {
 
-// Factor on estimates: differences of meshes vary around what the order of convergence says, less where the finer mesh
-// is there.
+// Factors on estimated errors, because differences of meshes vary around what the order of convergence says: for a
+// series of meshes, and for a mesh with a finer one, where they vary less.
 constexpr double caution = 1.6, caution_by_finer = 1.3;
 
-// Order with which an error falls with the length of elements: the usual one where there are two meshes only, which do
-// not tell it, else the measured one within limits.
+// Order of convergence: the power with which an error falls with the length of elements. Two meshes do not show it, so
+// that the usual order is taken; from three meshes on, the measured order within limits is taken.
 struct Order {
   double usual, least, largest;
 
@@ -30,10 +30,11 @@ struct Order {
   }
 };
 
-// Quadratic elements have the order 3 for displacements once they resolve the field, and more for reactions, which are
-// energies. The length of a tip's stress intensity factors comes from the energy of a virtual extension and has an
-// order between 4 and 5. Their direction comes from the openings of the tip's elements and has the order 2. In random
-// bodies the differences of two meshes were 15 to 40 times, and 4 times, those of the next two (docs/bodies.md).
+// Orders of convergence by kinds of results. Quadratic elements have the order 3 for displacements once they resolve
+// the field, and more for reactions, which are energies. The length of a tip's (K_I, K_II) comes from the energy of a
+// virtual extension and has an order between 4 and 5; its direction comes from the openings of the tip's elements and
+// has the order 2. In random bodies the differences of two meshes were 15 to 40 times (length), and 4 times
+// (direction), those of the next two meshes (docs/bodies.md).
 // The parts of reactions that supports share are no energies, and converge like tractions at the place that they share.
 // Beside singular places displacements converge with the order 1 to 2, which two meshes do not tell.
 constexpr Order of_displacement{2.3, 0.5, 2.7}, of_slow_displacement{1.5, 0.5, 2.7}, of_reaction{3, 0.5, 3},
@@ -55,7 +56,7 @@ double of_coarser(const Order& order, const std::vector<double>& differences) {
   return caution_by_finer * differences.back() / (1 - std::exp2(-order.of(differences)));
 }
 
-// Index of the place that equals x; -1 if there is none.
+// Index of the place that equals x up to the tolerance; -1 if there is none.
 int find_place(const std::vector<Point>& places, const Point& x, double tolerance) {
   const double left = x.x() - tolerance;
   const auto begin = std::lower_bound(places.begin(), places.end(), left,
@@ -65,10 +66,10 @@ int find_place(const std::vector<Point>& places, const Point& x, double toleranc
   return -1;
 }
 
-// Lengths of vectors whose squares may be beyond the range of numbers.
+// Length of a vector whose square may be beyond the range of numbers.
 double far_length_of(const Point& v) { return std::hypot(v.x(), v.y()); }
 
-// Ratio of an error to the scale of its results, at most `largest`, also where the results are zero.
+// Ratio of an error to the scale of its results; at most `largest`, also if the results are zero.
 double relative(double error, double scale) {
   constexpr double largest = 1e300;
   if (!(error > 0)) return 0;
@@ -88,8 +89,8 @@ double displacement_difference(const MeshAnswers& fine, const MeshAnswers& coars
   return relative(error, scale);
 }
 
-// Reactions to loads that balance each other are rounding. So the difference is relative to the largest reaction, or to
-// a tenth of the force that the body carries if that is larger.
+// Largest difference of reactions, relative to the largest reaction or, if that is larger, to a tenth of the force that
+// the body carries: reactions to loads that balance each other are only rounding.
 double reaction_difference(const MeshAnswers& fine, const MeshAnswers& coarse) {
   double error = 0, scale = 0.1 * fine.carried;
   for (std::size_t s = 0; s < fine.reactions.size(); ++s) {
@@ -105,7 +106,7 @@ const regions::TipValues* find_tip(const std::vector<regions::TipValues>& tips, 
   return found == tips.end() ? nullptr : &*found;
 }
 
-// Difference of a tip's factors; the angle between those that vanish is 0.
+// Difference between a tip's factors in two meshes; the angle between factors of which one vanishes is 0.
 TipErrors tip_difference(const regions::TipValues& fine, const regions::TipValues& coarse) {
   const double size = far_length_of(fine.factors), other = far_length_of(coarse.factors);
   TipErrors errors{{fine.crack, fine.end}, fine.place, relative(std::abs(size - other), size), 0};
@@ -125,7 +126,7 @@ MeshErrors difference(const MeshAnswers& fine, const MeshAnswers& coarse, double
   return errors;
 }
 
-// Change of the load factor at which a tip grows while it rises, by errors of its factors.
+// Change of the load factor at which a tip grows while the load factor rises, caused by errors of the tip's factors.
 double load_change(const regions::TipValues& tip, const TipErrors& errors, const scene::Options& options) {
   const crack::GrowthLaw law{tip.toughness, tip.plane_modulus, growth_criterion(options), tip.directions,
                              heading_of(tip.direction)};
@@ -140,7 +141,7 @@ double load_change(const regions::TipValues& tip, const TipErrors& errors, const
   return std::hypot(by_size, by_turn);
 }
 
-// Errors of `answers`, for each kind of result by the rule from its differences between successive meshes.
+// Errors of `answers`: `rule` gives the error of each kind of result from its differences between successive meshes.
 MeshErrors errors_by(Rule rule, const MeshAnswers& answers, const std::vector<MeshErrors>& differences,
                      const scene::Options& options) {
   const auto of = [&](const Order& order, const std::function<double(const MeshErrors&)>& kind) {
@@ -202,8 +203,8 @@ MeshErrors estimated_by_finer(const MeshAnswers& finer, const MeshAnswers& mesh,
   const std::vector<MeshErrors> differences{difference(finer, mesh, tolerance)};
   MeshErrors errors = errors_by(of_coarser, finer, differences, options);
   errors.displacement = of_coarser(of_slow_displacement, {differences.front().displacement});
-  // The load itself tells its error. The errors of a tip's size and direction, which have different orders and can
-  // cancel in it, tell a least one.
+  // The error of the load factor of growth comes from its own difference between the meshes. The errors of a tip's
+  // length and direction, which have different orders and can cancel in the load factor, give a lower bound.
   constexpr double share_of_tip = 0.5;
   errors.growth_load =
       std::max(share_of_tip * errors.growth_load, of_coarser(of_slow_displacement, {differences.front().growth_load}));

@@ -11,16 +11,16 @@ namespace bempd::model {
 
 namespace {
 
-// Places for the stress on each piece. Their distances from its ends make the integral exact for stresses with a square
-// root's singularity at either end.
+// Number of places at which the stress on each piece of the section is evaluated. Their distances from the ends of the
+// piece make the integral exact for stresses with a square root's singularity at either end.
 constexpr int places_on_piece = 16;
 
-// Cracks nearer to the line than this share of its length lie along it.
+// Cracks nearer to the section's line than this share of the section's length count as lying along it.
 constexpr double along = 0.05;
 
 double angle_of(int k) { return (k + 0.5) * std::numbers::pi / places_on_piece; }
 
-// Places, from the tip, at which the line meets edges or their ends, ascending.
+// Positions along the line, from the tip, at which the line meets edges or their ends; ascending.
 std::vector<double> crossings_of(const Edge& line, double half, const std::vector<Edge>& edges, double tolerance) {
   std::vector<double> found;
   for (const Edge& edge : edges) {
@@ -55,7 +55,7 @@ NetSection::NetSection(const Outline& outline, const std::vector<scene::Crack>& 
   const Edge line(place - half * direction, place + half * direction);
   const std::vector<Edge> all = edges_of(outline);
   const std::vector<Edge> outer(all.begin(), all.begin() + static_cast<std::ptrdiff_t>(outline.loops[0].size()));
-  // The part of the line within the outer loop around the tip.
+  // Part of the line around the tip that lies within the outer loop.
   double lowest = -half, highest = half;
   for (const double at : crossings_of(line, half, outer, tolerance)) {
     if (at < -tolerance) lowest = at;
@@ -93,7 +93,7 @@ void NetSection::take_out(const scene::Crack& crack, double half_width) {
   for (std::size_t k = 0; k + 1 < crack.points.size(); ++k) {
     const Point from = crack.points[k] - place_, way = crack.points[k + 1] - crack.points[k];
     const double beside = across.dot(from), turn = across.dot(way);
-    // Shares of the segment between which it is near to the line.
+    // Shares of the segment between which the segment is near the line.
     double first = 0, last = 1;
     if (std::abs(turn) > 1e-12 * way.norm()) {
       const double a = (-half_width - beside) / turn, b = (half_width - beside) / turn;
@@ -133,7 +133,8 @@ std::vector<Point> NetSection::places() const {
   return all;
 }
 
-// The stress near a spread tip is K / sqrt(2 pi r) and a part in proportion to sqrt(r), by the stress at the radius.
+// Integrates the stress over the section. Near a spread tip the stress is K / sqrt(2 pi r) plus a part in proportion to
+// sqrt(r), which is fitted to the stress at the radius.
 NetSection::Resultant NetSection::resultant(const std::vector<double>& pulls,
                                             const std::vector<double>& factors) const {
   Resultant sum;

@@ -21,7 +21,7 @@ namespace bempd::model {
 
 namespace {
 
-// Whether `nodes` belong to a piece inside one region that only cracks bound.
+// Whether `nodes` belong to a piece inside one region that is bounded by cracks only.
 bool is_island(const scene::Scene& scene, const regions::Discretization& d, const std::vector<int>& nodes) {
   const auto has = [&](const std::unique_ptr<regions::Region>& region) {
     const std::vector<int>& own = region->nodes();
@@ -36,7 +36,7 @@ bool is_island(const scene::Scene& scene, const regions::Discretization& d, cons
   });
 }
 
-// Throws Error (argument) for a lattice that breaks bond by bond and has a table of resistances.
+// Throws Error (argument) if a lattice that breaks bond by bond has a fracture energy by growth or direction.
 void require_constant_resistance(const scene::Scene& scene) {
   for (const int id : scene.region_ids())
     require(scene.region(id).has_elements() || scene.material_of(id).resistance.is_constant(), "region ", id,
@@ -63,8 +63,8 @@ double extent(const std::vector<Point>& positions, const std::vector<int>& nodes
        gap.empty() ? "; add" : "; if not, add", " supports that prevent this, for example with bempd_fix_point()");
 }
 
-// Flags of nodes of lattices on interfaces with boundary elements of the same material. The two ends of an interface
-// are left out, unless another such interface begins there.
+// Flags of lattice nodes on interfaces with boundary elements of the same material. The two ends of an interface are
+// not flagged, unless another such interface begins there.
 std::vector<char> nodes_where_material_goes_on(const scene::Scene& scene, const regions::Discretization& d) {
   constexpr int on_interface = 2, at_its_end = 1;
   std::vector<int> found(d.positions.size(), 0);
@@ -83,7 +83,7 @@ std::vector<char> nodes_where_material_goes_on(const scene::Scene& scene, const 
   return goes_on;
 }
 
-// Tips of initial cracks in lattices, with the laws by which they grow.
+// Tips of initial cracks in lattices, each with the number of the law by which it grows.
 std::vector<fracture::GrowingTip> first_tips(const scene::Scene& scene, const scene::Options& options,
                                              const PreparedScene& p, const std::map<int, int>& law_of_region) {
   std::vector<fracture::GrowingTip> tips;
@@ -143,7 +143,8 @@ fracture::CrackPressures pressures_of(const regions::DofConditions& conditions) 
   return sums;
 }
 
-// Prepares crack lines in lattices: laws of growth and initial tips. Nothing is done if cracks grow bond by bond.
+// Prepares crack lines (cracks that grow in lattices by steps): laws of growth and initial tips. If cracks grow bond by
+// bond, nothing is done.
 void Preparation::grow_lines(PreparedScene& p) const {
   const scene::Options& options = model_.options();
   const std::string rule = options.text_in_effect("crack.rule");
@@ -211,7 +212,7 @@ std::unique_ptr<PreparedScene> Preparation::build(const PreparedScene* before, O
                                                             std::move(d.bonds), p->conditions.prescribed, d.ties);
   if (lender) p->system->take_over(*lender->system);
   p->system->note_condition(regions::condition_of_held_pressure(scene_, d, p->conditions.prescribed, d.warnings));
-  if (!before) check_mechanism(scene_, *p);  // what growth has cut off is held
+  if (!before) check_mechanism(scene_, *p);  // parts that growth has cut off are held
   if (before) check_loads_inside_free_pieces(*p);
   p->evolution = std::make_unique<fracture::CrackEvolution>(*p->system, d.positions, d.critical_stretch, p->cut_bonds,
                                                             regions::dofs_of_supports(scene_, d, p->conditions),

@@ -17,9 +17,9 @@ namespace bempd::model {
 
 namespace {
 
-// Scenes with at most so many elements are solved with halved elements to tell errors, where memory allows: what
-// changes then is most of the error. Larger scenes are solved with longer elements, which takes less time than the
-// scene itself took, but what they tell has to be extrapolated.
+// Largest number of elements of a scene that is solved with halved elements to estimate errors, if memory allows: the
+// change of its results is then most of the error. Larger scenes are solved with longer elements, which takes less time
+// than the scene itself took, but requires extrapolation.
 constexpr std::int64_t most_halved = 1000;
 
 bool can_be_halved(const Model& model, const PreparedScene& scene) {
@@ -42,7 +42,8 @@ double between_criteria(const std::vector<regions::TipValues>& tips) {
   return std::isfinite(first) && std::isfinite(second) ? std::abs(first - second) / std::abs(first) : 0;
 }
 
-// The present scene in equilibrium, with which other meshes are compared.
+// Present scene in equilibrium, for comparison with other meshes. Throws Error (order) if bonds have broken or a part
+// has come off.
 PreparedScene& comparable(Model& model) {
   PreparedScene& scene = model.in_equilibrium();
   const fracture::EvolutionState& state = scene.evolution->progress();
@@ -53,7 +54,8 @@ PreparedScene& comparable(Model& model) {
   return scene;
 }
 
-// Calls `read` with the present scene in another mesh: `halvings` of all its elements. Adds the time that it took.
+// Calls `read` with the present scene in another mesh, whose elements are halved `halvings` times (merged if negative).
+// Adds the time that this took to `seconds`.
 void read_with(Model& model, int halvings, double& seconds, const std::function<void(PreparedScene&)>& read) {
   const Stopwatch watch(seconds);
   model.accuracy().solve_with({model.accuracy().refinement().of_bodies, halvings}, model.loads().acting_values(),
@@ -87,8 +89,8 @@ ErrorSources errors_now(Model& model) {
   const MeshAnswers coarser = with(-1, seconds_of_coarser);
   MeshAnswers coarsest;
   std::vector<const MeshAnswers*> meshes{&coarser, &present};
-  // A mesh that is two halvings coarser tells the order of convergence; a body has none if it was halved less than
-  // twice.
+  // A mesh that is two halvings coarser shows the order of convergence. Bodies that were halved less than twice have no
+  // such mesh.
   if (!model.accuracy().chosen() || model.accuracy().refinement().of_bodies > 1) {
     coarsest = with(-2, seconds_of_coarsest);
     meshes.insert(meshes.begin(), &coarsest);
@@ -101,16 +103,18 @@ ErrorSources errors_now(Model& model) {
 
 namespace {
 
-// Order with which the value at a place converges, by coarser meshes: as measured, within limits. Coarse meshes often
-// measure too high an order, so that the largest ones are those on edges; inside, errors are smaller than told.
+// Limits of the order with which the value at a place converges, as coarser meshes show it. Coarse meshes often show
+// too high an order, so the largest orders are those on edges; inside, errors are smaller than estimated.
 constexpr double least_order_at_places = 1, largest_order_of_stress = 2, largest_order_of_displacement = 3;
+// Factor on errors at places that are extrapolated from coarser meshes.
 constexpr double caution_at_places = 2;
-// Error of a value over its change by halved elements. In random bodies 5 % of errors of stress on edges were larger.
+// Factor from the change of a value by halved elements to its error. In random bodies 5 % of the errors of stress on
+// edges were larger.
 constexpr double caution_at_places_by_finer = 1.6;
 
 double distance_of(const Point& a, const Point& b) { return (a - b).norm(); }
 
-// Distance of stress tensors, given as xx, yy, xy; it bounds the differences of principal stresses.
+// Distance of two stress tensors, given as xx, yy, xy; it bounds the differences of their principal stresses.
 double distance_of(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
   const Eigen::Vector3d d = a - b;
   return std::sqrt(d.x() * d.x() + d.y() * d.y() + 2 * d.z() * d.z());
@@ -118,8 +122,8 @@ double distance_of(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
 
 using Values = std::vector<regions::PointValue>;
 
-// Error at a place by two meshes, the present one behind the one with halved elements, or by three from fine to coarse,
-// the present one first.
+// Error of the value at a place, by two meshes (the one with halved elements, then the present one) or by three (the
+// present one, then ever coarser ones).
 template <class Value>
 double error_at(const std::vector<Values>& meshes, std::size_t place, Value regions::PointValue::*value,
                 double largest_order) {
@@ -127,7 +131,8 @@ double error_at(const std::vector<Values>& meshes, std::size_t place, Value regi
     return distance_of(meshes[fine][place].*value, meshes[fine + 1][place].*value);
   };
   if (meshes.size() == 2) return caution_at_places_by_finer * apart(0);
-  // A difference that happens to vanish tells nothing; elements gain a factor of 16 at most.
+  // The difference of the two finer meshes may vanish by chance, so at least a sixteenth of the other difference
+  // counts.
   const double fine = std::max(apart(0), apart(1) / 16);
   if (!(fine > 0)) return 0;
   const double gain = std::exp2(std::clamp(std::log2(apart(1) / fine), least_order_at_places, largest_order));

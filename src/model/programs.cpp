@@ -45,7 +45,7 @@ StepResult LoadDriver::run_to_row(const scene::LoadTable& table, std::size_t row
   try {
     result = run(end, goal, &*way);
     model_.accuracy().journal().is_known = false;
-  } catch (const EventGivenUp&) {  // before the first equilibrium of this row: those before it stay
+  } catch (const EventGivenUp&) {  // before the first equilibrium of this row: the rows before stay
     loads.go_back_to(std::move(before));
     return {fracture::StopReason::requested};
   }

@@ -11,7 +11,7 @@ namespace bempd::model {
 
 namespace {
 
-// Path of one tip from where it began to grow, and the length up to each vertex.
+// Path of one tip from the place where its growth began, with the length of the path up to each vertex.
 struct TipPath {
   std::vector<Point> places;
   std::vector<double> lengths;
@@ -46,7 +46,8 @@ std::map<crack::TipId, TipPath> paths_of(const std::vector<crack::Extension>& ex
 }
 
 // Difference between two paths of a tip: the largest distance of the vertices of `path` from `other`, over the length
-// that both have grown. If their lengths differ by more than the last steps of both, it is at least that excess.
+// that both have grown. If the lengths differ by more than the last steps of both paths, the difference is at least
+// that excess.
 double between(const TipPath& path, const TipPath& other) {
   const double common = std::min(path.length(), other.length());
   double most = other.distance_to(path.at(common));
@@ -56,7 +57,8 @@ double between(const TipPath& path, const TipPath& other) {
   return std::max(most, apart - path.last_step() - other.last_step());
 }
 
-// Largest resistance up to a length of growth, and where it is; values between events are interpolated.
+// Largest resistance up to a length of growth, and the growth at which it occurs. Values between events are
+// interpolated.
 RunAnswers::Place peak_until(const std::vector<RunAnswers::Place>& places, double grown) {
   RunAnswers::Place best{0, 0};
   const auto consider = [&](const RunAnswers::Place& place) {

@@ -13,21 +13,23 @@ namespace bempd::model {
 
 namespace {
 
-// Factors on differences of paths between runs of which one has extensions twice as long: these are 0.8 to 1.4 times
-// the error where extensions turn by more than 0.05, and two to four times it where they turn by 0.01 (docs/bodies.md).
+// Factors on differences of paths between a run and a run with extensions twice as long. Such differences are 0.8 to
+// 1.4 times the error where extensions turn by more than 0.05 [rad], and two to four times the error where they turn by
+// 0.01 (docs/bodies.md).
 constexpr double least_caution_of_path = 0.7, caution_of_turns = 20, largest_caution_of_path = 1.9;
 
-// Extra run of only `short_extensions` extensions, `shorter` times as long as those of the run: it shows a resistance
-// that rises right behind the first growth. The rise counts with a factor, because the highest resistance may lie
-// between two extensions.
+// Number of extensions of the extra run with short extensions, which shows a resistance that rises right behind the
+// first growth.
 constexpr std::int64_t short_extensions = 3;
+// Length of the extensions of the extra run over that of the run's own extensions, and factor on the rise of resistance
+// that it shows, because the highest resistance may lie between two extensions.
 constexpr double shorter = 0.25, caution_of_rise = 1.5;
 
-// Time of a repeated run over that of the run itself: with extensions twice as long, and with elements in place of
-// lattice patches.
+// Time of a repeated run over that of the run itself: with extensions twice as long (share_of_coarser), and with
+// elements in place of lattice patches (share_of_elements).
 constexpr double share_of_coarser = 0.5, share_of_elements = 1;
 
-// Length of the extensions of a coarser run over those of the run.
+// Length of the extensions of a coarser run over that of the run's own extensions.
 constexpr double longer = 2;
 
 scene::Crack as_given(scene::Crack crack) {
@@ -39,7 +41,8 @@ scene::Crack as_given(scene::Crack crack) {
 
 }  // namespace
 
-// The model's scene at the beginning of its run, in another mesh. The model is as it was when this ends.
+// Repetition of a model's run in another mesh, from the scene at the beginning of the run. The destructor returns the
+// model to its state.
 class TwinRun {
  public:
   TwinRun(Model& model, int halvings, double step_share, bool takes_patches)
@@ -67,7 +70,7 @@ class TwinRun {
   TwinRun& operator=(const TwinRun&) = delete;
 
   ~TwinRun() {
-    // The operators of the repeated run are freed first, so that there is memory for what follows.
+    // The operators of the repeated run are freed first, so that there is memory for restoring the model.
     model_.preparation().exchange(std::move(prepared_));
     scene::Scene& scene = model_.preparation().scene();
     regions::refine(scene, refinement_);
@@ -144,7 +147,7 @@ class TwinRun {
   regions::Refinement refinement_;
   double step_share_ = 1;
   std::int64_t most_events_ = 0;
-  std::size_t counted_ = 0;  // extensions of the twin
+  std::size_t counted_ = 0;  // number of extensions that grown_ contains
   double grown_ = 0;
 };
 
@@ -169,8 +172,8 @@ void require_repeatable(const Model& model, const RunJournal& journal) {
   fail(Failure::order, "no crack has grown yet; bempd_error_estimate() tells the errors of the present results");
 }
 
-// Errors of a run, estimated with caution from its difference `d` to a run with longer extensions. Its beginning,
-// repeated in shorter ones, may show that the resistance rises higher.
+// Errors of a run, estimated with caution from its difference `d` from a run with longer extensions. The run's
+// `beginning`, repeated with shorter extensions, may show that the resistance rises higher.
 RunDifference cautious(RunDifference d, const RunAnswers& run, const RunAnswers& beginning,
                        const std::optional<MeshPlan>& plan) {
   if (plan) d.first_growth = plan->errors.growth_load;
@@ -200,7 +203,7 @@ RunErrors errors_of_run(Model& model, double allowed) {
     run = std::move(by_elements);
   }
   const std::optional<MeshPlan>& plan = model.accuracy().chosen();
-  const int halvings = plan ? 0 : -1;  // elements of the host are merged in pairs
+  const int halvings = plan ? 0 : -1;  // -1: elements of the host are merged in pairs
   const RunAnswers coarser = TwinRun(model, halvings, longer, errors.has_patches).run();
   const RunAnswers beginning = TwinRun(model, 0, shorter, errors.has_patches).run(short_extensions);
   errors.boundary = cautious(difference(run, coarser), run, beginning, plan);

@@ -5,7 +5,8 @@
 
 namespace bempd::model {
 
-// Hosts that change values before each of very many steps would fill the memory with copies of them.
+// Largest number of pieces: hosts that change values before each of very many steps would fill the memory with copies
+// of the values.
 constexpr std::size_t most_pieces = 1000;
 
 RunJournal RunJournal::continued(const std::optional<RunJournal>& of_state) {

@@ -19,15 +19,17 @@ namespace bempd::model {
 namespace {
 
 constexpr double unbounded = std::numeric_limits<double>::infinity();
-constexpr double fewest_cells = 10;          // across a lattice that breaks
-constexpr double fewest_horizons = 2;        // of ligament ahead of a tip in a lattice
-constexpr double share_before_edge = 0.01;   // of a crack's length, below which its tip counts as right before an edge
-constexpr double largest_strain = 0.2;       // at growth, above which numbers look like mixed units
-constexpr double smallest_strain = 1e-7;     // and below which
-constexpr std::size_t most_alike = 3;        // sentences of one kind
+constexpr double fewest_cells = 10;    // least number of cells across a lattice that breaks
+constexpr double fewest_horizons = 2;  // least ligament ahead of a tip in a lattice, in horizons
+// Distance of a tip from an edge, as a share of the crack's length, below which the tip counts as right before the
+// edge.
+constexpr double share_before_edge = 0.01;
+constexpr double largest_strain = 0.2;       // strain at growth above which numbers look like mixed units
+constexpr double smallest_strain = 1e-7;     // strain at growth below which numbers look like mixed units
+constexpr std::size_t most_alike = 3;        // number of warnings of one kind that are given
 constexpr double initiation_number = 1.384;  // stress at initiation over sqrt(E' G0 / horizon), docs/theory.md
 
-// Text of a number with three digits, as many as an estimate has.
+// Text of a number with three digits, which is enough for an estimate.
 std::string about(double number) {
   std::ostringstream stream;
   stream.imbue(std::locale::classic());
@@ -36,7 +38,7 @@ std::string about(double number) {
   return stream.str();
 }
 
-// Edge of a region that bounds the body, because no other region borders on it.
+// Edge of a region that bounds the body, because no other region borders on the edge.
 struct FreeEdge {
   int region, number;
   Edge geometry;
@@ -91,7 +93,7 @@ class Adviser {
     return material.fracture_energy > 0 || material.critical_stretch > 0;
   }
 
-  // Tells which regions with bonds across their common edges are one body, and where its lattice lies.
+  // Tells which regions with bonds across their common edges are one body, and where the lattice of this body lies.
   void tell_of_body(const regions::Region& region) {
     const std::optional<regions::LatticeGrid> grid = region.lattice_grid();
     if (!grid || std::none_of(d_.arrangement.contacts.begin(), d_.arrangement.contacts.end(),
@@ -208,7 +210,7 @@ class Adviser {
     return nearest;
   }
 
-  // First edge of the body or other crack straight ahead of a tip, with its distance.
+  // First edge of the body or other crack straight ahead of a tip, with its distance from the tip.
   Ahead first_ahead(int crack, const Point& tip, const Point& direction) const {
     Ahead first;
     const double farthest = 2 * scene_.bounding_box().diagonal().norm();
@@ -229,8 +231,8 @@ class Adviser {
 
   // --- Materials
 
-  // Adds a sentence about a material that breaks, for its lattice with the smallest horizon and its longest crack, at
-  // which it breaks at the lowest strain.
+  // Adds a sentence about a material that breaks, for its lattice with the smallest horizon and its longest crack,
+  // because the material breaks there at the lowest strain.
   void tell_of_material(int id) {
     const scene::Material& material = scene_.material(id);
     int lattice = 0, longest = 0;

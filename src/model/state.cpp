@@ -25,8 +25,8 @@ bool is_sound(const fracture::GrowingTip& tip) {
 
 namespace {
 
-// Throws Error (argument) for a state of format 15 or older if cuts of initial cracks are placed by their effective
-// tips now, which those versions did not do.
+// Throws Error (argument) for a state of format 15 or older if the scene places the cuts of initial cracks by their
+// effective tips, because versions of that format did not do so.
 void require_same_ends(const SavedState& saved, const regions::LatticeCracks& cracks) {
   const bool are_placed = std::ranges::any_of(cracks.even_ahead, [](const auto& ends) { return ends[0] || ends[1]; });
   require(saved.format > 15 || !are_placed, "the state has format version ", saved.format,
@@ -34,8 +34,8 @@ void require_same_ends(const SavedState& saved, const regions::LatticeCracks& cr
           "version of bempd that wrote it");
 }
 
-// Throws Error (argument) unless a state belongs to this body: its numbers may be consistent and still be those of
-// another body.
+// Throws Error (argument) unless a state belongs to this body: numbers that are consistent may be those of another
+// body.
 void require_fit(const SavedState& saved, const PreparedScene& scene) {
   const fracture::EvolutionState& state = saved.evolution;
   const auto dofs = static_cast<Eigen::Index>(2 * scene.discretization.positions.size());
@@ -56,8 +56,8 @@ void require_fit(const SavedState& saved, const PreparedScene& scene) {
   }
   for (const coupling::Terms::Following& pair : terms.following)
     must(!is_broken(static_cast<std::size_t>(pair.leader)) || is_broken(static_cast<std::size_t>(pair.follower)));
-  // Each grown contact place of a state must belong to a broken bond, and the list of closed constraints must have an
-  // entry for it.
+  // A grown contact place of a state must belong to a broken bond, and the list of closed constraints must have an
+  // entry for this place.
   std::set<int> grown;
   for (const fracture::GrownFace& face : state.faces.grown) {
     must(face.term >= 0 && face.term < static_cast<int>(terms.size()) && grown.insert(face.term).second &&
@@ -68,11 +68,11 @@ void require_fit(const SavedState& saved, const PreparedScene& scene) {
     for (const int term : terms_of_event)
       must(term >= 0 && term < static_cast<int>(terms.size()) && is_broken(static_cast<std::size_t>(term)));
   const std::vector<int>& cut = scene.cut_bonds;
-  // A crack line that has continued in elements may have broken bonds that the scene's longer crack cuts now, so these
-  // may be counted twice.
+  // A crack line that has continued in elements may have broken bonds that the longer crack of the scene cuts as well,
+  // so that these bonds may be counted twice.
   const bool both = std::any_of(scene.discretization.cracks.begin(), scene.discretization.cracks.end(),
                                 [](const auto& crack) { return crack.has_elements() && crack.cuts_bonds(); });
-  // Broken bonds of a lattice that elements have replaced are counted, but not there any more.
+  // Broken bonds of lattice parts that elements have replaced are counted, although they do not exist in the scene.
   const bool has_fewer = std::ranges::any_of(state.layouts, regions::gives_back);
   const auto most = static_cast<std::int64_t>(cut.size()) + state.broken_bonds;
   must((has_fewer ? broken <= most
@@ -82,8 +82,8 @@ void require_fit(const SavedState& saved, const PreparedScene& scene) {
   must(fits(saved.continuation, state, scene));
 }
 
-// Values of a saved state, as far as they are alike (are_alike()) to the present ones of the scene's conditions; else
-// the present ones. Functions are not written to bytes, and the scene may have other loads.
+// Values of a saved state where they are alike to the values of the scene's conditions (are_alike()), elsewhere the
+// present values. Functions are not written to bytes, and the scene may have other loads.
 scene::SceneValues fitted(const scene::SceneValues& values, const scene::SceneValues& present) {
   const auto fit = [](const std::vector<scene::Values>& of_state, const std::vector<scene::Values>& of_scene) {
     std::vector<scene::Values> all = of_scene;
@@ -94,7 +94,8 @@ scene::SceneValues fitted(const scene::SceneValues& values, const scene::SceneVa
   return {fit(values.supports, present.supports), fit(values.loads, present.loads)};
 }
 
-// Whether all values of a state are known and fit the conditions of this scene.
+// Whether the values of a state are alike to those of all conditions of the scene (are_alike()), and none is an unknown
+// function.
 bool are_known(const scene::SceneValues& values, const scene::SceneValues& present) {
   return std::equal(values.supports.begin(), values.supports.end(), present.supports.begin(), present.supports.end(),
                     scene::are_alike) &&
@@ -102,8 +103,8 @@ bool are_known(const scene::SceneValues& values, const scene::SceneValues& prese
                     scene::are_alike);
 }
 
-// Whether an extension is the step of a line in a lattice. Lines may begin or end slightly outside their lattice's
-// outline, so both ends of an extension are tested.
+// Whether an extension is the step of a crack line in a lattice. Lines may begin or end slightly outside the outline of
+// their lattice, so both ends of the extension are tested.
 bool grew_in_lattice(const Model& model, const crack::Extension& e) {
   const scene::Scene& scene = model.scene();
   const double tolerance = model.prepared_or_null()->discretization.tolerance;
@@ -114,11 +115,12 @@ bool grew_in_lattice(const Model& model, const crack::Extension& e) {
              locate(scene.region(id).outline(), {x, y}, tolerance) == Location::inside;
     });
   };
-  const bool has_stopped = e.state == crack::TipState::at_interface;  // a line, perhaps a little behind the border
+  // A stopped line may lie a little behind the border
+  const bool has_stopped = e.state == crack::TipState::at_interface;
   return !lies_in_elements(e.from_x, e.from_y) && (has_stopped || !lies_in_elements(e.x, e.y));
 }
 
-// Whether two extensions, or lists of them, are the same up to loads and energies.
+// Whether two extensions are the same up to loads and energies.
 bool are_same(const crack::Extension& a, const crack::Extension& b) {
   const auto place = [](const crack::Extension& e) { return std::tuple(e.crack, e.end, e.x, e.y, e.from_x, e.from_y); };
   return place(a) == place(b);
@@ -174,7 +176,7 @@ void States::restore(const SavedState& state) {
   model_.growth().set_all_frozen(std::move(frozen));
 }
 
-// Whether the cracks in elements and the patches of the present scene are those of a state.
+// Whether the present scene has the cracks in elements and the lattice patches of a state.
 bool States::has_grown_as(const fracture::EvolutionState& state) const {
   const fracture::EvolutionState& present = model_.prepared_or_null()->evolution->progress();
   const auto has_same = [&](std::int64_t number) {
@@ -190,8 +192,8 @@ bool States::has_grown_as(const fracture::EvolutionState& state) const {
   return std::ranges::equal(in_elements(state.extensions), in_elements(present.extensions), are_same);
 }
 
-// Cracks are extended event by event as in the run, so that operators get the same digits. Growth in lattices changes
-// the scene only where the line has continued in elements, or its patch has got more blocks.
+// Extends cracks event by event as in the run, so that operators get the same digits. Growth in lattices changes the
+// scene only where the crack line has continued in elements, or its lattice patch has got more blocks.
 std::unique_ptr<PreparedScene> States::as_grown(const fracture::EvolutionState& state) {
   if (has_grown_as(state)) return nullptr;
   const std::vector<crack::Extension>& extensions = state.extensions;
@@ -268,10 +270,11 @@ void States::restore_body(const SavedState& state) {
   if (state.in_force) loads.in_force = fitted(*state.in_force, model_.scene().values());
   regions::DofConditions conditions = model_.loads().conditions_under(model_.scene().values());
   const bool same_loads = state.load_fingerprint == load_fingerprint(model_.scene(), conditions);
-  // If the saved loads differ from the present ones, they act until the next step, so that the change does work.
+  // The saved loads, if they differ from the present ones, act until the next step, so that the change of loads does
+  // work.
   loads.acting = same_loads ? state.acting : Acting::earlier;
   const bool known = loads.acting == Acting::values || are_known(state.acting_values, model_.scene().values());
-  if (!known) {  // functions that its bytes do not have, or other loads: the present ones act at once
+  if (!known) {  // unknown functions, or other loads: the present values act at once
     if (loads.acting == Acting::earlier) loads.acting = Acting::values;
     copy.in_equilibrium = false;
     copy.first_unit_energy = -1;

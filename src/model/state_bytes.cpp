@@ -71,7 +71,7 @@ class Writer {
 
 class Reader {
  public:
-  int format = state_format;  // of the bytes
+  int format = state_format;  // format of the bytes
   Reader(const std::uint8_t* bytes, std::size_t size) : bytes_(bytes), left_(size) {}
 
   template <class T>
@@ -114,7 +114,7 @@ class Reader {
       case Form::places:
         return visit_members(values.emplace<scene::PlacedValues>(), *this);
       case Form::function:
-        values.emplace<scene::BoundaryFunction>();  // unknown
+        values.emplace<scene::BoundaryFunction>();  // unknown function
     }
   }
   template <class T>
@@ -135,7 +135,8 @@ class Reader {
   Eigen::Index count_of() {
     std::uint64_t count = 0;
     (*this)(count);
-    // The count is limited by the bytes left (no entry is shorter than its smallest number), and so is the memory.
+    // The count is limited by the number of bytes left (no entry is shorter than its smallest number), which limits the
+    // memory.
     require(count <= left_ / std::min(sizeof(T), sizeof(double)),
             "the bytes of the state are damaged: an array is longer than what is left");
     return static_cast<Eigen::Index>(count);
@@ -170,7 +171,7 @@ std::vector<std::uint8_t> to_bytes(const SavedState& state) {
   Writer writer;
   writer.raw(magic, sizeof magic), writer(byte_order_mark), writer(static_cast<std::uint32_t>(state_format));
   visit_members(state, writer);
-  // Lists that most states do not have, up to the last one that has numbers.
+  // Optional lists, up to the last one that is not empty.
   const std::vector<std::int64_t>& layouts = state.evolution.layouts;
   if (!state.frozen.empty() || !state.overloads.empty() || !layouts.empty()) writer(state.frozen);
   if (!state.overloads.empty() || !layouts.empty()) writer(state.overloads);

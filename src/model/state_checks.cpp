@@ -12,7 +12,8 @@ namespace bempd::model {
 
 namespace {
 
-// Visitor of the members of a state: whether all numbers are as the lists of members allow, and flags 0 or 1.
+// Visitor of the members of a state, which checks whether all numbers are as the lists of members allow, and flags are
+// 0 or 1.
 class NumberCheck {
  public:
   static constexpr int format = state_format;

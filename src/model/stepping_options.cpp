@@ -52,8 +52,8 @@ const scene::OptionGroup hooks(scene::OptionPlace::test_hooks, [] {
                            0, 1e4, false)};
 });
 
-// Tie share of bonds if the option crack.tie_share is not set, and its limit: bonds whose stretch ratio is within this
-// share of the largest one break together.
+// Share by which the stretch ratio of a bond may be below the largest one for a tie, in which bonds break together: if
+// the option crack.tie_share is not set, and the largest share that is allowed.
 constexpr double tie_share_of_bonds = 1e-3, most_tie_share_of_bonds = 0.5;
 
 }  // namespace

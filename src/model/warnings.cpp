@@ -16,8 +16,8 @@ namespace {
 // Reciprocal condition number at which three or four digits of the displacements are left.
 constexpr double poor_condition = 1e-12;
 
-// Residual above which a warning is logged. Bent strips that are 400 times as long as wide have it, with errors of 1e-5
-// in reactions.
+// Residual (force out of balance over the largest force) above which a warning is logged. Bent strips that are 400
+// times as long as wide reach this residual, with errors of 1e-5 in reactions.
 constexpr double poor_residual = 1e-8;
 
 // Number of unknowns above which the speed of the BLAS matters.
@@ -94,7 +94,7 @@ void RunReports::warn_of_held_parts() {
     if (crack > 0) places += text(" by initial crack ", crack);
   }
   if (held.size() > most_named) places += text(" and at ", held.size() - most_named, " places more");
-  // Free parts are expected in a body that has come apart: the message is then information, and no warning.
+  // Free parts are expected in a body that has come apart, so that the message is information and no warning.
   const int level = model_.prepared().evolution->progress().separated ? 2 : 1;
   log(level,
       "parts can move freely, cut off or left hanging on a hinge, at " + places + "; they are held where they are");
@@ -128,7 +128,7 @@ void RunReports::warn_of_interface() {
 }
 
 // Logs that the body counts as separated although a hinge remains. The bond with the largest force belongs to the hinge
-// and gives its place.
+// and gives the place of the hinge.
 void RunReports::tell_of_hinge() {
   fracture::CrackEvolution& evolution = *model_.prepared().evolution;
   const fracture::EvolutionState& state = evolution.state();
@@ -180,8 +180,8 @@ void RunReports::warn_of_break(const Point& place) {
               "spacing, or add the region with bempd_add_pd_region()"));
 }
 
-// Logs once that windows save less time in this run: tips with elements need the displacements of the whole body at
-// each event.
+// Logs once that windows (regions around tips that are solved alone) save less time in this run: tips with elements
+// need the displacements of the whole body at each event.
 void RunReports::tell_of_whole_body() {
   if (told_of_whole_body_ || model_.prepared().system->terms().size() == 0) return;
   told_of_whole_body_ = true;
