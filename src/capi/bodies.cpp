@@ -52,7 +52,7 @@ const model::Part& part_at(const std::vector<model::Part>& parts, std::int64_t i
   return parts[static_cast<std::size_t>(index)];
 }
 
-// A load factor that is not known stays NaN.
+// Load factor within the range of numbers; NaN if it is unknown.
 double known_load(double load_factor) { return std::isnan(load_factor) ? load_factor : in_range(load_factor); }
 
 bempd_model_part described(const model::Part& part) {

@@ -5,7 +5,7 @@
 
 namespace bempd::capi {
 
-// Tip of a crack in the words of the C interface.
+// Tip of a crack as a struct of the C interface.
 bempd_crack_tip described(const regions::TipValues& tip);
 
 }  // namespace bempd::capi

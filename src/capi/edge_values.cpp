@@ -34,7 +34,7 @@ std::size_t row_count(const bempd_edge_values& values) {
   return static_cast<std::size_t>(values.count);
 }
 
-// Pairs of numbers (x, y) for each row; a single component is repeated for both. Zeros if `numbers` is null.
+// Rows of `numbers` as pairs (x, y); a single component stands for both. Zeros if `numbers` is null.
 std::vector<double> rows_as_pairs(const bempd_edge_values& values, const double* numbers, std::size_t rows) {
   std::vector<double> result(2 * rows, 0.0);
   if (!numbers) return result;
@@ -84,8 +84,8 @@ scene::Condition condition_on(std::int32_t region, std::int32_t edge, double fro
   return {place, component, values_at_places(values)};
 }
 
-// Sets new values of a support or a load. Samples stay samples if their number is unchanged; nodal values are set by
-// node; all others become values at places.
+// Sets new values of a support or a load. Samples stay samples if their number is unchanged, nodal values are set at
+// nodes, and all other values become values at places.
 void set_edge_values(model::Model& m, bool of_support, std::int32_t id, const bempd_edge_values& values) {
   require(values.kind != BEMPD_FUNCTION,
           "new values are numbers, not a function: give those of the function as a table");

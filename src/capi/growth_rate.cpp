@@ -31,7 +31,7 @@ constexpr bempd_growth_rate rate_defaults{.struct_size = sizeof(bempd_growth_rat
                                           .shutoff_ratio = 0,
                                           .flow_stress = 0};
 
-// Function of the host, for a rate or a resistance.
+// Function of the host for a growth rate or a fracture energy, as a function of a load cycle.
 std::function<double(const crack::TipCycle&)> host_growth_function(bempd_growth_function function, void* user) {
   return [=](const crack::TipCycle& c) {
     return function(c.tip.crack, c.tip.end == 0 ? BEMPD_CRACK_START : BEMPD_CRACK_END, c.highest, c.ratio(), c.high.x(),
@@ -39,8 +39,8 @@ std::function<double(const crack::TipCycle&)> host_growth_function(bempd_growth_
   };
 }
 
-// Coefficient of a law for factors in [Pa m^(1/2)], out of one for factors in the unit unit_intensity. The exponent is
-// that of the law, but less by one for Forman's law, which divides by a factor.
+// Coefficient of a growth law for factors in [Pa m^(1/2)], from the coefficient for factors in the unit unit_intensity.
+// With Forman's law, which divides by a factor, the exponent of the unit is less by one.
 double coefficient_of(const bempd_growth_rate& rate) {
   const double exponent = rate.kind == BEMPD_RATE_FORMAN ? rate.exponent - 1 : rate.exponent;
   const double coefficient = rate.coefficient * std::pow(rate.unit_intensity, -exponent);

@@ -13,7 +13,7 @@ namespace bempd::capi {
 
 namespace {
 
-// Largest number of points in one call; more come from a mistaken count.
+// Largest number of points in one call; larger numbers come from a mistake.
 constexpr std::int64_t most_points = std::int64_t{1} << 31;
 
 bempd_status status_of(Failure failure) {
@@ -88,7 +88,8 @@ void run(model::Model& engine, const Work<model::Model&>& body) {
 
 void run(const model::Model& engine, const Work<const model::Model&>& body) { body(engine); }
 
-// Adds the names that the host gave to the message of a failed call; without memory for it the message stays as it is.
+// Adds the names that the host gave to the message of a failed call. Without memory for the names the message stays as
+// it is.
 void name_things(const bempd_model& model) noexcept {
   try {
     model.error = model.engine.names().in(model.error);
@@ -116,7 +117,7 @@ bempd_status guarded(Handle* model, const char* function, const Body& body) noex
   if (status != BEMPD_OK) name_things(*model);
   Use in_a_call = Use::in_a_call;
   if (!model->use.compare_exchange_strong(in_a_call, Use::idle)) {
-    thread_error().assign(model->error);  // the message can still be asked for
+    thread_error().assign(model->error);  // the host can read this message afterwards
     delete model;
   }
   return status;

@@ -14,7 +14,7 @@
 
 namespace bempd::capi {
 
-enum class Use { idle, in_a_call, to_be_freed };  // the last: once the call that runs returns
+enum class Use { idle, in_a_call, to_be_freed };  // to_be_freed: when the running call returns
 
 }  // namespace bempd::capi
 

@@ -20,7 +20,7 @@ void require_capacity(std::int64_t capacity, std::int64_t needed, const char* wh
   require(capacity >= needed, "capacity is ", capacity, "; ", needed, " ", what, " are needed");
 }
 
-// State of a run whose history has a line `index`; throws Error (argument) if it has not.
+// State of a run whose history has the line `index`; throws Error (argument) if there is no such line.
 const fracture::EvolutionState& state_with_history_line(const model::Model& m, std::int64_t index) {
   const model::PreparedScene* p = m.prepared_or_null();
   const auto count = p ? static_cast<int64_t>(p->evolution->progress().history.size()) : 0;

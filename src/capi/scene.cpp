@@ -180,7 +180,7 @@ bempd_status bempd_set_toughness_at(bempd_model* model, int32_t region, int64_t 
 
 namespace {
 
-// Two columns of a table of fracture energies; `first` is the name of the column `at`.
+// Two columns of a table of fracture energies: `at`, which messages call `first`, and `energies`.
 std::pair<std::vector<double>, std::vector<double>> energy_table(std::int64_t count, const double* at,
                                                                  const char* first, const double* energies) {
   require(count >= 1, "count is ", count, "; give at least one row of the table");

@@ -13,7 +13,7 @@ using namespace bempd::capi;
 
 namespace {
 
-// Solver behind the function of a host.
+// Sparse solver that calls the function of a host.
 class HostSolver final : public linalg::ExternalSolver {
  public:
   HostSolver(bempd_sparse_function function, void* user) : function_(function), user_(user) {}
@@ -97,7 +97,8 @@ class HostSolver final : public linalg::ExternalSolver {
     task.vectors = values.data();
   }
 
-  // Status of a request that has succeeded, or has met a matrix that is not positive definite; else throws.
+  // Sends a request to the host's solver. Returns its status if the request succeeded or met a matrix that is not
+  // positive definite; else throws Error.
   bempd_status ask(bempd_sparse_task& task) {
     if (!function_) fail(Failure::order, "the solver of this factor was taken away");
     const std::int32_t status = function_(&task, user_);

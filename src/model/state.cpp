@@ -115,7 +115,7 @@ bool grew_in_lattice(const Model& model, const crack::Extension& e) {
              locate(scene.region(id).outline(), {x, y}, tolerance) == Location::inside;
     });
   };
-  // A stopped line may lie a little behind the border
+  // A stopped line may lie a little behind the border.
   const bool has_stopped = e.state == crack::TipState::at_interface;
   return !lies_in_elements(e.from_x, e.from_y) && (has_stopped || !lies_in_elements(e.x, e.y));
 }

@@ -12,8 +12,8 @@ namespace bempd::mpi {
 
 namespace {
 
-// Calls happened() until it returns true, and sleeps in between: rank 0 may work alone for a long time, in which the
-// other ranks should not use their processors.
+// Calls happened() until it returns true, and sleeps in between: rank 0 may work alone for a long time, during which
+// the other ranks should not use their processors.
 template <class Happened>
 void wait_for(const Happened& happened) {
   using namespace std::chrono_literals;
@@ -110,7 +110,7 @@ Connection::~Connection() {
     used().comms.erase(std::find(used().comms.begin(), used().comms.end(), of_host_));
   }
   std::string why_not;
-  if (!may_call_mpi(why_not)) {  // as where a model is freed after MPI_Finalize()
+  if (!may_call_mpi(why_not)) {  // for example if a model is freed after MPI_Finalize()
     factors_.abandon();
     return;
   }

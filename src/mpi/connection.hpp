@@ -9,20 +9,22 @@
 
 namespace bempd::mpi {
 
-// Rank 0's end of a copy of the host's communicator: solver of one model (bempd_sparse_function), which makes the other
-// ranks carry out the same orders.
+// Connection of rank 0 to the other ranks of an MPI communicator, for the solver of one model. It answers the model's
+// requests (bempd_sparse_function), and makes the other ranks carry out the same orders, over a copy of the host's
+// communicator.
 class Connection {
  public:
-  // Collective with follow_orders() on the other ranks.
+  // Opens the connection; collective with follow_orders() on the other ranks.
   explicit Connection(MPI_Comm of_host);
-  ~Connection();  // lets the other ranks go
+  ~Connection();  // ends follow_orders() on the other ranks
   Connection(const Connection&) = delete;
   Connection& operator=(const Connection&) = delete;
 
+  // Whether a connection over this communicator of the host is open.
   static bool exists_for(MPI_Comm of_host);
 
   std::int32_t answer(bempd_sparse_task& task);
-  void set_end_flag(bool* flag) { ended_ = flag; }  // set when the connection ends; null: none
+  void set_end_flag(bool* flag) { ended_ = flag; }  // *flag becomes true when the connection ends; null: no flag
 
  private:
   void send_order(const Order& order) const;
@@ -33,10 +35,10 @@ class Connection {
   bool* ended_ = nullptr;
 };
 
-// Carries out the orders of rank 0 until it closes the connection.
+// Carries out the orders of rank 0 until rank 0 closes the connection.
 void follow_orders(MPI_Comm of_host);
 
-// Whether MPI can be called here and now; if not, `sentence` says why.
+// Whether MPI can be called now and on this thread; if not, `sentence` says why.
 bool may_call_mpi(std::string& sentence);
 
 }  // namespace bempd::mpi

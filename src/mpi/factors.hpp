@@ -8,12 +8,12 @@
 
 namespace bempd::mpi {
 
-// Factors that rank 0 has ordered, by their numbers; the same on all ranks.
+// Factorized matrices by the numbers that rank 0 gave them; the same on all ranks.
 class Factors {
  public:
   explicit Factors(MPI_Comm comm) : comm_(comm) {}
 
-  // Carries out an order, on all ranks at once. `task` is null but on rank 0.
+  // Carries out an order on all ranks at once. `task` has the arrays of rank 0 and is null on all other ranks.
   Verdict perform(const Order& order, bempd_sparse_task* task) {
     if (order.request == BEMPD_SPARSE_FORGET) {
       factors_.erase(order.factor);
@@ -30,7 +30,7 @@ class Factors {
   }
   bool has(std::int64_t factor) const { return factors_.contains(factor); }
   void clear() { factors_.clear(); }
-  // Leaves factors as they are, because MPI has ended: freeing them would need it.
+  // Leaves the factors in memory, because MPI has ended and is needed to free them.
   void abandon() {
     for (auto& [number, factor] : factors_) static_cast<void>(factor.release());
   }

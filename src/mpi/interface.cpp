@@ -27,7 +27,7 @@ bempd_status report(bempd_status status, const std::string& function, const std:
   return status;
 }
 
-// Runs a call; no exception leaves it.
+// Runs a call of the C interface and turns every exception into a status and a message.
 template <class Body>
 bempd_status guarded(const char* function, const Body& body) noexcept {
   last_error()[0] = '\0';
@@ -43,8 +43,8 @@ bempd_status guarded(const char* function, const Body& body) noexcept {
   }
 }
 
-// Function that the core calls as its sparse solver. By the request BEMPD_SPARSE_DETACH the core says that no more will
-// come, which ends the connection.
+// Function that the core calls as its sparse solver. The request BEMPD_SPARSE_DETACH is the last one and ends the
+// connection.
 int32_t answer(bempd_sparse_task* task, void* user) {
   auto* const connection = static_cast<Connection*>(user);
   if (task->request == BEMPD_SPARSE_DETACH) {
@@ -79,7 +79,7 @@ bempd_status bempd_mpi_attach(bempd_model* model, MPI_Comm comm) {
       connection->set_end_flag(nullptr);
       return status;
     }
-    if (!has_ended) delete connection;  // the core has not even taken it
+    if (!has_ended) delete connection;  // the core has not taken the connection over
     return report(status, function, bempd_last_error(model));
   });
 }

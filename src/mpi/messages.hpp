@@ -8,14 +8,14 @@
 
 namespace bempd::mpi {
 
-// Request of rank 0 to all ranks of a communicator: a bempd_sparse_request with its sizes. Arrays follow in messages of
-// their own.
+// Order of rank 0 to all ranks of a communicator: a request (bempd_sparse_request) with the sizes of its arrays. The
+// arrays follow in messages of their own.
 struct Order {
   std::int64_t request = 0, factor = 0, unknowns = 0, entries = 0, sides = 0;
   std::int64_t kept = 0, has_order = 0, scratch_bytes = 0;
 };
 
-// Error that all ranks agree on, or none.
+// Error that all ranks agree on; status 0: no error.
 struct Verdict {
   std::int32_t status = 0;
   std::string sentence;
@@ -24,7 +24,7 @@ struct Verdict {
 
 constexpr int tag_of_orders = 1, tag_of_arrays = 2;
 
-// Counts of MPI are 32-bit integers, so that long arrays go in pieces.
+// Largest number of values in a message: counts of MPI are 32-bit integers, so that long arrays are sent in pieces.
 constexpr std::int64_t most_at_once = std::int64_t{1} << 27;
 
 template <class T>

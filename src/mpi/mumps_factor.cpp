@@ -113,13 +113,13 @@ Verdict MumpsFactor::use_scratch(const std::string& folder) {
                                 std::to_string(sizeof mumps_.ooc_tmpdir - 1) + " bytes"};
   std::memcpy(mumps_.ooc_tmpdir, folder.c_str(), folder.size() + 1);
   control(mumps_, 22) = 1;
-  // Files are written when MUMPS calls for it. Its thread for that ends at the first error, and ranks wait for it for
-  // ever.
+  // MUMPS writes files itself, without its thread for that: the thread ends at the first error, and ranks would wait
+  // for it for ever.
   mumps_.keep[98] = 3;
   return {};
 }
 
-// Gives each rank its share of the entries' places, and MUMPS the order.
+// Gives each rank its part of the rows and columns of entries, and MUMPS the order of elimination.
 Verdict MumpsFactor::share_pattern(const Order& order, const bempd_sparse_task* task) {
   const std::int64_t mine = first_entry(order.entries, rank_ + 1) - first_entry(order.entries, rank_);
   bool has_memory = true;
@@ -210,7 +210,7 @@ Verdict MumpsFactor::factorize(const Order& order, bempd_sparse_task* task) {
   result = run(factorization);
   const int workspace = control(mumps_, 14);
   for (int retry = 0; retry < most_retries && (found(mumps_, 1) == -8 || found(mumps_, 1) == -9); ++retry) {
-    control(mumps_, 14) *= 2;  // share by which the workspace exceeds the estimate
+    control(mumps_, 14) *= 2;  // percentage by which the workspace exceeds the estimate
     result = run(factorization);
   }
   control(mumps_, 14) = workspace;
@@ -220,7 +220,7 @@ Verdict MumpsFactor::factorize(const Order& order, bempd_sparse_task* task) {
   if (found(mumps_, 12) > 0) return {BEMPD_ERROR_UNSOLVABLE, "the matrix has negative pivots"};
   if (!task) return {};
   task->smallest_pivot = mumps_.rinfog[18];
-  const int entries = found(mumps_, 29);  // negative: millions
+  const int entries = found(mumps_, 29);  // negative: number of millions
   task->entries = entries >= 0 ? entries : -std::int64_t{1000000} * entries;
   return {};
 }

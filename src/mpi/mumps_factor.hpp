@@ -13,7 +13,7 @@
 namespace bempd::mpi {
 
 // Factor of one matrix by MUMPS, distributed over the ranks of a communicator. All ranks call the same functions in the
-// same order. `task` has the arrays of rank 0 and is null on all others.
+// same order. `task` has the arrays of rank 0 and is null on all other ranks.
 class MumpsFactor {
  public:
   explicit MumpsFactor(MPI_Comm comm);
@@ -33,7 +33,7 @@ class MumpsFactor {
   void name_kept(const Order& order, const bempd_sparse_task* task);
   Verdict run(int job);
   Verdict verdict(const char* doing) const;
-  // First entry of the matrix that a rank holds; those of rank `ranks_` would begin behind the last.
+  // First entry of the matrix that a rank holds; for the rank number `ranks_`, the number of all entries.
   std::int64_t first_entry(std::int64_t entries, int rank) const {
     return entries / ranks_ * rank + std::min<std::int64_t>(entries % ranks_, rank);
   }
@@ -43,9 +43,10 @@ class MumpsFactor {
   DMUMPS_STRUC_C mumps_{};
   bool is_started_ = false;
   std::string scratch_;
-  std::vector<int> rows_, columns_;   // of this rank's entries, from 1
-  std::vector<double> values_;        // during a factorization
-  std::vector<int> position_, kept_;  // on rank 0: place of an unknown in the order, and kept unknowns, from 1
+  std::vector<int> rows_, columns_;  // of this rank's entries, counted from 1
+  std::vector<double> values_;       // values of this rank's entries, during a factorization
+  // Position of each unknown in the order of elimination, and the kept unknowns; both on rank 0, counted from 1.
+  std::vector<int> position_, kept_;
 };
 
 }  // namespace bempd::mpi

@@ -55,8 +55,8 @@ class Descriptor {
   int number_;
 };
 
-// Scope without SIGPIPE. If the reader of a FIFO goes away while it is written, this signal would end the host. The
-// signal is blocked in this thread, and removed at the end of the scope if it was not pending before.
+// Scope without the signal SIGPIPE, which would end the host if the reader of a FIFO goes away while the FIFO is
+// written. The signal is blocked in this thread, and removed at the end of the scope if it was not pending before.
 class WithoutBrokenPipe {
  public:
   WithoutBrokenPipe() {
@@ -85,11 +85,12 @@ class WithoutBrokenPipe {
 };
 
 struct Place {
-  fs::path target;    // at the end of symbolic links, which may point to nothing yet
-  bool open_already;  // one of the links the system keeps for open files, such as /proc/self/fd/1
+  fs::path target;  // file at the end of symbolic links, which need not exist
+  // Whether a link leads through those that the system keeps for open files, such as /proc/self/fd/1.
+  bool open_already;
 };
 
-// Whether a folder is one in which the system keeps links for open files. Only Linux has such folders.
+// Whether the system keeps links for open files in a folder. Only Linux has such folders.
 bool has_open_files([[maybe_unused]] const fs::path& folder) {
 #ifdef __linux__
   struct statfs system {};
@@ -119,8 +120,8 @@ void write_through(const fs::path& path, const fs::path& target, int flags, std:
   if (!file.is_open() || !file.write(content) || !file.close()) fail(path, errno);
 }
 
-// Name of the unfinished file. It is in the folder of the target, so that it can take the target's place, and short,
-// because the target's own name may be as long as the system allows.
+// Name of the unfinished file, which lies in the folder of the target so that it can take the target's place. The name
+// is short, because the target's own name may be as long as the system allows.
 fs::path unfinished_name(const fs::path& target) {
   static std::atomic<unsigned> count{0};
   return target.parent_path() / (".bempd_" + std::to_string(::getpid()) + "_" + std::to_string(count++) + ".part");
@@ -155,8 +156,8 @@ void write_file(const fs::path& path, std::string_view content, bool to_disk) {
     if (errno != ENOENT) fail(path, errno);
     return replace(path, place.target, nullptr, content, to_disk);
   }
-  // Content is appended to a file that this process has open for its own output. Another regular file is replaced as a
-  // whole, so that it never has half of the content.
+  // Content is appended to a file that this process has open for its own output. Other regular files are replaced as a
+  // whole, so that they never have half of the content.
   if (S_ISDIR(found.st_mode)) fail(path, EISDIR, ", which is a folder; give the name of a file");
   if (S_ISSOCK(found.st_mode)) fail(path, ENOTSUP, ", which is a socket; give the name of a file");
   if (S_ISBLK(found.st_mode)) fail(path, ENOTSUP, ", which is a disk; give the name of a file");

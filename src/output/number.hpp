@@ -6,7 +6,7 @@
 namespace bempd::output {
 
 // Shortest decimal text that reads back as the same double (at most 17 significant digits), or nan, inf or -inf. The
-// decimal point is a point in every locale.
+// decimal sign is a point in every locale.
 std::string to_text(double value);
 std::string to_text(std::int64_t value);
 

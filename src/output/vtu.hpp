@@ -35,7 +35,7 @@ struct VtuGrid {
   std::vector<VtuCell> types;
   std::vector<VtuArray> point_data;
   std::vector<VtuArray> cell_data;
-  std::vector<VtuArray> field_data;  // of the whole grid
+  std::vector<VtuArray> field_data;  // data of the whole grid
 
   void add_cell(VtuCell type, const std::vector<std::int64_t>& cell_points);
 };

@@ -9,8 +9,8 @@ namespace bempd::output {
 
 namespace {
 
-// Character reference for a character, empty if it needs none. Tabs and line ends need one, because readers turn bare
-// ones in attributes into spaces (XML 1.0, section 3.3.3).
+// Reference that stands for a character in XML; empty if the character needs none. Tabs and line ends need a reference,
+// because readers turn bare ones in attributes into spaces (XML 1.0, section 3.3.3).
 std::string_view reference(char c) {
   switch (c) {
     case '&':

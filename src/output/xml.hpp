@@ -12,7 +12,7 @@ bool fits_xml(std::string_view text);
 // Text escaped for a quoted attribute, so that readers get the same characters back; fits_xml() must hold for it.
 std::string xml_escaped(std::string_view text);
 
-// Text from which xml_escaped() made `escaped`.
+// Text whose escaped form, by xml_escaped(), is `escaped`.
 std::string xml_unescaped(std::string_view escaped);
 
 // Value of the byte_order attribute of VTK files written by this machine.

@@ -7,14 +7,15 @@
 
 namespace bempd::results {
 
-// Support whose columns a table has, unless it was removed. A name stands behind the headings: reaction_x_1 (clamp).
+// Support in the table of the history. A removed support (`there` is false) has no columns. A name stands behind the
+// headings: reaction_x_1 (clamp).
 struct SupportColumns {
   bool there;
-  std::string name;  // empty: none
+  std::string name;  // empty: the support has no name
 };
 
-// Writes the history as a CSV table, a line per entry, with the reactions of all supports. `state` is null before the
-// first step: then there are no lines. Throws Error (io).
+// Writes the history as a CSV table: a line per entry, with the reactions of all supports. If `state` is null, before
+// the first step, the table has no lines. Throws Error (io).
 void write_history(const std::string& path, const fracture::EvolutionState* state,
                    const std::vector<SupportColumns>& supports);
 

@@ -63,7 +63,7 @@ class OpenedMesh {
   // crack.
   void open_at(int point, const std::vector<int>& around, const std::vector<std::array<int, 3>>& whole) {
     linalg::DisjointSets joined(static_cast<int>(around.size()));
-    std::map<int, int> with_side;  // by the side's other end
+    std::map<int, int> with_side;  // triangle by the other end of a side
     for (std::size_t i = 0; i < around.size(); ++i)
       for (const int other : whole[static_cast<std::size_t>(around[i])]) {
         if (other == point || cracks_.contains(ordered(point, other))) continue;
@@ -84,7 +84,7 @@ class OpenedMesh {
 
   BodyMesh mesh_;
   std::set<PointPair> cracks_;
-  std::map<int, std::vector<int>> triangles_at_;  // by points on cracks
+  std::map<int, std::vector<int>> triangles_at_;  // for each point on a crack
   std::set<int> on_cracks_;
 };
 

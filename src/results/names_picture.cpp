@@ -14,10 +14,10 @@ namespace {
 using scene::Names;
 using Kind = Names::Kind;
 
-constexpr int number_of_edges = 102;   // behind all other parts
-constexpr int pieces_of_a_curve = 64;  // straight ones, in place of a curved edge
+constexpr int number_of_edges = 102;   // number of the part, behind those of all other parts
+constexpr int pieces_of_a_curve = 64;  // straight pieces that stand for a curved edge
 
-// Texts and numbers of the cells of the part "edges".
+// Cells of the part "edges" of a snapshot, with their texts and numbers.
 class EdgePart {
  public:
   EdgePart(const scene::Scene& scene, const Names& names) : scene_(scene), names_(names) {}
@@ -94,7 +94,7 @@ class EdgePart {
   std::vector<Point> points_;
 };
 
-// The number of each named region, support and load under its name.
+// Arrays with the number of each named region, support and load under its name.
 std::vector<output::VtuArray> numbers(const scene::Scene& scene, const Names& names) {
   std::vector<output::VtuArray> found;
   const auto add = [&](Kind kind, std::size_t count) {

@@ -7,10 +7,10 @@
 
 namespace bempd::results {
 
-// Adds what a snapshot shows of names: to the field data of every part the number of each named region, support and
-// load under its name, and a part "edges" behind the others. That part has a line for each edge and described crack and
-// a point for each held or loaded point, with their names and those of the supports and loads there as text, which some
-// readers of such files do not know. Without names nothing is added.
+// Adds the host's names to a snapshot. Every part gets, as field data, the number of each named region, support and
+// load under its name. A further part "edges" has a line for each edge and described crack and a point for each held or
+// loaded point. Their names and those of the supports and loads there are texts, which some readers of VTK files do not
+// know. Without names nothing is added.
 void add_names(std::vector<PicturePart>& parts, const scene::Scene& scene, const scene::Names& names);
 
 }  // namespace bempd::results

@@ -8,7 +8,7 @@
 
 namespace bempd::results {
 
-// Appends values to the array `name`, which is made if there is none.
+// Appends values to the array `name`, which is added if there is no such array.
 void append(std::vector<output::VtuArray>& arrays, const std::string& name, int components,
             const std::vector<double>& values);
 

@@ -17,7 +17,8 @@ using regions::Field;
 using regions::FieldValues;
 using regions::SnapshotBlock;
 
-constexpr int number_of_inside = 50, number_of_cracks = 100, number_of_tips = 101;  // behind the regions
+// Numbers of parts, behind those of regions.
+constexpr int number_of_inside = 50, number_of_cracks = 100, number_of_tips = 101;
 
 VtuGrid grid_of_regions() {
   VtuGrid grid;

@@ -14,7 +14,7 @@ struct CracksShown {
   std::vector<regions::TipValues> tips;
 };
 
-// Part of a snapshot, which becomes a file. Parts are shown in the order of their numbers.
+// Part of a snapshot, which is written to a file of its own. Viewers show parts in the order of their numbers.
 struct PicturePart {
   int number;
   std::string name;
@@ -23,7 +23,7 @@ struct PicturePart {
 
 // Makes the parts of a snapshot of the body under one solution: its regions by kind, the inside of boundary element
 // regions, and its cracks. The inside is shown on triangles whose sides are the square root of the region's area over
-// `inside_divisions` (0: it is not shown).
+// `inside_divisions`; 0: the inside is not shown.
 std::vector<PicturePart> pictures(const scene::Scene& scene, const regions::Discretization& discretization,
                                   const regions::Solution& solution, const FieldsOfScene& fields,
                                   const CracksShown& cracks, double inside_divisions);

@@ -9,8 +9,8 @@ namespace bempd::results {
 
 namespace {
 
-// Id of the region at a place, 0 outside the body. On an interface it is the region of the highest rank (lattices come
-// before boundary elements); of equal ranks, the one with the lower id.
+// Id of the region at a place; 0 outside the body. On an interface the region with the highest rank counts (lattices
+// come before boundary elements); of equal ranks, the region with the lower id.
 int region_at(const scene::Scene& scene, const regions::Discretization& d, const Point& place) {
   const regions::Region* found = nullptr;
   for (const auto& region : d.regions) {
@@ -20,8 +20,8 @@ int region_at(const scene::Scene& scene, const regions::Discretization& d, const
   return found ? found->id() : 0;
 }
 
-// Id of the region in which a point is evaluated: `wanted`, or the one at the place if that is 0. Throws Error
-// (argument) if the place lies outside; `number` is the point's index, for the message.
+// Id of the region in which a point is evaluated: `wanted` or, if that is 0, the region at the place. Throws Error
+// (argument) if the place lies outside that region; `number` is the point's index, for the message.
 int region_for(const scene::Scene& scene, const regions::Discretization& d, const Point& place, std::size_t number,
                int wanted) {
   if (wanted == 0) {

@@ -70,7 +70,7 @@ std::string text_of(int number) {
   return text;
 }
 
-// List of new files, which are removed at its end unless keep() was called after all could be written.
+// New files, which the destructor removes unless keep() was called after all files could be written.
 class NewFiles {
  public:
   ~NewFiles() {
@@ -89,8 +89,8 @@ class NewFiles {
 
 }  // namespace
 
-// Time of a moment in the series: its load factor. If the load factor has not grown, the time still grows, by so little
-// that the same number is shown: viewers tell moments apart by their times and show them in this order.
+// Time of a moment in a series of snapshots: its load factor. If the load factor has not grown, the time grows by so
+// little that the same number is shown: viewers tell moments apart, and order them, by their times.
 double Snapshots::Series::time_of(double load_factor) const {
   if (empty() || load_factor > entries.back().time) return load_factor;
   const double last = entries.back().time, step = 1e-9 * (last == 0 ? 1 : std::abs(last));

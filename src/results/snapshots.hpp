@@ -20,8 +20,8 @@ struct Moment {
 // Series of snapshots as VTK files: one file for each part and moment, and a ParaView collection for each series.
 class Snapshots {
  public:
-  // Adds a moment to the series with this prefix. Throws Error (io), also if files of another run exist and the option
-  // snapshots.existing does not tell what to do with them.
+  // Adds a moment to the series with this prefix. Throws Error (io) if writing fails, and if files of another run are
+  // in the way and the option snapshots.existing does not allow to continue or replace them.
   void write(const std::string& prefix, const Moment& moment, std::vector<PicturePart> parts,
              const scene::Options& options);
 

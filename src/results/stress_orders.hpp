@@ -12,8 +12,9 @@ class StressOrders {
   // place.
   StressOrders(const std::vector<regions::SingularPlace>& places, double tolerance);
 
-  // Order of the stress singularity at a place, or at nodes: stress grows as r^-order; 0 where stress is bounded.
+  // Order of the stress singularity at a place: stress grows as r^-order; 0 where stress is bounded.
   double order_at(const Point& place) const;
+  // Orders of the stress singularity at nodes, given by their positions.
   regions::FieldValues at_nodes(const regions::FieldValues& positions) const;
 
  private:

@@ -15,10 +15,11 @@ struct BoundaryValue {
   Point constant = Point::Zero();
   Point proportional = Point::Zero();
 };
-// Function that gives the value at a place, from the place and its distance along the part as a fraction of the length.
+// Function of the host for values along a boundary part. It receives a place, and the place's distance along the part
+// as a fraction of the part's length.
 using BoundaryFunction = std::function<BoundaryValue(const Point&, double fraction_of_part)>;
 
-// Values along a boundary part at equally spaced places, linear between them; a single one is a uniform value.
+// Values along a boundary part at equally spaced places, linear between them; a single value is uniform.
 struct SampledValues {
   std::vector<double> constant, proportional;
 
@@ -30,10 +31,11 @@ struct SampledValues {
   void check() const;
 };
 
-// Values along a boundary part at given places, linear between them, and constant before the first and behind the last.
+// Values along a boundary part at given places: linear between them, and constant before the first and behind the last
+// place.
 struct PlacedValues {
-  std::vector<double> fractions;               // of the part, ascending
-  std::vector<double> constant, proportional;  // in x and y at each place
+  std::vector<double> fractions;               // of the part's length, ascending
+  std::vector<double> constant, proportional;  // x and y at each place
 
   BoundaryValue at(double fraction) const;
 
@@ -43,9 +45,9 @@ struct PlacedValues {
 
 using Values = std::variant<SampledValues, BoundaryFunction, PlacedValues>;
 
-// Condition on the boundary: a support or a load. `components` on which it acts: 1 x, 2 y, 3 both.
+// Condition on the boundary: a support or a load, which acts on `components`: 1 x, 2 y, 3 both.
 struct Condition {
-  std::shared_ptr<const Place> place;  // null: it was removed
+  std::shared_ptr<const Place> place;  // null: the condition was removed
   int components = 0;
   Values values;
   std::size_t sample_count = 0;  // number of samples at its creation; 0: values by a function

@@ -10,7 +10,7 @@ namespace bempd::scene {
 
 namespace {
 
-// Values fixed at what they are at the load factor `factor`: constant parts only, proportional parts 0.
+// Values that stay at what they are at the load factor `factor`: constant parts only, the proportional parts are 0.
 template <class Parts>
 Parts still_at_factor(Parts values, double factor) {
   for (std::size_t i = 0; i < values.constant.size(); ++i) values.constant[i] += factor * values.proportional[i];

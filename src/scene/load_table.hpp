@@ -20,11 +20,11 @@ struct LoadTable {
   };
 
   std::vector<double> times;    // ascending
-  std::vector<Column> columns;  // none: one column, for all supports and loads
+  std::vector<Column> columns;  // empty: one column of factors, for all supports and loads
   std::vector<double> factors;  // row by row
 
-  // Throws Error (argument) if times do not increase, a number is not finite, or a column is of a support or load that
-  // the scene does not have.
+  // Throws Error (argument) if times do not increase, a number is not finite, or the scene does not have the support or
+  // load of a column.
   void check(const Scene& scene) const;
 
   // Values of all supports and loads at the time of a row; `given` are the values that the host gave them.

@@ -16,11 +16,12 @@ bool continues_word(char c) {
   return (c >= '0' && c <= '9') || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_';
 }
 
-// Number that stands in a text from `begin` on; empty if there is none, or one with a fraction.
+// Whole number in a text, and the position behind it.
 struct Numeral {
   int value;
   std::size_t end;
 };
+// Whole number that stands in a text from `begin` on; empty if there is none, or a number with a fraction.
 std::optional<Numeral> numeral_at(std::string_view text, std::size_t begin) {
   int value = 0;
   const char* const first = text.data() + std::min(begin, text.size());
@@ -32,7 +33,8 @@ std::optional<Numeral> numeral_at(std::string_view text, std::size_t begin) {
   return Numeral{value, end};
 }
 
-// Word for a kind of things in a sentence, such as "loads", with the numbers behind it and where each of them ends.
+// Word for a kind of object in a sentence, such as "loads", with the numbers behind the word and the position where
+// each of them ends.
 struct Mention {
   int kind;
   std::vector<Numeral> numbers;
@@ -60,7 +62,7 @@ std::optional<Mention> mention_at(std::string_view text, std::size_t begin) {
   return std::nullopt;
 }
 
-// The only region that a sentence speaks of; 0 if there is none, or several.
+// The only region that a sentence mentions; 0 if it mentions none, or several.
 int only_region(std::string_view text) {
   std::set<int> found;
   for (std::size_t at = 0; at < text.size(); ++at) {

@@ -76,7 +76,7 @@ std::string near_names(std::string_view name) {
   std::vector<std::pair<std::size_t, std::string>> ranked;
   for (const OptionDescription& option : option_descriptions()) {
     const std::string_view known = option.name;
-    // A known name that contains the given one counts as near, so that a group's name can be left out.
+    // A known name that contains the given name counts as near, so that the name of a group ("crack.") can be left out.
     const bool contained = !name.empty() && known.find(name) != std::string_view::npos;
     ranked.emplace_back(contained ? 0 : edit_distance(name, known), option.name);
   }

@@ -16,9 +16,9 @@ struct OptionDescription {
   bool is_text;
   bool whole_number;
   double default_value, minimum, maximum;
-  const char* choices;  // of a text option, separated by " | "; empty if it takes any text
+  const char* choices;  // of a text option, separated by " | "; empty if any text is allowed
   const char* default_text;
-  bool shapes_operators = false;  // states fit only scenes with the same value
+  bool shapes_operators = false;  // whether saved states fit only scenes with the same value
   // Function that returns the word in effect if the option leaves the choice to other options; null if it never does.
   std::string (*in_effect)(const Options& options) = nullptr;
 };
@@ -26,7 +26,7 @@ struct OptionDescription {
 OptionDescription number_option(const char* name, const char* summary, double value, double minimum, double maximum,
                                 bool whole);
 OptionDescription text_option(const char* name, const char* summary, const char* choices, const char* default_text);
-OptionDescription any_text_option(const char* name, const char* summary);  // empty by default
+OptionDescription any_text_option(const char* name, const char* summary);  // the default is an empty text
 // Marks an option as one that shapes operators: a saved state fits only scenes with the same value.
 OptionDescription shaping(OptionDescription option);
 
@@ -50,7 +50,7 @@ const std::vector<OptionDescription>& test_hook_descriptions();
 // names of earlier versions (with what to use instead) and for values out of range.
 class Options {
  public:
-  // Throws Error (argument) if there is no such option, or if it is a test hook and these are not enabled.
+  // Throws Error (argument) for an unknown option, and for a test hook if test hooks are not enabled.
   static void require_known(std::string_view name);
 
   void set(std::string_view name, double value);

@@ -30,7 +30,8 @@ std::string describe_short_edge(const Outline& outline, int edge, const Point& w
               " count as one in a body of this size: leave out one of its ends");
 }
 
-// Whether a loop has the right orientation without its arcs. Then one of the arcs bulges over the opposite side.
+// Whether a loop has the right orientation if its arcs are taken as straight. If it has, one of the arcs bulges over
+// the opposite side.
 bool arcs_turn_round(const Outline& outline, int loop) {
   std::vector<Edge> straight;
   const std::vector<Point>& vertices = outline.loops[static_cast<std::size_t>(loop)];

@@ -19,9 +19,9 @@ void require_sound(const Outline& outline);
 // Throws Error (argument) unless the centre is finite and the radius finite and positive.
 void require_circle(const Point& centre, double radius);
 
-// Appends a loop of edges, which are arcs where a bulge is given that is not 0, else straight. A bulge is the tangent
-// of a quarter of the angle by which the arc turns, positive counter-clockwise (as in DXF files). Throws Error
-// (argument) for bulges that are not finite.
+// Appends a loop of edges: arcs where a bulge is given that is not 0, else straight edges. A bulge is the tangent of a
+// quarter of the angle by which the arc turns, positive counter-clockwise (as in DXF files). Throws Error (argument)
+// for bulges that are not finite.
 void append_loop(Outline& outline, const std::vector<Point>& vertices, const std::vector<double>& bulges);
 
 // Appends a circle as a loop of four quarter arcs, the first of which begins at the place with the largest x.

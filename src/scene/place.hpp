@@ -29,17 +29,19 @@ class Place {
   // Whether the place depends on this region, so that the region cannot be removed alone.
   virtual bool needs(int /*region*/) const { return false; }
 
-  // The point that this place is, or the edge (id of its region, number) that it is or is a part of; else empty.
+  // The point that this place is; empty if the place is not a point.
   virtual std::optional<Point> point() const { return std::nullopt; }
+  // Edge (id of its region, number) that this place is, or is a part of; else empty.
   virtual std::optional<std::pair<int, int>> edge() const { return std::nullopt; }
 
   // Whether values may vary along the place, by fractions of its length.
   virtual bool lies_along_a_line() const { return edge().has_value(); }
 
-  // Whether the place lies on this crack, so that it depends on it.
+  // Whether the place depends on this crack, because it lies on the crack.
   virtual bool needs_crack(int /*crack*/) const { return false; }
 
-  // Whether loads here become a part of operators: their values then cannot change once operators are built.
+  // Whether loads at this place become a part of operators, so that their values cannot change once operators are
+  // built.
   virtual bool is_built_in() const { return false; }
 
   // Adds the place, as the host described it, to the fingerprint of the scene.
@@ -52,7 +54,7 @@ class Place {
   virtual bool covers(int region, int edge, double fraction) const = 0;
 
   // Nodes at this place that the scene's support number `support` (from 0) holds. Throws Error (argument) if there are
-  // none.
+  // no such nodes.
   virtual std::vector<regions::PlacedNode> held_nodes(const Scene& scene, const regions::Discretization& discretization,
                                                       int support) const = 0;
 

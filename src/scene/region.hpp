@@ -15,7 +15,8 @@ struct Preparation;
 
 namespace bempd::scene {
 
-// Requested elements of an edge: their length, and the factor by which neighbours grow away from the edge's ends.
+// Elements requested for an edge: their length, and the factor by which the length grows from element to element away
+// from the edge's ends.
 struct EdgeMesh {
   double element_length;
   double grading;
@@ -27,10 +28,9 @@ struct NodeGrid {
   double spacing;
 };
 
-// Region as the host described it: a material, an outline, and what its kind adds. Edges are numbered from 1, through
-// the outer loop and then the holes.
-//
-// Where two regions share a piece of an edge, a region has either nodes at fixed places, which the other one must
+// Region as the host described it: a material, an outline, and what the kind of region adds. Edges are numbered from 1,
+// through the outer loop and then the holes.
+// Where two regions share a piece of an edge, a region has either nodes at fixed places, which the other region must
 // follow (node_grid), or element ends that can be negotiated (edge_mesh).
 class Region {
  public:
@@ -38,7 +38,7 @@ class Region {
   virtual ~Region() = default;
 
   int material() const { return material_; }  // id
-  // Id of the region of which this one is a part, so that loads on all of that act here too; 0: it is none.
+  // Id of the region of which this region is a part, so that loads on the whole also act here; 0: it is no part.
   int part_of() const { return part_of_; }
   void make_part_of(int region) { part_of_ = region; }
   const Outline& outline() const { return outline_; }
@@ -48,8 +48,8 @@ class Region {
   // Name of the kind of region for messages, such as "peridynamic".
   virtual const char* adjective() const = 0;
 
-  // Replaces the outline by a sound one. If the kind cannot have it, throws Error (argument) and leaves the region as
-  // it was.
+  // Replaces the outline by a sound one. Throws Error (argument) and leaves the region as it was if a region of this
+  // kind cannot have the outline.
   virtual void set_outline(Outline outline) { take_outline(std::move(outline)); }
 
   // Whether the region's edges are divided into elements.
@@ -57,7 +57,7 @@ class Region {
   virtual bool may_be_curved() const { return has_elements(); }
   // Sets the elements of an edge as the host has chosen them; only for regions that have elements.
   virtual void set_edge_mesh(int /*edge*/, const EdgeMesh& /*mesh*/) {}
-  // Whether the host has chosen the elements of this edge: they then need not match the nodes of a neighbour's grid.
+  // Whether the host has chosen the elements of this edge, which then need not match the grid nodes of a neighbour.
   virtual bool has_own_mesh(int /*edge*/) const { return false; }
 
   virtual std::optional<NodeGrid> node_grid() const { return std::nullopt; }
@@ -67,7 +67,8 @@ class Region {
   // Distance between the region's nodes, unless the host has chosen another one for an edge.
   virtual double resolution() const { return node_grid() ? node_grid()->spacing : outline_size(); }
 
-  // Fracture energy by place [J/m^2] in place of the material's; null where that holds everywhere.
+  // Fracture energy by place [J/m^2], in place of the material's; null: the fracture energy of the material holds
+  // everywhere.
   const std::shared_ptr<const ScatteredField>& fracture_energies() const { return fracture_energies_; }
   void set_fracture_energies(std::shared_ptr<const ScatteredField> energies) {
     fracture_energies_ = std::move(energies);
@@ -79,7 +80,8 @@ class Region {
   // rounded, because their last digits depend on the processor.
   virtual void identify(Hash& hash) const;
 
-  // Builds the region of the layer `regions` from this description. Its nodes and its operators are made later.
+  // Builds the region of the layer src/regions from this description, without nodes and operators, which are made
+  // later.
   virtual std::unique_ptr<regions::Region> build(int id, const regions::Preparation& preparation) const = 0;
 
  protected:

@@ -6,8 +6,8 @@
 
 namespace bempd::scene {
 
-// Shape of a described region, for changes: holes in it, curves in place of straight edges, and the elements of edges.
-// Each call throws Error (argument) for an edge that the region does not have, and for a shape that it cannot have.
+// Changes to the shape of a described region: holes, curves in place of straight edges, and the elements of edges. Each
+// call throws Error (argument) for an edge that the region does not have, and for a shape that the region cannot have.
 class RegionShape {
  public:
   RegionShape(Region& region, int id) : region_(region), id_(id) {}

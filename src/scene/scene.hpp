@@ -15,7 +15,7 @@ struct Crack {
   std::vector<Point> points;  // none: it was removed
   // Numbers of points that growth has added at the crack's start and end.
   int grown_at_start = 0, grown_at_end = 0;
-  bool has_begun = false;  // in the run: the host has given no point of it
+  bool has_begun = false;  // the crack began in the run, and the host has given no point of it
 
   bool operator==(const Crack&) const = default;
   std::span<const Point> given() const {
@@ -27,8 +27,8 @@ struct Crack {
   double grown(int end) const;
 };
 
-// Scene as the host described it. An id is the position in these vectors plus 1; a removed object leaves its position
-// empty, so that the ids of the others do not change.
+// Scene as the host described it. The id of an object is its position in the list of its kind plus 1. A removed object
+// leaves its position empty, so that the ids of other objects do not change.
 class Scene {
  public:
   int add_material(const Material& material);
@@ -37,15 +37,16 @@ class Scene {
   void set_toughness(int region, std::vector<Point> places, std::vector<double> fracture_energies);
   Material& mutable_material(int id) { return const_cast<Material&>(material(id)); }
   int add_crack(const std::vector<Point>& points);
-  // Replaces all cracks, for instance by the same ones with their growth and with cracks that have begun in the run.
+  // Replaces all cracks, for instance by the same cracks with their growth, and cracks that have begun in the run.
   void set_cracks(std::vector<Crack> cracks) { cracks_ = std::move(cracks); }
   int add_support(Condition condition);
   int add_load(Condition condition);
-  // Gives a support or load (`what`, `id`) new values: as many samples as it was made with, or values at any places.
+  // Gives a support or load (`what`, `id`) new values: as many samples as at its creation, or values at any places.
   void set_values(Condition& condition, const char* what, int id, SampledValues values);
   void set_values(Condition& condition, const char* what, int id, PlacedValues values);
-  // Values of all supports and loads; exchange_values() swaps them with `values`.
+  // Values of all supports and loads.
   SceneValues values() const;
+  // Swaps the values of all supports and loads with `values`.
   void exchange_values(SceneValues& values) noexcept;
   // Runs `body` with `values` as the values of all supports and loads, and returns its result. The scene's own values
   // are restored afterwards.
@@ -60,7 +61,7 @@ class Scene {
     return body();
   }
 
-  // Removes a region. Throws Error (argument) while there are supports or loads on it.
+  // Removes a region. Throws Error (argument) while supports or loads act on the region.
   void remove_region(int id);
   void remove_crack(int id);
   void remove_support(int id);
@@ -88,13 +89,14 @@ class Scene {
   // Bounding box of the whole scene.
   Box bounding_box() const;
 
-  // Removes the regions behind the first `count` ones, which are parts of these.
+  // Removes all regions after the first `count` regions, of which they are parts.
   friend void remove_parts(Scene& scene, int count);
 
  private:
   Region& mutable_region(int id);
   void check_condition(const Condition& condition, bool is_support) const;
-  // Check for defects that no later call can repair (scene_checks.cpp); others are found when the scene is prepared.
+  // Checks for defects that no later call can repair (scene_checks.cpp). Other defects are found when the scene is
+  // prepared.
   void require_no_overlap(const Region& added) const;
   void require_possible_crack(const std::vector<Point>& points) const;
 
@@ -107,9 +109,11 @@ class Scene {
 // Ids of a region and of its parts.
 std::vector<int> with_parts(const Scene& scene, int region);
 
-// Sets fracture energies of a material by the growth of a tip [m], or by its direction [rad]; all in [J/m^2].
+// Sets a function of the host for the fracture energy of a material [J/m^2].
 void set_resistance_function(Scene& scene, int material, crack::HostResistance::Function function);
+// Sets fracture energies of a material [J/m^2] by the growth of a tip [m] (R-curve).
 void set_resistance_curve(Scene& scene, int material, std::vector<double> extensions, std::vector<double> energies);
+// Sets fracture energies of a material [J/m^2] by the direction of growth [rad].
 void set_resistance_directions(Scene& scene, int material, std::vector<double> angles, std::vector<double> energies);
 
 }  // namespace bempd::scene

@@ -8,7 +8,7 @@ namespace bempd::scene {
 
 namespace {
 
-// Whether the outline `inner` lies inside the outer loop of `outer`, where a hole could make room for it.
+// Whether the outline `inner` lies inside the outer loop of `outer`, in which a hole could make room for it.
 bool lies_inside(const Outline& inner, const Outline& outer, double tolerance) {
   const std::vector<Point>& vertices = inner.loops.front();
   return std::all_of(vertices.begin(), vertices.end(), [&](const Point& vertex) {
@@ -18,8 +18,8 @@ bool lies_inside(const Outline& inner, const Outline& outer, double tolerance) {
 
 }  // namespace
 
-// Regions with elements are not checked: their edges may still become arcs. A region inside another one passes, because
-// a hole may still be added.
+// Rejects a lattice region that overlaps another one. Regions with elements are not checked, because their edges may
+// become arcs later. A region inside another region passes, because a hole may be added later.
 void Scene::require_no_overlap(const Region& added) const {
   if (added.has_elements()) return;
   const Box own = bempd::bounding_box(added.outline());
@@ -27,7 +27,7 @@ void Scene::require_no_overlap(const Region& added) const {
     const Outline& other = region(id).outline();
     const Box box = bempd::bounding_box(other);
     if (region(id).has_elements() || !box.intersects(own)) continue;
-    // An overlap as narrow as this may count as touching in a larger body.
+    // Overlaps as narrow as this may count as touching in a larger body.
     if (own.intersection(box).sizes().minCoeff() < 1e-3 * added.resolution()) continue;
     const double tolerance = geometric_tolerance(own.merged(box));
     if (lies_inside(added.outline(), other, tolerance) || lies_inside(other, added.outline(), tolerance)) continue;
@@ -38,8 +38,8 @@ void Scene::require_no_overlap(const Region& added) const {
   }
 }
 
-// Rejects a crack outside of the box of all regions. Whether others miss all material points is not checked here: which
-// points exist depends on the option `scheme`, which may still change.
+// Rejects a crack outside of the bounding box of all regions. Whether a crack misses all material points is not checked
+// here: which points exist depends on the option `scheme`, which may be changed later.
 void Scene::require_possible_crack(const std::vector<Point>& points) const {
   if (region_ids().empty()) return;
   Box crack;

@@ -17,7 +17,7 @@ std::shared_ptr<const ScatteredField> field_of(std::vector<Point> places, std::v
   return std::make_shared<const ScatteredField>(std::move(places), std::move(fracture_energies));
 }
 
-// Energies of a table in shares of the material's fracture energy.
+// Energies of a table as shares of the material's fracture energy.
 std::vector<double> shares_of(std::vector<double> energies, double of_material) {
   for (std::size_t k = 0; k < energies.size(); ++k) {
     require(std::isfinite(energies[k]) && energies[k] > 0, "energy ", k + 1, " is ", energies[k],

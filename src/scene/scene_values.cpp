@@ -9,7 +9,7 @@ namespace {
 
 bool is_function(const Values& values) { return std::holds_alternative<BoundaryFunction>(values); }
 
-// Samples, which are equally spaced, as values at given places; values at places are returned as they are.
+// Values at places that stand for samples, which are equally spaced; values at places are returned as they are.
 PlacedValues placed(const Values& values) {
   if (const auto* already = std::get_if<PlacedValues>(&values)) return *already;
   const auto& samples = std::get<SampledValues>(values);

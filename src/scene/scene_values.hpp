@@ -11,11 +11,12 @@ struct SceneValues {
   std::vector<Values> supports, loads;
 };
 
-// Whether a condition with the values `other` can get the values `one`: samples in place of equally many samples,
-// values at places, or a function (not null) where there are no samples.
+// Whether the values `one` can replace the values `other` of a condition. Samples cannot replace another number of
+// samples, and a function that is null, or replaces samples, cannot either; values at places always can. Empty samples,
+// of a removed condition, replace empty samples only.
 bool are_alike(const Values& one, const Values& other);
 
-// Zero values, as of a body at rest, with the same number of samples and places as `like`.
+// Zero values, as of a body at rest, with the same numbers of samples and the same places as `like`.
 SceneValues at_rest(const SceneValues& like);
 
 // Values that change linearly from `start` at the load factor `from` to `end` at the load factor `to`. Both must belong
