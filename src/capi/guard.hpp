@@ -33,9 +33,9 @@ struct bempd_state {
 
 namespace bempd::capi {
 
-// Message of the last failed call without a model on this thread, cut off at 2047 bytes. It is not a std::string: the
-// destructor of a thread-local string has to be registered, and if memory for that is missing the C library ends the
-// process.
+// Message of the last failed call without a model on this thread, cut off at 2047 bytes. The text is no std::string:
+// the destructor of a thread-local string has to be registered, and the C library ends the process if memory for that
+// is missing.
 class ThreadError {
  public:
   void assign(std::string_view message) noexcept {

@@ -47,8 +47,8 @@ std::map<int, double> EdgeResults::forces_of_supports(int region_id, int edge) {
   const EdgeName wanted(region_id, edge);
   const PreparedScene& prepared = model_.prepared();
   const Holders holders = holders_of(model_.scene(), prepared.conditions, wanted);
-  // Forces by which the reaction at a node that several held edges share is divided: those of the tractions of each
-  // edge.
+  // Forces of the tractions of each edge at the nodes that several held edges share. They divide the reaction among the
+  // edges.
   std::map<EdgeName, std::map<int, Point>> tractions;
   for (const auto& [dof, edges] : holders)
     if (edges.size() > 1)

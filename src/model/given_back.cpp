@@ -14,16 +14,16 @@ namespace bempd::model {
 
 namespace {
 
-// Largest distance, in spacings, of a point of a crack from the path without the point, if it is left out where
-// elements carry the crack.
+// Largest distance, in spacings, between a crack's path and a point that is left out of the path where elements carry
+// the crack.
 constexpr double off_path = 0.02;
 
 // Distance in spacings from a crack's path within which a bond counts as broken by the crack, or a material point as
 // lying on it.
 constexpr double beside_path = 0.25;
 
-// Marks those points of a polyline between `first` and `last` without which the polyline through the marked points
-// would leave out a point by more than `off`.
+// Marks points of a polyline between `first` and `last` until no point is farther than `off` from the polyline through
+// the marked points.
 void mark_needed(const std::vector<Point>& points, std::size_t first, std::size_t last, double off,
                  std::vector<char>& is_needed) {
   std::size_t farthest = first;

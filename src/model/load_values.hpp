@@ -43,6 +43,7 @@ class LoadValues {
   coupling::Affine loads_in_force_on(const std::vector<int>& regions_of_body) const;
   scene::SceneValues acting_values() const;
 
+  // Values of loads and supports that act on the body, and where they come from.
   struct ActingValues {
     Acting acting = Acting::values;
     // Values at the end of the last step, at the present load factor. Empty before the first step, when the body is at
@@ -55,7 +56,6 @@ class LoadValues {
   ActingValues& present() { return present_; }
   const ActingValues& present() const { return present_; }
 
-  // Values of loads and supports that act on the body, and where they come from.
   // Loads before a change, to which go_back_to() returns.
   struct Before {
     regions::DofConditions conditions;

@@ -106,7 +106,7 @@ const regions::TipValues* find_tip(const std::vector<regions::TipValues>& tips, 
   return found == tips.end() ? nullptr : &*found;
 }
 
-// Difference between a tip's factors in two meshes; the angle between factors of which one vanishes is 0.
+// Difference between a tip's factors in two meshes. The difference of directions is 0 if one of the factors vanishes.
 TipErrors tip_difference(const regions::TipValues& fine, const regions::TipValues& coarse) {
   const double size = far_length_of(fine.factors), other = far_length_of(coarse.factors);
   TipErrors errors{{fine.crack, fine.end}, fine.place, relative(std::abs(size - other), size), 0};

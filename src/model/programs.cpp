@@ -49,7 +49,7 @@ StepResult LoadDriver::run_to_row(const scene::LoadTable& table, std::size_t row
     loads.go_back_to(std::move(before));
     return {fracture::StopReason::requested};
   }
-  // If nothing can break any more before the row's time, the run still moves on to it.
+  // If nothing can break before the row's time, the run moves on to that time.
   if (result.reason == fracture::StopReason::no_further_event && model_.load_factor() != end) {
     add(result, run(end, fracture::Goal::load_factor, &*way));
   }

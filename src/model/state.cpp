@@ -94,8 +94,8 @@ scene::SceneValues fitted(const scene::SceneValues& values, const scene::SceneVa
   return {fit(values.supports, present.supports), fit(values.loads, present.loads)};
 }
 
-// Whether the values of a state are alike to those of all conditions of the scene (are_alike()), and none is an unknown
-// function.
+// Whether all values of a state can replace those of the scene's conditions (are_alike()), so that none of them is an
+// unknown function.
 bool are_known(const scene::SceneValues& values, const scene::SceneValues& present) {
   return std::equal(values.supports.begin(), values.supports.end(), present.supports.begin(), present.supports.end(),
                     scene::are_alike) &&

@@ -52,8 +52,8 @@ const scene::OptionGroup hooks(scene::OptionPlace::test_hooks, [] {
                            0, 1e4, false)};
 });
 
-// Share by which the stretch ratio of a bond may be below the largest one for a tie, in which bonds break together: if
-// the option crack.tie_share is not set, and the largest share that is allowed.
+// Share below the largest stretch ratio within which bonds tie and break together: if the option crack.tie_share is not
+// set, and the largest share that this option can give bonds.
 constexpr double tie_share_of_bonds = 1e-3, most_tie_share_of_bonds = 0.5;
 
 }  // namespace

@@ -113,7 +113,7 @@ Verdict MumpsFactor::use_scratch(const std::string& folder) {
                                 std::to_string(sizeof mumps_.ooc_tmpdir - 1) + " bytes"};
   std::memcpy(mumps_.ooc_tmpdir, folder.c_str(), folder.size() + 1);
   control(mumps_, 22) = 1;
-  // MUMPS writes files itself, without its thread for that: the thread ends at the first error, and ranks would wait
+  // MUMPS is told to write files without a thread for that: the thread ends at the first error, and ranks would wait
   // for it for ever.
   mumps_.keep[98] = 3;
   return {};

@@ -86,7 +86,7 @@ class WithoutBrokenPipe {
 
 struct Place {
   fs::path target;  // file at the end of symbolic links, which need not exist
-  // Whether a link leads through those that the system keeps for open files, such as /proc/self/fd/1.
+  // Whether the path leads over a link that the system keeps for an open file, such as /proc/self/fd/1.
   bool open_already;
 };
 

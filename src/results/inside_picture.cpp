@@ -59,8 +59,8 @@ class OpenedMesh {
  private:
   const Point& at(int point) const { return mesh_.points[static_cast<std::size_t>(point)]; }
 
-  // Makes copies of a point on a crack. Triangles around it get the same copy if they are connected by sides off the
-  // crack.
+  // Makes copies of a point on a crack. Triangles around the point get the same copy if they are connected by sides off
+  // the crack.
   void open_at(int point, const std::vector<int>& around, const std::vector<std::array<int, 3>>& whole) {
     linalg::DisjointSets joined(static_cast<int>(around.size()));
     std::map<int, int> with_side;  // triangle by the other end of a side

@@ -27,7 +27,7 @@ void Scene::require_no_overlap(const Region& added) const {
     const Outline& other = region(id).outline();
     const Box box = bempd::bounding_box(other);
     if (region(id).has_elements() || !box.intersects(own)) continue;
-    // Overlaps as narrow as this may count as touching in a larger body.
+    // Overlaps narrower than this share of a spacing may count as touching in a larger body.
     if (own.intersection(box).sizes().minCoeff() < 1e-3 * added.resolution()) continue;
     const double tolerance = geometric_tolerance(own.merged(box));
     if (lies_inside(added.outline(), other, tolerance) || lies_inside(other, added.outline(), tolerance)) continue;

@@ -11,9 +11,9 @@ struct SceneValues {
   std::vector<Values> supports, loads;
 };
 
-// Whether the values `one` can replace the values `other` of a condition. Samples cannot replace another number of
-// samples, and a function that is null, or replaces samples, cannot either; values at places always can. Empty samples,
-// of a removed condition, replace empty samples only.
+// Whether a condition with the values `other` can get the values `one`: values at places always; samples unless `other`
+// has another number of samples; a function if it is not null and `other` has no samples. Removed conditions have empty
+// samples, which match empty samples only.
 bool are_alike(const Values& one, const Values& other);
 
 // Zero values, as of a body at rest, with the same numbers of samples and the same places as `like`.
