@@ -12,7 +12,7 @@ namespace bempd::crack {
 // Tip that may grow next.
 struct Candidate {
   TipId tip;
-  double load_factor = 0;   // load factor at which it grows
+  double load_factor = 0;   // load factor at which the tip grows
   double ratio = 1;         // equivalent factor over toughness, at the present load factor
   bool overloaded = false;  // exceeds its toughness at a load factor that is held constant
 };

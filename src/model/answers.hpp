@@ -11,9 +11,9 @@ struct StepResult {
   fracture::StopReason reason;
   std::int64_t events = 0;
   std::int64_t broken_bonds = 0;
-  std::int64_t unstable_event = 0;  // number of the first event out of equilibrium; 0: none
+  std::int64_t unstable_event = 0;  // number of the first event at which equilibrium was lost; 0: none
   std::int64_t face_switches = 0;   // number of places where crack faces have closed or opened
-  std::int64_t ties = 0;            // number of tips or bonds that tied with the one that was chosen
+  std::int64_t ties = 0;            // number of tips or places that tied with a tip or place that grew
   bool hanging = false;             // separated, although a hinge joins the parts
   double seconds_total = 0, seconds_solve = 0, seconds_update = 0, seconds_search = 0;
 };

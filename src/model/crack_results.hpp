@@ -25,7 +25,7 @@ class CrackResults {
   int count() const;
   // Path of a crack; throws Error (argument) if the crack does not exist.
   std::vector<crack::PathVertex> path(int crack) const;
-  double length(int crack) const;  // of the crack with this id; 0: sum over all cracks
+  double length(int crack) const;  // length of a crack (id); 0: sum over all cracks
   // Tangential and normal openings of a crack at fractions of its length [m].
   std::vector<Point> openings(int crack, const std::vector<double>& fractions);
   // Extensions of all cracks in the order of the run.

@@ -39,7 +39,7 @@ class LoadLevels {
   double factor(std::size_t number) const { return levels_[number].load_factor; }
 
  private:
-  std::vector<LoadLevel> levels_;  // ascending
+  std::vector<LoadLevel> levels_;  // all different loads, ascending
   std::vector<crack::Block> blocks_;
   std::size_t highest_ = 0;
 };

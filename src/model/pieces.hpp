@@ -36,7 +36,7 @@ class Pieces {
   explicit Pieces(Model& model) : model_(model) {}
 
   const PieceNodes& all();
-  std::vector<int> of_support(int support);  // numbers from 1, ascending
+  std::vector<int> of_support(int support);  // numbers of pieces, from 1, ascending
   std::vector<int> of_load(int load);
   std::vector<int> of_nodes_in(int region);  // one number for each entry of the region's fields
   PieceState state(int number);

@@ -12,7 +12,7 @@
 namespace bempd::scene {
 
 struct Crack {
-  std::vector<Point> points;  // none: it was removed
+  std::vector<Point> points;  // empty: the crack was removed
   // Numbers of points that growth has added at the crack's start and end.
   int grown_at_start = 0, grown_at_end = 0;
   bool has_begun = false;  // the crack began in the run, and the host has given no point of it
