@@ -68,7 +68,7 @@ struct GrowthLaw {
   // may have any form: the range is then the interval around the load factor 0, or around the load factor with the
   // least ratio by hoop stress.
   GrowthRange range(const AffineFactors& factors) const;
-  // Smallest load factor >= 0 at which the ratio is 1 or more; infinite if there is none.
+  // Smallest load factor >= 0 at which ratio() is 1 or more; infinite if there is none.
   double first_load_factor(const AffineFactors& factors) const;
 };
 

@@ -197,7 +197,7 @@ bool Accuracy::wants_more() const {
   return given < 0 ? estimate().largest() > wanted() : levels_.back().cost.halvings < given;
 }
 
-// Whether results still converge, and time and memory allow the next mesh.
+// Whether results converge, and time and memory allow the next mesh.
 bool Accuracy::may_refine() const {
   if (levels_.size() > most_halvings || stagnates()) return false;
   const MeshCost next = predicted(1);

@@ -4,7 +4,7 @@
 
 #include "fracture/crack_evolution.hpp"
 
-// Result of a step (a run of the model).
+// Answers to calls that drive the run: the result of a step, and that of growth by lengths.
 namespace bempd::model {
 
 struct StepResult {

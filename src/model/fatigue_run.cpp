@@ -177,7 +177,7 @@ double FatigueRun::largest_turn(const Trial& trial) const {
 }
 
 // Whether the growth of any tip in the cycles of a trial differs by more than a share from the length for which the
-// trial was made. A tip that has ended does not count if only its growth is larger.
+// trial was made. A tip that has ended cannot grow further, so that a larger growth does not count.
 bool FatigueRun::differs_from_cycles(const Trial& trial, std::size_t leader, double share) const {
   for (std::size_t t = 0; t < front_.size(); ++t) {
     const crack::TipOnStep& tip = trial.on_step[t];

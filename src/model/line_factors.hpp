@@ -18,8 +18,8 @@ namespace bempd::model {
 // Lattices of a prepared scene in their present state, in the form that functions for cracks in bonds read.
 regions::BondedBody bonded_body(const scene::Scene& scene, const PreparedScene& prepared);
 
-// Path of a crack that cuts bonds. In a lattice each described end is replaced: by the place where the first extension
-// begins if the end has grown, else by the effective tip.
+// Path of a crack that cuts bonds. An end that has grown is counted from the place where its first extension begins; an
+// end in a lattice that has not grown lies at its effective tip.
 std::vector<crack::PathVertex> path_in(const scene::Scene& scene, const PreparedScene& prepared, int crack);
 
 // Stress intensity factors of a crack line's tip from contours (rings) around it; empty if no contour fits or the faces

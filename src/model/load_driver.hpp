@@ -22,7 +22,8 @@ class LoadDriver {
   // Moves the load factor, and with it changes loads and supports: linearly from their values at the end of the last
   // step to those that the host has set since.
   StepResult advance_to_values(double target, fracture::Goal goal);
-  // Runs a table of load values row by row from the present load factor, which is the table's time (programs.cpp).
+  // Runs a table of load values row by row, from the present load factor on (programs.cpp). The load factor is the time
+  // of the table.
   StepResult run_program(const scene::LoadTable& table, fracture::Goal goal);
 
   fracture::LoadInterval admissible_load_factors();

@@ -8,7 +8,7 @@
 
 namespace bempd::model {
 
-// Loads on the body at an end of a cycle: its own loads at a load factor, or a combination of load cases.
+// Loads on the body at an end of a cycle: the body's own loads at a load factor, or a combination of load cases.
 struct LoadLevel {
   double load_factor = 0;
   std::vector<double> cases{};  // factors of the cases 1, 2, ..; empty: the body's own loads

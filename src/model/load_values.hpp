@@ -26,7 +26,7 @@ class LoadValues {
   void set_load_values(int load, Values values);
   template <class Values>
   void set_support_values(int support, Values values);
-  // Sets one value for each node of a support's or load's edge part, as pairs of x and y.
+  // Sets values at the nodes of the part of an edge on which a support or load acts: x and y for each node in order.
   void set_nodal_values(bool of_support, int id, std::vector<double> constant, std::vector<double> proportional);
 
   // Changes values of the scene by calling `set`. The new values act from the next step or result on.

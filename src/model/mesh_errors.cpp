@@ -40,8 +40,8 @@ struct Order {
 constexpr Order of_displacement{2.3, 0.5, 2.7}, of_slow_displacement{1.5, 0.5, 2.7}, of_reaction{3, 0.5, 3},
     of_shared_reaction{2, 0.5, 3}, of_size{4, 0.5, 4}, of_turn{2, 1, 2};
 
-// Rule for an error by the differences of successive meshes: of the finest mesh (of_finest), of one that is finer still
-// by a halving (of_next), or of the coarser one of the last two meshes (of_coarser).
+// Rule that estimates an error from the differences of successive meshes: the error of the finest mesh (of_finest), of
+// a mesh with its elements halved once more (of_next), or of the coarser one of the last two meshes (of_coarser).
 using Rule = double (*)(const Order&, const std::vector<double>&);
 
 double of_finest(const Order& order, const std::vector<double>& differences) {

@@ -22,7 +22,7 @@ struct SpreadTip {
 class NetSection {
  public:
   // `outline`: of the region; `cracks`: all cracks by id; `crack`: id of the crack whose tip is at `place`; `spread`:
-  // tips of crack lines in lattices.
+  // tips with the distance over which a lattice spreads their stress, 0 in boundary elements.
   NetSection(const Outline& outline, const std::vector<scene::Crack>& cracks, int crack, const Point& place,
              const Point& direction, const std::vector<SpreadTip>& spread);
 

@@ -51,7 +51,7 @@ double extent(const std::vector<Point>& positions, const std::vector<int>& nodes
 }
 
 // Throws Error (unsolvable) for a body that can move freely. Supports on a very small part of a body prevent its
-// rotation in theory, but not within rounding errors; the message tells this case apart.
+// rotation in theory only, because rounding errors are larger; the message says so.
 [[noreturn]] void fail_free(const std::string& regions, const std::string& motion, double held, double size,
                             const std::string& gap) {
   constexpr double small_part = 1e-5;

@@ -8,7 +8,7 @@
 
 namespace bempd::model {
 
-// Overload that a tip has met, at the place at which a call of growth by cycles left the tip.
+// Overload that a tip has met, remembered at the place where a call of growth by cycles left the tip.
 struct RememberedOverload {
   crack::TipId tip;
   Point place{0, 0};

@@ -5,7 +5,7 @@
 
 namespace bempd::results {
 
-// Search for the places at which stress is unbounded, and the order of its singularity there.
+// Search for places at which stress is unbounded, and for the order of the stress singularity there.
 class StressOrders {
  public:
   // Prepares the search. `places` must outlive this object; a point closer to a place than `tolerance` counts as this

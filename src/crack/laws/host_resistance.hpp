@@ -15,7 +15,7 @@ class HostResistance {
 
   explicit HostResistance(Function function) : function_(std::move(function)) {}
 
-  // Throws Error (argument) if the function gives no fracture energy.
+  // Fracture energy that the function gives [J/m^2]. Throws Error (argument) if it is not a finite number > 0.
   double energy(const TipCycle& held) const;
 
  private:
