@@ -9,33 +9,34 @@ namespace bempd::fracture {
 
 namespace {
 
-// Elastic energy of the proportional load over that of the undamaged scene, below which nothing resists the load any
-// more.
+// Ratio of the elastic energy of the proportional load to its value when the load was given. A smaller ratio means that
+// nothing resists the load.
 constexpr double separated_energy_ratio = 1e-10;
 
-// Share of the loads that supports may bear while they only keep a body from moving; with a larger one they carry load
-// by purpose. A spall removes less than this share of the loads, half of a plate all of it.
+// Largest share of the loads that supports bear where they only keep a body from moving. Supports with a larger share
+// carry load by purpose. A spall takes less than this share of the loads along, a half of a plate takes all loads.
 constexpr double bystanders_share = 0.1;
 
-// Energy due to moving supports, over what it would be with the largest stiffness, below which nothing resists the
-// motion up to rounding.
+// Ratio of the energy due to moving supports to the energy of the same motion against the largest stiffness. A smaller
+// ratio is rounding: nothing resists the motion.
 constexpr double energy_rounding = 1e-14;
 
-// Least scale of forces and energies where supports move a body, relative to what this motion would cause with the
-// largest stiffness. If they move it without stress, all forces are rounding of about 1e-14 of that. Ordinary scenes
-// have larger forces: a strip in tension 1 / (number of elements along it).
+// Least scale of forces and energies where supports move a body, as a share of the force or energy of the same motion
+// against the largest stiffness. If supports move a body without stress, all forces are rounding, about 1e-14 of that
+// force. Ordinary scenes have larger forces: in a strip in tension the share is 1 / (number of elements along the
+// strip).
 constexpr double scale_without_stress = 1e-5;
 
-// Least scale of forces where the constant and the proportional part of the loads cancel, relative to these parts; for
-// energies its square. All forces are then rounding, about 1e-14 of the parts, as in a load program that is at rest at
-// zero. Loads that rise from zero at some time exceed this scale after some 1e-6 of that time.
+// Least scale of forces where the constant and the proportional part of the loads cancel, as a share of these parts;
+// energies use the square of this share. All forces are then rounding, about 1e-14 of the parts, as in a load program
+// that is at rest at zero. Loads that rise from zero at some time exceed this scale after some 1e-6 of that time.
 constexpr double scale_of_parts = 1e-6;
 
 constexpr char causes_of_rounding[] =
     "look for strips that are very thin for their length, also those that holes, cracks and edges leave between "
     "them, and for parts that supports or a few bonds hardly hold";
 
-// Largest displacement of the body by supports, and by springs that hold parts that have come free.
+// Largest displacement that supports, free swelling, or the springs on freed parts impose on the body.
 double moved_by_holds(const coupling::EquilibriumSystem& system, double load_factor) {
   double largest =
       std::max(system.load().support_motion(load_factor), system.stress_free().largest_motion(load_factor));

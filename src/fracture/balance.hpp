@@ -7,25 +7,27 @@
 
 namespace bempd::fracture {
 
-// Whether nothing resists the proportional load any more: `unit_energy` is its energy now, `first_unit_energy` that in
-// the undamaged scene.
+// Whether nothing in the body resists the proportional load. `unit_energy` is the elastic energy of the proportional
+// load in the present body, `first_unit_energy` its value when the load was given.
 bool is_separated(const coupling::EquilibriumSystem& system, double unit_energy, double first_unit_energy);
 
-// Whether the part that carried load has failed: a fragment has taken loads with it that had balanced the other loads,
-// so that only supports balance these now.
+// Whether the loads have lost their balance: a fragment has come free with loads that balanced the other loads, so that
+// only supports balance the remaining loads.
 bool is_balance_lost(const LostBalance& balance);
 
 [[noreturn]] void fail_out_of_range();
 
-// Residual: largest unbalanced force at a free node, relative to the largest internal force so far.
+// Residual: largest unbalanced force at a free node, relative to `largest_force`, the largest internal nodal force of
+// the run so far.
 double residual(const coupling::EquilibriumSystem& system, const Eigen::VectorXd& internal_force, double load_factor,
                 double largest_force);
 
-// Largest residual and energy balance error of a result; larger ones are an error for the host (see bempd.h).
+// Largest residual and largest energy balance error [-] with which a result is accepted. Beyond these limits the host
+// gets an error (bempd.h).
 constexpr double most_residual = 1e-6, most_imbalance = 1e-6;
 
-// Least scales by which forces and energies are measured, for bodies with moving supports, or with loads that partly
-// cancel.
+// Lower bounds of the scales of forces [N] and energies [J] by which residuals and energy errors are divided. The
+// bounds matter where supports move the body without stress, or where the parts of the loads nearly cancel.
 double least_force_scale(const coupling::EquilibriumSystem& system, double load_factor);
 double least_energy_scale(const coupling::EquilibriumSystem& system, double load_factor);
 

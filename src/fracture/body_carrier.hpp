@@ -9,18 +9,21 @@ namespace bempd::fracture {
 
 class CrackEvolution;
 
-// Carrier whose cracks grow by a change of the body: after a step the run goes on in another one.
+// Carrier of cracks (part of the model in which cracks grow) that replaces the body at each step: the run continues in
+// a new body with the longer crack.
 class BodyCarrier : public crack::Carrier {
  public:
-  // Body in which the run goes on. The first body of a run lives until the run has ended.
+  // Body in which the run continues at present. The first body of a run lives until the run has ended.
   virtual CrackEvolution& body() = 0;
 
-  // Lets lattices grow around bonds that have broken by themselves, given as changes of the body's terms, where they
-  // are near this carrier. Returns whether one has no room for that.
+  // Enlarges lattice patches (lattices in a body of boundary elements) around bonds that have broken by themselves near
+  // a patch border. `broken` holds the changes of the body's terms (bonds and cell squares). Returns whether some patch
+  // has no room to grow.
   virtual bool follow_breaks(const std::vector<coupling::StageChange>& broken) = 0;
 
-  // Lets crack lines that have come to the border of this carrier since the last call go on in it; with `run_ends` they
-  // stop there. Returns whether a line has stopped. Throws crack::FreesLoadedPart.
+  // Lets crack lines (cracks that grow in a lattice by steps) that have reached boundary elements since the last call
+  // continue in the elements; with `run_ends` they stop at the border. Returns whether a crack line has stopped. Throws
+  // crack::FreesLoadedPart.
   virtual bool take_over_lines(bool run_ends) = 0;
 };
 

@@ -13,8 +13,8 @@ using coupling::Affine;
 
 namespace {
 
-// Potential, at the displacements before, of the loads that nodes have lost since then: these loads did no further
-// work.
+// Potential of the loads that nodes have lost in a growth, at the displacements before the growth. Lost loads do no
+// further work.
 double potential_of_lost_loads(const Affine& force, const std::vector<char>& lost, const std::vector<char>& lost_before,
                                const Eigen::VectorXd& displacement, double load_factor) {
   double sum = 0;
@@ -28,8 +28,8 @@ double potential_of_lost_loads(const Affine& force, const std::vector<char>& los
 
 }  // namespace
 
-// Takes over the stages of terms. Bonds that longer cracks cut are broken too, and cracks that have entered a lattice
-// get their tips there.
+// Takes over the stages of terms from the old body; bonds that the longer cracks cut stay broken. Tips of cracks that
+// have entered a lattice are added to the tips of the old body.
 void BodyGrowth::take_over_lattices(const BodyState& old, const FormerBody& former,
                                     const std::vector<crack::TipId>& entering) {
   for (std::size_t t = 0; t < old.stages.size(); ++t) {
@@ -48,9 +48,10 @@ void BodyGrowth::take_over_lattices(const BodyState& old, const FormerBody& form
   state_.tips = std::move(tips);
 }
 
-// Takes over the contact state. Exact constraints are at first as those nearest to them were, so that few of them are
-// switched on the way to the new equilibrium. If a crack has entered a lattice, or left a part of it to elements,
-// places on initial cracks are open at first, and some places of broken bonds may have become places of the crack.
+// Takes over the contact state. An exact constraint begins with the status (closed or open) of the nearest exact
+// constraint of the old body, so that few constraints are switched before the new equilibrium. If a crack has entered a
+// lattice, or boundary elements have replaced a part of a lattice, contact places on initial cracks begin open, and
+// places at broken bonds that the crack cuts in the new body are left out.
 void BodyGrowth::take_over_faces(LoadedBody& then, const FaceState& old, const FormerBody& former) {
   FaceState& faces = state_.faces;
   const CrackFaces& before = then.faces();
@@ -81,7 +82,8 @@ void BodyGrowth::take_over_faces(LoadedBody& then, const FaceState& old, const F
   }
 }
 
-// Takes over the body's state: what is broken, and what holds separated parts.
+// Takes over the state of the old body: load factor, broken terms, displacements, lost loads, and the springs that hold
+// freed parts.
 void BodyGrowth::take_over_body(const BodyState& old, const FormerBody& former,
                                 const std::vector<crack::TipId>& entering) {
   state_.load_factor = old.load_factor;
@@ -104,9 +106,10 @@ void BodyGrowth::take_over_body(const BodyState& old, const FormerBody& former,
   sources_.refresh();
 }
 
-// Equilibrium after growth. A piece that comes off is held at its present position. If that is far from its unloaded
-// position, the rounding errors of its stiffness cause forces; it is then held at its unloaded position instead. Before
-// that all exact constraints are opened, in case the closed ones are too many for the longer cracks.
+// Finds the equilibrium after growth. A piece that comes off is held at its present position. If that position is far
+// from the unloaded one, rounding errors of the stiffness cause forces; the last attempt then holds the piece at its
+// unloaded position. An attempt before it opens all exact constraints, in case too many are closed for the longer
+// cracks.
 LoadedBody::FirstEquilibrium BodyGrowth::find_equilibrium_of_pieces() {
   constexpr double balanced = 1e-8;
   const BodyState given = state_;
@@ -120,8 +123,8 @@ LoadedBody::FirstEquilibrium BodyGrowth::find_equilibrium_of_pieces() {
   };
   const int attempts = system_.constraints().closed_exact_count() > 0 ? 2 : 1;
   for (int attempt = 0; attempt < attempts; ++attempt) {
-    // If bonds are broken as well, residuals above `balanced` look like a motion that no spring holds. The solution
-    // then throws, and the unloaded position is tried as well.
+    // If the body also has broken bonds, a residual above `balanced` looks like a motion that no spring holds, and
+    // find_equilibrium() throws. The next attempt is made in that case, too.
     try {
       const LoadedBody::FirstEquilibrium found = body_.find_equilibrium(false);
       if (found.held.empty() || body_.response().residual() <= balanced) return found;
@@ -136,8 +139,8 @@ LoadedBody::FirstEquilibrium BodyGrowth::find_equilibrium_of_pieces() {
   return body_.find_equilibrium(false);
 }
 
-// Continues the run of the body `before`. At constant loads the potential energy falls by what the crack growth
-// releases; the work of the loads follows from that and the stored energy.
+// Continues the run of the body `before`. At constant loads the work of the loads is the change of their potential; the
+// energy released by the growth is this work less the increase of the stored energy.
 void BodyGrowth::go_on_from(BodyGrowth& before, const FormerBody& former, const std::vector<crack::TipId>& entering) {
   before.sources_.update_for_reader();
   const EvolutionState& old = before.state_;
@@ -175,17 +178,19 @@ void BodyGrowth::go_on_from(BodyGrowth& before, const FormerBody& former, const 
   outcome_.resistance = body_.supports().resistance(outcome_.reactions);
 }
 
-// Negative potential energy at a load factor: potential that the loads have lost less the stored energy.
+// Negative potential energy at a load factor: work of the loads at full size on the displacements, less the stored
+// energy.
 double BodyGrowth::potential_at(double load_factor) const {
   const double of_loads =
       coupling::evaluate(system_.load().force(), load_factor).dot(coupling::evaluate(state_.displacement, load_factor));
   return of_loads + inner_work_.at(load_factor) - body_.response().stored_energy_at(load_factor);
 }
 
-// Excess of the energy released at constant loads over that along the equilibrium path. The former is a quadratic
-// function R of the load factor. Along a path from a to b, the release is the bilinear form B(a, b) with B(f, f) =
-// R(f), up to the third power of the extension. It is, by Betti's theorem, half the difference of the works that each
-// crack's forces do on the other's displacements. B follows from three values of R.
+// Energy released at constant loads less the energy released along the equilibrium path. The energy released at
+// constant loads is a quadratic function R of the load factor. Along a path from the load factor a to b the released
+// energy is the bilinear form B(a, b) with B(f, f) = R(f), up to the third power of the crack extension. By Betti's
+// theorem, B is half the difference between the work of the forces of the body before on the displacements of the body
+// after, and the converse. B follows from three values of R.
 double BodyGrowth::released_beyond_path(const BodyGrowth& before, double load_factor) const {
   const auto released = [&](double at) { return potential_at(at) - before.potential_at(at); };
   const double present = state_.load_factor;

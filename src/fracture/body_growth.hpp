@@ -10,26 +10,27 @@
 
 namespace bempd::fracture {
 
-// Event at which tips with boundary elements have grown.
+// Event at which crack tips in boundary elements have grown.
 struct Growth {
-  double ratio = 1;                 // largest equivalent stress intensity factor over the toughness, before it
-  double critical_load_factor = 0;  // at which that tip just reached its toughness
+  double ratio = 1;  // largest ratio of equivalent stress intensity factor to toughness, before the event
+  double critical_load_factor = 0;  // at which the tip with that ratio just reached its toughness
   double surface_energy = 0;        // fracture energy times new area [J]
-  double beyond_path = 0;           // of the energy released, as BodyGrowth::released_beyond_path() has it [J]
+  double beyond_path = 0;           // BodyGrowth::released_beyond_path() of the event [J]
   std::vector<CrackExtension> extensions;
-  int ties = 0;  // tips that would have grown as soon
+  int ties = 0;  // other tips that would have grown at the same load factor
 };
 
-// How the nodes and terms of a body that goes on are related to those of the body before.
+// Relation of the nodes and terms (bonds and cell squares) of the body in which a run continues to those of the body
+// before it.
 struct FormerBody {
-  std::vector<int> node;      // by node: the one at the same place before, or a close one
-  std::vector<int> node_now;  // by node before: the one at the same place, or a close one; -1: there is none
-  // New numbers of terms, by those before. All that have changed are known, but for those of lattices that elements
-  // have replaced; empty: every term has the same number.
+  std::vector<int> node;      // by present node: node of the body before at the same place, or a close one
+  std::vector<int> node_now;  // by node of the body before: present node at the same place, or a close one; -1: none
+  // Present numbers of terms by their numbers in the body before; empty: all terms keep their numbers. The map has all
+  // terms that have changed their stage, except terms of lattices that boundary elements have replaced.
   std::optional<std::unordered_map<int, int>> terms;
-  bool has_fewer_terms = false;  // elements have replaced a part of a lattice, and carry a crack there
+  bool has_fewer_terms = false;  // boundary elements have replaced a part of a lattice and carry a crack there
 
-  // New number of a term; -1 if it is gone.
+  // Present number of a term of the body before; -1 if the term no longer exists.
   int new_number(int term) const {
     if (!terms) return term;
     if (!has_fewer_terms) return terms->at(term);
@@ -38,8 +39,8 @@ struct FormerBody {
   }
 };
 
-// Growth of cracks with boundary elements, or of lattices that follow tips, at which a run goes on in another body,
-// prepared anew. This is the body that goes on.
+// Continuation of a run in a new body, after cracks in boundary elements have grown or lattice patches (lattices that
+// follow crack tips) have been enlarged. The object belongs to the new body.
 class BodyGrowth {
  public:
   BodyGrowth(EvolutionState& state, LoadedBody& body, EventSources& sources, const InnerWork& inner_work,
@@ -51,20 +52,21 @@ class BodyGrowth {
         inner_work_(inner_work),
         records_(records) {}
 
-  // Continues the run of another body (`before`) whose cracks or lattices have grown since, at its load factor.
-  // `entering` are tips that have entered a lattice. book() has to follow.
+  // Continues the run of the body `before` at its load factor. `former` relates that body to this one; `entering` are
+  // crack tips that have entered a lattice. book() or book_layout() has to follow.
   void go_on_from(BodyGrowth& before, const FormerBody& former, const std::vector<crack::TipId>& entering);
-  // Energy released by the growth at constant loads; and the part of it that exceeds the release along the equilibrium
-  // path, on which the load factor changes to `load_factor` [J].
+  // Energy released by the growth at constant loads [J].
   double released() const { return outcome_.released_energy; }
+  // Part of released() that exceeds the energy released along the equilibrium path, on which the load factor changes to
+  // `load_factor` [J].
   double released_beyond_path(const BodyGrowth& before, double load_factor) const;
-  // Enters a growth in the history as an event.
+  // Enters the growth of cracks in the history as an event.
   void book(const Growth& growth);
-  // Enters larger lattices in the history, as a line of their own: by `layout`, an entry of
-  // EvolutionState::layouts, they have grown. They store a little
-  // more or less energy at the same loads. Nothing has released or done that: work counts as if the lattices had been
-  // there before.
+  // Enters an enlargement of lattice patches in the history, as an entry without an event. `layout` is the entry of
+  // EvolutionState::layouts that describes the enlargement. Larger lattices store slightly more or less energy at the
+  // same loads; the difference counts as work, as if the lattices had been there before.
   void book_layout(std::int64_t layout);
+  // Change of the stored energy by an enlargement of lattice patches [J].
   double stored_by_layout() const { return outcome_.stored_energy - outcome_.stored_energy_before; }
 
  private:
@@ -80,7 +82,7 @@ class BodyGrowth {
   EventSources& sources_;
   const InnerWork& inner_work_;
   RunRecords& records_;
-  Outcome outcome_;  // of the growth that is to be booked
+  Outcome outcome_;  // outcome of the growth that is to be booked
 };
 
 }  // namespace bempd::fracture

@@ -18,8 +18,8 @@ struct ActingLoads {
   double first_unit_energy = -1;
 };
 
-// Loads of a body: nodal forces and prescribed displacements that the host gives, and the fluid in cracks. The system
-// carries them, less those of parts that have come free.
+// Loads of a body: nodal forces and prescribed displacements that the host gives, and the fluid in cracks. The
+// equilibrium system gets these loads without those on parts that have come free.
 class BodyLoads {
  public:
   BodyLoads(coupling::EquilibriumSystem& system, const std::vector<Point>& positions, BodyState& state);
@@ -29,33 +29,34 @@ class BodyLoads {
   bool has_fluid() const { return !fluid_.empty(); }
   // Pressure that the host has given for a crack, constant and proportional part [Pa]; 0 if none.
   Eigen::RowVector2d pressure_in(int crack) const;
-  // Lets the fluid enter the terms that have broken; returns the nodal forces [N] that this adds at the present load
-  // factor.
+  // Lets the fluid in cracks spread to terms (bonds and cell squares) that have broken; returns the nodal forces [N] by
+  // which the loads change at the present load factor.
   Eigen::VectorXd spread_fluid();
 
   void set(const coupling::Affine& force, const coupling::Affine& prescribed, const CrackPressures& pressures);
   ActingLoads acting() const;
   void restore(ActingLoads loads) noexcept;  // apply() has to follow
-  void drop(const std::vector<int>& nodes);  // for good
-  void apply();                              // to the system
+  void drop(const std::vector<int>& nodes);  // removes the loads of these nodes for good
+  void apply();                              // gives the present loads to the system
 
   const coupling::Affine& prescribed() const { return prescribed_; }
   const std::vector<int>& loaded_nodes() const { return loaded_nodes_; }
-  Point on(int node, double load_factor) const;  // [N]
-  // Imbalance of the loads at the present load factor, which supports have to bear: the sum of the loads, or their
-  // moment over the radius of gyration of their places, over half the sum of their magnitudes. 0 if they balance.
+  Point on(int node, double load_factor) const;  // load on a node [N]
+  // Imbalance of the loads at the present load factor, which supports have to bear [-]; 0 if the loads balance. It is
+  // the resultant force, or the resultant moment over the radius of gyration of the loaded places if that is larger,
+  // divided by half the sum of the magnitudes of the loads.
   double unbalanced_share() const;
 
  private:
   coupling::Affine without_lost_loads(coupling::Affine force) const;
-  // Loads less those that nodes have lost, plus the forces of the fluid.
+  // Nodal forces `force` without the loads that nodes have lost, plus the forces of the fluid.
   coupling::Affine carried(coupling::Affine force, const CrackPressures& pressures) const;
 
   coupling::EquilibriumSystem& system_;
   const std::vector<Point>& positions_;
   BodyState& state_;
   coupling::Affine force_, prescribed_;  // as the host gave them
-  CrackPressures pressures_;             // likewise
+  CrackPressures pressures_;             // as the host gave them
   CrackFluid fluid_;
   std::vector<int> loaded_nodes_;
 };

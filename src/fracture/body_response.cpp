@@ -10,11 +10,11 @@ namespace bempd::fracture {
 
 namespace {
 
-// Residual from which on a motion may have lost its resistance.
+// Residual above which some motion of the body may have lost its resistance.
 constexpr double suspicious_residual = 1e-8;
 // Rounding of a solution whose forces nearly cancel, relative to these forces.
 constexpr double rounding_of_parts = 1e-12;
-// Load factor from which on, and up to its reciprocal, energies divided by its square keep their digits.
+// Least load factor f for which energies divided by f^2 keep their digits; the largest one is the reciprocal.
 constexpr double least_load_factor = 1e-50;
 
 }  // namespace

@@ -11,23 +11,28 @@
 
 namespace bempd::fracture {
 
-// Response of the whole body to the loads of its system: displacements as functions of the load factor, and forces,
-// energies and stretch ratios at the present one. Between two breaks the response is linear in the load factor.
+// Response of the whole body to the loads of its system: displacements as affine functions of the load factor, and
+// forces, energies and stretch ratios (stretch over critical stretch of each bond) at the present load factor.
+// Displacements stay the same functions of the load factor between two breaks.
 class BodyResponse {
  public:
   // `state` belongs to the caller, who saves and restores it.
   BodyResponse(coupling::EquilibriumSystem& system, std::vector<double> critical_stretch, BodyState& state)
       : system_(system), state_(state), ratios_(system.terms(), std::move(critical_stretch)) {}
 
-  void solve();  // the displacements of the present system
-  // Stretch ratios for the system's stages of terms; their values follow with the next update.
+  void solve();  // finds the displacements of the present system
+  // Gives the stages of the system's terms to the stretch ratios. Their values change with the next update_ratios().
   void enter_stages() { ratios_.enter(system_.stages().numbers()); }
-  void update_ratios();  // to the stages and displacements
+  void update_ratios();  // computes the ratios for the present stages and displacements
   const StretchRatios& ratios() const { return ratios_; }
 
-  double move_to(double load_factor);  // returns the work of the loads, and of what swells with them
-  double absorb(double load_factor);   // the same, also where only the displacements have changed
-  // Sets displacements and forces to those of a solution at the present load factor whose energies are already
+  // Moves the state to a load factor along the present solution; returns the work [J] of the loads, and of rest
+  // elongations that change with the load factor (swelling).
+  double move_to(double load_factor);
+  // Brings the state to the present solution at a load factor, also where only the displacements have changed; returns
+  // the work as move_to() does.
+  double absorb(double load_factor);
+  // Sets displacements and forces of the state to those of a solution at the present load factor, whose work is already
   // recorded.
   void set_solution(coupling::Affine displacement);
 
@@ -36,18 +41,21 @@ class BodyResponse {
     return {state_.load_factor, target >= state_.load_factor, control};
   }
   BondList bonds() const { return {ratios_, system_.stages().intact()}; }
-  // Load factor at which the first bond becomes critical on a path; empty if none does.
+  // Load factor at which the first bond becomes critical on a load path; empty if none does.
   std::optional<double> next_critical(const LoadWay& way);
+  // Range of load factors in which no intact bond exceeds its critical stretch.
   LoadInterval admissible() const { return ratios_.admissible(system_.stages().intact()); }
 
-  // Energy stored at zero displacements by rest lengths, which counts as work done before.
+  // Energy that rest elongations of terms store at zero displacements [J]; it counts as work done before the run.
   double energy_at_rest() const;
   double stored_energy() const;
-  double stored_energy_at(double load_factor) const;  // in the same state of the bonds
-  double unit_energy() const;                         // of the proportional load alone
-  double potential_of_loads() const;  // what the loads lose of it on the way to the present displacements
+  double stored_energy_at(double load_factor) const;  // for the present stages of the terms
+  double unit_energy() const;                         // energy of the proportional load alone, at the load factor 1
+  double potential_of_loads() const;  // potential that the loads have lost: forces times displacements [J]
   double residual() const;
-  bool is_balanced() const;  // the displacements, at the present load factor, which nothing else may know of yet
+  // Whether the present solution is in equilibrium at the state's load factor. The forces of the state may still be
+  // those of another solution.
+  bool is_balanced() const;
 
   double& seconds_search() { return seconds_search_; }
   double seconds_search() const { return seconds_search_; }

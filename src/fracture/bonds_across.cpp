@@ -28,7 +28,7 @@ BondsAcross::BondsAcross(const coupling::Terms& terms) {
   for (std::size_t t = 0; t < count; ++t) nodes = std::max({nodes, terms.first[t] + 1, terms.second[t] + 1});
   const linalg::Adjacency bonds_of = linalg::make_adjacency(static_cast<std::size_t>(nodes), [&](const auto& add) {
     for (std::size_t t = 0; t < count; ++t) {
-      if (terms.is_wide(t) || contraction_[t] == 0) continue;  // what is no bond of such a lattice
+      if (terms.is_wide(t) || contraction_[t] == 0) continue;  // cell squares, and bonds without Poisson's effect
       add(terms.first[t], static_cast<int>(t));
       add(terms.second[t], static_cast<int>(t));
     }
@@ -69,7 +69,7 @@ void BondsAcross::add_by_two(const coupling::Terms& terms, std::size_t bond, std
       if (other <= one) continue;
       const auto [c, s] = angle(one);
       const auto [d, t] = angle(other);
-      const double area = s * t * (s * d - t * c);  // of sin^2 and sin cos of both
+      const double area = s * t * (s * d - t * c);  // determinant of sin^2 and sin cos of the two bonds
       if (!(std::abs(area) > same)) continue;
       const double first = t * d / area, second = -s * c / area;
       const double weights = first * first + second * second;

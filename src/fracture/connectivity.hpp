@@ -15,8 +15,8 @@ class Connectivity {
   // Pieces of the body: lists of nodes, each in ascending order, in the order of their first nodes.
   std::vector<std::vector<int>> pieces() const;
 
-  // Whether all nodes of each term share an intact neighbour, so that the pieces are the same without these terms.
-  // False means: unknown.
+  // Whether the pieces of the body are certainly the same without the terms `removed`, because the nodes of each of
+  // these terms share an intact neighbour. False means that the pieces may differ.
   bool still_joined(const std::vector<int>& removed) const;
 
   // Whether a path of intact terms and bodies that cannot break leads from one node to the other.
@@ -26,9 +26,9 @@ class Connectivity {
 
  private:
   const coupling::EquilibriumSystem& system_;
-  mutable std::vector<int> visited_;  // per node: the search that came by last
+  mutable std::vector<int> visited_;  // by node: number of the last search that visited it
   mutable int search_ = 0;
-  linalg::Adjacency terms_at_;  // of every node
+  linalg::Adjacency terms_at_;  // terms at every node
 };
 
 }  // namespace bempd::fracture

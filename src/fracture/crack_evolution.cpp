@@ -93,7 +93,7 @@ void CrackEvolution::synchronize() {
   sources_.bring_up_to_date();
   sources_.forget();
   body_.contact().update_faces();
-  system_.contact().bar({});  // they are found anew, as by a run that goes on from the state
+  system_.contact().bar({});  // barred constraints are found anew, as in a run that continues from the state alone
   system_.factor().forget();
   system_.matrix().set_places_met({});
 }

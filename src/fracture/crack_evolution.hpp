@@ -19,7 +19,8 @@
 
 namespace bempd::fracture {
 
-// Bond that breaks next by itself, with the load factor of that and its present ratio of stretch to critical stretch.
+// Bond that breaks next by itself (not by the step of a crack line): the load factor of the break, and the present
+// ratio of stretch to critical stretch.
 struct NextBond {
   int term;
   double load_factor, ratio;
@@ -41,8 +42,8 @@ enum class StopReason {
 // break is found in closed form; a break is a low-rank change of the system. An event is one batch of bonds that break
 // at one load factor; events follow each other at that load factor until no bond exceeds its critical stretch.
 //
-// This class owns the state and its parts: the body, the sources of events, loads, events, records, and the growth from
-// another body. It saves and restores the state.
+// This class owns the state of the run, saves and restores it, and owns the parts of the run: the body, the sources of
+// events, the loads, the events, the records, and the growth from another body.
 class CrackEvolution {
  public:
   // The bonds `cut` are broken from the start.
@@ -50,9 +51,9 @@ class CrackEvolution {
                  std::vector<double> critical_stretch, const std::vector<int>& cut, coupling::SupportDofs supports,
                  ContactPlan contact = {});
 
-  // Lets cracks grow as lines from these tips, by the laws that they refer to; called before the first step. `openings`
-  // finds the openings of cracks in lattices, `factors` the stress intensity factors of tips from the field around
-  // them.
+  // Lets cracks in lattices grow as crack lines (by steps of one lattice spacing) from the given tips, by their tip
+  // laws; called before the first step. `openings` finds the openings of cracks in lattices, `factors` the stress
+  // intensity factors of tips by path-independent sums around them.
   void grow_lines(pd::TipLaws laws, std::vector<GrowingTip> tips, LineCarrier::Openings openings,
                   FactorsAround factors);
   // Carrier of the crack lines; null if cracks in lattices grow bond by bond.
@@ -69,8 +70,8 @@ class CrackEvolution {
   const BodyGrowth& growth() const { return growth_; }
   EventSources& sources() { return sources_; }
 
-  // Runs to a target or goal (event_loop.hpp). `on_event` is called after every event, `on_end` at the end. If they
-  // throw, or after any other failure, the run returns to where it was.
+  // Runs to a target or goal (event_loop.hpp). `on_event` is called after every event, `on_end` at the end. If a
+  // callback throws, or after any other failure, the run returns to its state before the call.
   StopReason advance(double target, Goal goal, const SteppingOptions& options,
                      const std::function<void(const EvolutionState&)>& on_event, const std::function<void()>& on_end);
 
@@ -82,13 +83,13 @@ class CrackEvolution {
   // State without an up-to-date solution: numbers, bonds and history are right, displacements and forces may be those
   // of an earlier event.
   const EvolutionState& progress() const { return state_; }
-  // What a restored run needs beside the state to continue with the same digits.
+  // Data that a restored run needs beside the state to continue with the same digits.
   Continuation continuation() {
     sources_.update_for_reader();
     return sources_.resumption().present();
   }
   void restore(EvolutionState state, std::optional<Continuation> continuation = std::nullopt) noexcept;
-  // Lets the run continue bit for bit like one that is restored from a copy of the present state alone.
+  // Lets the run continue bit for bit like a run that is restored from a copy of the present state alone.
   void synchronize();
 
   // Body with its displacements and forces brought up to date. Reading it does not affect the run.
@@ -100,11 +101,11 @@ class CrackEvolution {
   const CrackFaces& faces() const { return std::as_const(body_).faces(); }
   double seconds_search() const { return body_.response().seconds_search(); }
 
-  // Calls `visit` in the contact state that holds as soon as the load factor moves, if some faces open or close then,
-  // and goes back to the present state. Returns whether `visit` was called.
+  // If crack faces open or close as soon as the load factor moves upwards or downwards, calls `visit` in the contact
+  // state after that switch, and returns to the present state. Returns whether `visit` was called.
   bool look_past_switch(bool upwards, const std::function<void()>& visit);
-  // Bond that breaks next by itself, away from tips of lines, as the load factor rises or falls; empty if there is
-  // none.
+  // Bond that breaks next by itself, away from the tips of crack lines, as the load factor rises or falls; empty if
+  // there is none.
   std::optional<NextBond> next_bond(bool upwards, Control control);
 
   // Whether products of displacements and forces exceed the range of numbers, so that energies are unknown.

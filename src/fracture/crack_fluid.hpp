@@ -17,9 +17,10 @@ namespace bempd::fracture {
 // Pressures in cracks by crack id, constant and proportional part [Pa].
 using CrackPressures = std::map<int, Eigen::RowVector2d>;
 
-// Fluid in cracks of lattices. It spreads from a crack's initial faces to all open facets that join on. Its pressure
-// acts in place of the broken terms: those that the crack cuts, those that cross a facet that the fluid has reached,
-// and their followers.
+// Fluid in cracks of lattices. It spreads from the initial faces of a crack to all open facets (pieces of crack face
+// between neighbouring points) that are connected to them. The pressure acts in place of broken terms (bonds and cell
+// squares): terms that the crack cuts, bonds that cross a facet that the fluid has reached, and the followers of both
+// (cell squares that break with a bond).
 class CrackFluid {
  public:
   CrackFluid() = default;
@@ -29,8 +30,8 @@ class CrackFluid {
 
   bool empty() const { return cut_.empty(); }
 
-  // Adds the nodal forces of the pressures [N]. Terms with an unloaded node have none. Where fluids of several cracks
-  // have met, the pressure of the first crack acts.
+  // Adds the nodal forces of the pressures to `force` [N]. Terms with an unloaded node get no pressure. Where the
+  // fluids of several cracks meet on a facet, the pressure of the first crack (smallest id) acts.
   void add_forces(const CrackPressures& pressures, const coupling::Terms& terms, const std::vector<char>& intact,
                   const std::vector<char>& unloaded, coupling::Affine& force) const;
 
@@ -43,11 +44,11 @@ class CrackFluid {
   pd::FluidPaths paths_;
   std::map<int, std::vector<int>> cut_;
   std::vector<Point> positions_;
-  std::vector<int> facet_of_;    // term
-  linalg::Adjacency facets_at_;  // place
-  double spacing_ = 1;           // the least [m]
-  std::unordered_map<Cell, std::vector<int>> facets_in_;
-  mutable std::unordered_map<int, std::vector<int>> crossed_;  // facets, of broken bonds
+  std::vector<int> facet_of_;                                  // facet of each term, or -1
+  linalg::Adjacency facets_at_;                                // facets at each place where facets join
+  double spacing_ = 1;                                         // length of the shortest facet [m]
+  std::unordered_map<Cell, std::vector<int>> facets_in_;       // facets by the grid cells of their middles
+  mutable std::unordered_map<int, std::vector<int>> crossed_;  // facets that a broken bond crosses, once asked for
 };
 
 }  // namespace bempd::fracture

@@ -24,11 +24,11 @@ struct LoadInterval {
   }
 };
 
-// Ratios of stretch to critical stretch of bonds, as affine functions of the load factor. If there is a relief (a
-// second function), its positive values are subtracted, so that the ratio is the smaller of two affine functions.
+// Ratios of stretch to critical stretch of bonds, as affine functions of the load factor. If bonds have a relief
+// (bonds_across.hpp), its positive values are subtracted, so that the ratio is the smaller of two affine functions.
 struct AffineRatios {
   std::vector<double> constant, proportional;
-  AffineRelief relief;  // empty: of no bond
+  AffineRelief relief;  // empty: no bond has a relief
 
   double at(std::size_t bond, double load_factor) const {
     const double whole = constant[bond] + load_factor * proportional[bond];
@@ -39,29 +39,28 @@ struct AffineRatios {
   // bond exceeds its critical stretch there. Empty if no intact bond becomes critical.
   std::optional<double> next_break(const std::vector<char>& intact, double from, double to) const;
 
-  // next_break() with rising load factor and no bound, for the case that all constant parts are 0, and the ratios of
-  // broken bonds too.
+  // next_break() from `from` to infinity, for ratios whose constant parts are all 0, and which are 0 for broken bonds.
   std::optional<double> next_proportional_break(double from) const;
 
-  // Range of load factors without critical bonds. If critical bonds lie between two such ranges, the one that a path in
-  // this direction comes from.
+  // Range of load factors in which no intact bond is critical. If critical load factors lie between two such ranges,
+  // the result is the range in which a load path in the direction of `upwards` begins.
   LoadInterval admissible(const std::vector<char>& intact, bool upwards = true) const;
   // Load factor at which a bond that exceeds its critical stretch just reaches it; `load_factor` itself if the bond
   // always exceeds it.
   double critical_load_factor(std::size_t bond, double load_factor) const;
-  double steepest() const;  // largest ratio at the load factor 1 without the constant parts
+  double steepest() const;  // largest ratio at the load factor 1, without the constant parts
 
   // Intact bonds at or beyond their critical stretch at this load factor, in bond order.
   std::vector<int> overstretched(const std::vector<char>& intact, double load_factor) const;
 
-  // Intact bonds within the relative band of the largest ratio at this load factor, in bond order; at most
-  // `limit` of them (0: all), the most stretched ones.
+  // Intact bonds whose ratio is within the relative `band` below the largest one at a load factor, in bond order; at
+  // most `limit` of them (0: all), the most stretched ones. `largest` is the largest ratio, if the caller knows it.
   std::vector<int> most_stretched(const std::vector<char>& intact, double load_factor, double band, int limit) const;
   std::vector<int> most_stretched(const std::vector<char>& intact, double load_factor, double band, int limit,
                                   double largest) const;
 
  private:
-  // Range of (load factor times direction) in which a bond is at or beyond its critical stretch.
+  // Range of (load factor times direction) in which a bond is at or beyond its critical stretch; empty if begin > end.
   struct Span {
     double begin, end;
   };
@@ -69,17 +68,18 @@ struct AffineRatios {
   std::optional<double> critical_from(std::size_t bond, double from, double direction) const;
 };
 
-// Ratio over the largest ratio from which on bonds break together with the most stretched one: 1 - band, less the
+// Share of the largest ratio from which on bonds break together with the most stretched bond: 1 - band, less the
 // rounding by which mirrored bonds differ.
 double tie_limit(double band);
 
-// Ratios of all terms of a system: elastic elongation over the critical one of the term's stage.
+// Stretch ratios of all terms (bonds and cell squares) of a system: elastic elongation over the critical elongation in
+// the term's damage stage.
 class StretchRatios : public AffineRatios {
  public:
   // Puts all terms in their first stage. An infinite critical stretch marks a term that cannot break.
   StretchRatios(const coupling::Terms& terms, std::vector<double> critical_stretch);
 
-  void enter(const std::vector<std::uint8_t>& stages);  // of all terms; the ratios follow with the next update
+  void enter(const std::vector<std::uint8_t>& stages);  // stages of all terms; the ratios change with the next update()
   void update(const coupling::Affine& displacement);
 
   const coupling::CriticalScales& scales() const { return scales_; }
@@ -95,7 +95,7 @@ class StretchRatios : public AffineRatios {
   std::vector<double> critical_stretch_;
   std::vector<std::uint8_t> stages_;  // empty if no critical value depends on them
   BondsAcross across_;
-  std::vector<char> present_;  // per term; empty if no ratio depends on it
+  std::vector<char> present_;  // flags of terms that are not broken; empty if no ratio depends on them
   coupling::CriticalScales scales_;
 };
 

@@ -20,8 +20,8 @@ std::vector<ChangingTerm> changing_terms(const Event& event, const coupling::Equ
   return result;
 }
 
-// Potential energy lost in an event. It is a quadratic function of the displacements that is least in equilibrium: if a
-// term loses the stiffness k while its elastic elongation grows from e to e', the energy falls by k e e' / 2.
+// Potential energy lost in an event. The potential energy is a quadratic function of the displacements that is least in
+// equilibrium. It falls by k e e' / 2 if a term loses the stiffness k while its elastic elongation grows from e to e'.
 double released_energy(const std::vector<ChangingTerm>& terms, const BodyChange& change, const EventBody& body,
                        double load_factor) {
   double sum = change.released_before_terms;

@@ -9,30 +9,34 @@
 
 namespace bempd::fracture {
 
-// Elongation of a term [m], and the elastic part of it, beyond the rest elongation.
+// Elongation of a term (bond or cell square) [m], and its elastic part: the elongation less the rest elongation, which
+// swelling causes.
 struct Elongation {
   double whole, elastic;
 };
 
-// Term whose stage changes, with its values just before.
+// Term whose damage stage an event changes: the stiffness that it loses [N/m], and its elongation just before the
+// event.
 struct ChangingTerm {
   int term;
   double stiffness_lost;
   Elongation before;
 };
 
-// Work and released energies [J] when a body performs an event. The energies that its terms (bonds and squares) release
-// are not included.
+// Work of the loads and energies released [J] when a body performs an event, without the energies that the terms of the
+// event release.
 struct BodyChange {
   double work = 0;
-  // Energies that faces and a fluid release, in the order of summation: before and after those of the terms.
+  // Energy that crack faces release in a window by opening or closing. It is summed before the energies of the terms.
   double released_before_terms = 0;
+  // Energies that crack faces and the fluid in cracks release in the whole body. They are summed after the energies of
+  // the terms.
   std::vector<double> released_after_terms;
   bool takes_loads_along = false;  // a part that comes free takes its loads along
 };
 
-// Body as an event changes it: the whole body, or the part of it that a window follows. With this interface both
-// perform events and compute their outcomes in the same way.
+// Body that events change: the whole body, or a window (region around crack tips that is solved alone). Both perform
+// events through this interface, so that perform_event() computes outcomes in the same way.
 class EventBody {
  public:
   EventBody() = default;
@@ -40,20 +44,22 @@ class EventBody {
   EventBody& operator=(const EventBody&) = delete;
   virtual ~EventBody() = default;
 
-  // Energies and forces at a load factor, for the present stages of all terms.
+  // Stored energy [J] at a load factor, for the present stages of all terms.
   virtual double stored_energy(double load_factor) const = 0;
-  virtual double unit_energy() const = 0;                               // of the proportional load alone
-  virtual std::vector<double> reactions(double load_factor) const = 0;  // x and y of every support
+  virtual double unit_energy() const = 0;                               // energy of the proportional load alone [J]
+  virtual std::vector<double> reactions(double load_factor) const = 0;  // x and y of every support [N]
   virtual Elongation elongation(int term, double load_factor) const = 0;
 
-  // Changes the stages of terms, holds what that frees, and closes and opens faces until they agree with their gaps.
-  // Parts and faces are counted in `outcome`. Returns null and changes nothing if this body cannot perform the event.
+  // Changes the stages of the event's terms, holds parts that this frees, and closes and opens crack faces until they
+  // agree with their gaps. `terms` holds values before the event. `outcome` gets the numbers of freed parts and
+  // switched faces. Returns null and changes nothing if this body cannot perform the event.
   virtual std::optional<BodyChange> change(const Event& event, std::span<const ChangingTerm> terms,
                                            Outcome& outcome) = 0;
 };
 
-// Performs an event at the load factor of `body`, which is `whole` or a part of it; null if the body cannot. The
-// event's source adds to the outcome the work before the event, the residual, and what tips of lines do.
+// Performs an event on `body`, which is the body `whole` or a window of it, at the event's load factor; null if `body`
+// cannot perform it. The caller adds to the outcome the work before the event, the residual, and the extensions of
+// crack lines.
 std::optional<Outcome> perform_event(const Event& event, const LoadedBody& whole, EventBody& body);
 
 }  // namespace bempd::fracture

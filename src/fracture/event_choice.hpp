@@ -16,19 +16,20 @@ namespace bempd::fracture {
 struct BondList {
   const AffineRatios& ratios;
   const std::vector<char>& intact;
-  const std::vector<int>* numbers = nullptr;  // of the bonds in the system; null: the list has all of them
-  // Whether all constant parts are 0, also of the ratios of broken bonds; paths then lead up, from load factors >= 0.
+  const std::vector<int>* numbers = nullptr;  // numbers in the system of the listed bonds; null: all bonds are listed
+  // Whether the constant parts of all ratios are 0, and the ratios of broken bonds too; load paths then lead upwards
+  // from a load factor >= 0.
   bool is_proportional = false;
 };
 
-// Load factor at which the first of the bonds becomes critical on a path; empty if none does.
+// Load factor at which the first of the bonds becomes critical on a load path; empty if none does.
 std::optional<double> next_critical(const BondList& bonds, const LoadWay& way);
 
 // Most stretched bonds at a load factor, those within a relative band of the largest ratio; at most `limit`, 0 for all.
 std::vector<int> most_critical(const BondList& bonds, double load_factor, double band, int limit);
 
-// Event at which the bonds `chosen` enter their next stage. The caller adds their followers
-// (TermStages::with_followers).
+// Event at which the bonds `chosen` enter their next damage stage. The caller adds the followers of the bonds (cell
+// squares that break with them, TermStages::with_followers).
 Event break_of(const BondList& bonds, std::span<const int> chosen, double load_factor,
                const coupling::EquilibriumSystem& system);
 

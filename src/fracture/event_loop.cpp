@@ -15,8 +15,8 @@ namespace {
 // mean that faces open and close without end.
 constexpr int most_events = 1000;
 
-// Time above which an event is ended before it is done if the host wants it. To keep the body for that costs 2 % of the
-// time of short events.
+// Duration of an event above which the next one can be interrupted at the host's request. Keeping the body for that
+// would cost 2 % of the time of short events.
 constexpr std::chrono::milliseconds long_event(100);
 
 void require_fewer_events(std::int64_t events, std::int64_t most) {
@@ -85,7 +85,7 @@ StopReason EventLoop::go_on() {
   return end_with(body_->progress().separated ? StopReason::separated : StopReason::load_factor);
 }
 
-// Finds out whether the event before took long: only then can the next one be given up at the host's request.
+// Measures whether the last event took long: only then can the next event be given up at the host's request.
 void EventLoop::time_event() {
   const auto now = std::chrono::steady_clock::now();
   events_are_long_ = now - last_event_ > long_event;
@@ -93,8 +93,9 @@ void EventLoop::time_event() {
   before_event_.reset();
 }
 
-// Finds or performs an event. If the host asks for the end of the run meanwhile and events are long, the event is given
-// up: the body is as it was before, and the result is false. Short events come to their ends, as those from a window.
+// Calls `work`, which finds or performs an event. If the host asks for the end of the run meanwhile and events are
+// long, the event is given up: the body is as it was before, and the result is false. Short events and events from a
+// window are completed.
 template <class Work>
 bool EventLoop::done_unless_stopped(const Work& work) {
   if (options_.stop && events_are_long_ && !before_event_) before_event_ = body_->events().before();
@@ -112,7 +113,7 @@ bool EventLoop::done_unless_stopped(const Work& work) {
   }
 }
 
-// Performs the next event; returns why the run ends with it, if it does.
+// Performs the next event. Returns the reason if the run ends with it.
 std::optional<StopReason> EventLoop::perform(const Event& event) {
   if (event.is_contact) {
     if (!reversals_.pass(event)) return end_with(StopReason::no_admissible_load);
@@ -154,8 +155,8 @@ std::optional<StopReason> EventLoop::advance(crack::Carrier& carrier, const Even
   return after_event(done.has_stopped, {});
 }
 
-// Tells the host of an event, lets lattices grow around bonds that it has broken near boundary elements, and lets lines
-// that have come to the border of these go on there.
+// Reports an event to the host, enlarges lattice patches around the bonds `broken` near their borders, and lets crack
+// lines that have reached boundary elements continue there. Returns the reason if the run ends.
 std::optional<StopReason> EventLoop::after_event(bool crack_has_stopped,
                                                  const std::vector<coupling::StageChange>& broken) {
   if (on_event_) on_event_(body_->progress());
@@ -181,7 +182,7 @@ StopReason EventLoop::separated_before_growth() {
   return end_with(goal_ == Goal::load_factor ? StopReason::no_equilibrium : StopReason::separated);
 }
 
-// Reason for the end of a step when no event is left; empty if the step goes on to a load factor.
+// Reason for the end of a step when no event is left; empty if the step goes on to its target load factor.
 std::optional<StopReason> EventLoop::reason_without_event() {
   if (options_.control == Control::path) {
     body_->sources().bring_up_to_date();
@@ -191,8 +192,8 @@ std::optional<StopReason> EventLoop::reason_without_event() {
   return goal_ == Goal::load_factor ? std::nullopt : std::optional(StopReason::no_further_event);
 }
 
-// Whether the body is found to be separated now: the connection that carried the load has lost its resistance, and the
-// remainder breaks only under larger loads, if at all.
+// Whether the body has come apart, which marks it as separated: the connection that carried the load has lost its
+// resistance, and the remainder breaks only under larger loads, if at all.
 bool EventLoop::has_come_apart(const Event* next) {
   const EvolutionState& state = body_->progress();
   if (state.separated || !is_lost(state.resistance, options_.separation_share)) return false;

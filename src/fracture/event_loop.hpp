@@ -10,9 +10,9 @@
 
 namespace bempd::fracture {
 
-// Detects the end of an equilibrium path at contact events, where the path may reverse its direction in the load
-// factor. If it reverses twice at one load factor it cannot continue: it would lead down with the contact state that
-// holds above, and up with the one that holds below.
+// Detects the end of an equilibrium path at contact events (crack faces that open or close), where the load factor on
+// the path may change its direction. A path that reverses twice at one load factor cannot continue: with the contact
+// state of higher load factors the path leads down, with that of lower load factors it leads up.
 class PathReversals {
  public:
   // Records a contact event; returns false if the path ends there.
@@ -24,10 +24,10 @@ class PathReversals {
   int reversals_ = 0, events_ = 0;
 };
 
-// Loop of one run over its events: the first one on the way to the target is performed, then the next one is sought. An
-// event is a step of a crack's tip, which its carrier advances (crack/carrier.hpp); or bonds that break by themselves;
-// or crack faces that close or open. A step of a crack with boundary elements makes another body, with the longer
-// crack, in which the loop goes on.
+// Loop of one run over its events: the loop performs the first event on the way to the target, then looks for the next
+// one. An event is a step of a crack's tip, which its carrier advances (crack/carrier.hpp); or bonds that break by
+// themselves; or crack faces that close or open. A step of a crack in boundary elements makes another body with the
+// longer crack, in which the loop continues.
 class EventLoop {
  public:
   using OnEvent = std::function<void(const EvolutionState&)>;
@@ -37,8 +37,8 @@ class EventLoop {
             const OnEnd& on_end)
       : body_(&body), target_(target), goal_(goal), options_(options), on_event_(on_event), on_end_(on_end) {}
 
-  // Runs to the target or goal. If that fails, the body with which the run began is as it was before. The same holds if
-  // the host asks for the end before the first equilibrium is found (EventGivenUp).
+  // Runs to the target or goal. If the run fails, the body with which it began is as it was before; so it is if the
+  // host asks for the end before the first equilibrium is found (EventGivenUp is thrown).
   StopReason run();
 
  private:
@@ -55,16 +55,16 @@ class EventLoop {
   bool done_unless_stopped(const Work& work);
   void time_event();
 
-  CrackEvolution* body_;   // at present
-  bool has_begun_ = true;  // in this body
+  CrackEvolution* body_;   // body in which the run is at present
+  bool has_begun_ = true;  // whether RunEvents::begin() was called in this body
   double target_;
   Goal goal_;
   const SteppingOptions& options_;
   const OnEvent& on_event_;
   const OnEnd& on_end_;
   std::int64_t events_before_ = 0;
-  // Body before the event to come. It is kept only where the event before took long (at first that is not known), and
-  // not while events come from a window.
+  // Body before the next event, to return to if the event is given up. It is kept only if the last event took long or
+  // none has been timed yet, and not while events come from a window.
   std::optional<RunEvents::Before> before_event_;
   std::chrono::steady_clock::time_point last_event_;
   bool events_are_long_ = true;

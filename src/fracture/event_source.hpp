@@ -12,28 +12,29 @@ namespace bempd::fracture {
 // Rounding error of the ratio of a term that just reaches its critical value.
 constexpr double ratio_rounding = 1e-9;
 
-// Event: terms that reach their critical value together, at one load factor.
+// Event of a run at one load factor: terms (bonds and cell squares) that reach their critical value together, crack
+// faces that close or open, or a crack tip that grows.
 struct Event {
   double load_factor = 0;
-  double ratio = 0;                 // largest stretch over critical stretch
-  double critical_load_factor = 0;  // at which the term of this ratio just reaches its critical value
-  // Whether equilibrium is lost: the term is stretched beyond its critical value, not just to it.
+  double ratio = 0;  // largest stretch over critical stretch, or of a tip: stress intensity over toughness
+  double critical_load_factor = 0;  // at which the term or tip of this ratio just reaches its critical value
+  // Whether equilibrium is lost: the term or tip is loaded beyond its critical value, not just to it.
   bool is_out_of_balance() const { return ratio > 1 + ratio_rounding; }
 
   // Changes of the stages of the event's terms and their followers, ascending; empty if the event lies beyond the
   // target.
   std::vector<coupling::StageChange> changes;
 
-  // Whether nothing breaks and faces of cracks close or open.
+  // Whether the event is a contact event: crack faces close or open, and nothing breaks.
   bool is_contact = false;
-  bool goes_down = false;  // then: the load factor falls on the way
+  bool goes_down = false;  // of a contact event: the load factor falls on the way to it
 
-  crack::TipId tip{};       // that grows at it; crack 0: none
-  double taken_energy = 0;  // at most, by what grows, where that is known; else 0: the ratio tells it [J]
-  int ties = 0;             // others that would grow as soon
-  bool is_growth = false;   // nothing breaks: a tip with boundary elements grows
+  crack::TipId tip{};       // tip that grows at the event; crack 0: none
+  double taken_energy = 0;  // largest energy that the growing tip takes [J]; 0: not known, the ratio decides
+  int ties = 0;             // other tips or places that would grow at the same load factor
+  bool is_growth = false;   // a tip in boundary elements grows, and nothing breaks
 
-  // Notes the ratio of one of the event's terms; the largest one counts.
+  // Notes the ratio of one of the event's terms, and its critical load factor; the largest ratio counts.
   void reach(double ratio_of_term, double critical_of_term) {
     if (ratio_of_term <= ratio) return;
     ratio = ratio_of_term;
@@ -41,8 +42,8 @@ struct Event {
   }
 };
 
-// Share of the loads that only supports balance (BodyLoads::unbalanced_share), before and after a part takes its loads
-// away.
+// Share of the loads that only supports balance (BodyLoads::unbalanced_share()), before and after a freed part takes
+// its loads away.
 struct LostBalance {
   double before = 0, after = 0;
 };
@@ -51,25 +52,25 @@ struct LostBalance {
 struct Outcome {
   std::int64_t broken = 0;    // terms that break
   std::int64_t switches = 0;  // places of faces that have closed or opened
-  double work_before = 0;     // of the loads on the way to the event
-  double work = 0;            // of the event itself
+  double work_before = 0;     // of the loads on the way to the event [J]
+  double work = 0;            // of the loads at the event [J]
   double released_energy = 0;
-  double bond_energy = 0;             // of it, what the terms take where they just reach their critical values
-  double stored_energy_before = 0;    // at the same load factor
-  double within_before = 0;           // InnerWork::at() this load factor
-  double stored_energy = 0;           // after it
-  double critical_stored_energy = 0;  // the same at the critical load factor
-  double unit_energy = 0;             // of the proportional load alone, after it
+  double bond_energy = 0;           // part of the released energy that the terms take, each just at its critical value
+  double stored_energy_before = 0;  // just before the event
+  double within_before = 0;         // InnerWork::at() the event, just before it
+  double stored_energy = 0;         // just after the event
+  double critical_stored_energy = 0;  // after the event, at its critical load factor
+  double unit_energy = 0;             // of the proportional load alone, after the event
   double residual = 0;
-  double energy_scale = 0;  // what energies are measured by at least
+  double energy_scale = 0;  // least scale of energy errors (balance.hpp)
   std::int64_t fragments = 0;
-  bool comes_free = false;                          // of faces that close or open: a part does
-  std::vector<double> reactions_before, reactions;  // at the same load factor and after it, x and y of every support
-  double resistance_before = 0;                     // at the same load factor
-  double resistance = 0;
+  bool comes_free = false;                          // at a contact event: a part of the body comes free
+  std::vector<double> reactions_before, reactions;  // just before and after the event: x and y of every support [N]
+  double resistance_before = 0;                     // just before the event (SupportForces::resistance()) [N]
+  double resistance = 0;                            // just after the event [N]
   LostBalance lost_balance;
-  std::vector<CrackExtension> extensions;  // but for what the books know: event, length of the crack, energy
-  int ties = 0;                            // others that would have grown as soon
+  std::vector<CrackExtension> extensions;  // of crack lines; RunRecords adds event, crack length and energies
+  int ties = 0;                            // other tips or places that would have grown at the same load factor
 };
 
 // Event source: finds the next event as the load factor changes, and performs it on the body.

@@ -36,7 +36,8 @@ void EventSources::freeze(const std::set<crack::TipId>& tips) {
 
 const Event* EventSources::next(double target, const SteppingOptions& options) {
   const bool possible = may_use_window(target, options);
-  // Tips with elements need the displacements of the whole body, which are then computed at each event of a window.
+  // Tips in boundary elements need the displacements of the whole body, which are therefore computed at each event of a
+  // window.
   const auto comes_first = [&](const Event* event) {
     const double present = body_.state().load_factor;
     return options.elements && event &&
@@ -69,8 +70,8 @@ const Event* EventSources::next(double target, const SteppingOptions& options) {
   return first_of(source, event, target);
 }
 
-// First of two events in the order of all tips: `event`, a break or line step in lattices (null if there is none), and
-// the next growth of tips with elements. Null if neither exists.
+// First of two events in the order of growth (crack/order.hpp): `event`, a break or a step of a crack line in lattices
+// (null if there is none), and the next growth of a tip in boundary elements. Null if there is neither.
 const Event* EventSources::first_with(crack::Carrier& elements, const Event* event, const crack::LoadWay& way) {
   std::vector<crack::Candidate> candidates = elements.candidates(way);
   if (event) {
@@ -90,7 +91,7 @@ EventSource& EventSources::source_without_window() {
   return whole_body_;
 }
 
-// First event on the way to the target: `event` of the given source, or faces that close or open before it.
+// First event on the way to the target: `event`, which `source` has found, or crack faces that close or open before it.
 const Event* EventSources::first_of(EventSource& source, const Event* event, double target) {
   const Event* contact = contact_.before(event, target);
   source_of_next_ = contact ? static_cast<EventSource*>(&contact_) : &source;

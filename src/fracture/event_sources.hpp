@@ -13,7 +13,8 @@
 
 namespace bempd::fracture {
 
-// Chooses the source of the next event: a window where that saves time, else the whole body.
+// Sources of the events of a run. The next event comes from a window (region around crack tips that is solved alone)
+// where that saves time, else from the whole body.
 class EventSources {
  public:
   // The bonds `cut` are broken from the start.
@@ -21,7 +22,8 @@ class EventSources {
   EventSources(const EventSources&) = delete;
   EventSources& operator=(const EventSources&) = delete;
 
-  // Lets cracks grow as lines from now on, starting from the tips in the body's state.
+  // Lets cracks grow as crack lines (in a lattice, by steps of a spacing) from now on, starting from the tips in the
+  // body's state.
   void grow_lines(pd::TipLaws laws, FactorsAround factors);
 
   // Sets the tips that the host has frozen, until the next call.
@@ -30,7 +32,7 @@ class EventSources {
   // Next event on the way to a target; null if none is left in that direction. It may lie beyond the target.
   const Event* next(double target, const SteppingOptions& options);
   Outcome perform();
-  // Event at which the tip of a crack line takes a step, as LineEvents::step_of() has it.
+  // Event at which the tip of a crack line takes a step (LineEvents::step_of()).
   const Event* line_step(const crack::TipId& tip, const std::optional<Point>& direction) {
     if (!lines_) return nullptr;
     source_of_next_ = &*lines_;
@@ -49,28 +51,28 @@ class EventSources {
 
   // Brings displacements and forces in the body's state up to date; they are not while events come from a window.
   void bring_up_to_date() { window_.bring_up_to_date(); }
-  // Brings displacements and forces up to date for a reader only: what is computed later does not depend on it.
+  // Brings displacements and forces up to date for a reader only: later results do not depend on this call.
   void update_for_reader() {
     refresh();
     window_.update_for_reader();
   }
-  void settle();  // brings up to date and leaves the window: loads may change
-  void forget();  // what comes next is what it would be in a fresh run from the present state
+  void settle();  // brings the state up to date and closes the window, because loads may change
+  void forget();  // forgets the window: the run continues as a fresh run from the present state
 
-  // Notes that the body's state has been replaced. Window, system and ratios are adapted by the next refresh(), which
-  // has to come before anything else.
+  // Notes that the body's state has been replaced. The next refresh(), which has to come before any other call, adapts
+  // window, system and ratios to the state.
   void abandon() noexcept;
   void refresh();
 
-  // What a run needs beside the body's state to go on as if it had not been interrupted; abandon() forgets it. A window
-  // that a saved state has is opened again by go_on(), before the run continues.
+  // Data that a run needs beside the body's state to go on as if it had not been interrupted; abandon() forgets them.
+  // go_on() opens the window of a saved state again, before the run continues.
   Resumption& resumption() { return resumption_; }
   void go_on();
-  // Notes that an event that had begun or was looked for outside a window is given up. The caller then sets the body's
-  // state to `before`.
+  // Notes that an event is given up that was begun or sought while no window was open. The caller then sets the body's
+  // state to `before`, the state before the event.
   void give_up_event(const BodyState& before);
 
-  // State of the body to return to.
+  // State of the body to return to if a call fails.
   ReturnPoint& return_point() { return return_point_; }
   void return_to_mark() noexcept;
 
@@ -81,7 +83,7 @@ class EventSources {
   bool may_use_window(double target, const SteppingOptions& options) const;
   void open_window(double target, const SteppingOptions& options);
   std::optional<double> next_in_window(double target, const SteppingOptions& options);
-  EventSource& source_without_window();  // where no window is open
+  EventSource& source_without_window();  // source of events while no window is open
   const Event* first_with(crack::Carrier& elements, const Event* event, const crack::LoadWay& way);
   const Event* first_of(EventSource& source, const Event* event, double target);
 
@@ -90,9 +92,9 @@ class EventSources {
   ContactEvents contact_;
   WindowEvents window_;
   std::optional<LineEvents> lines_;
-  EventSource* source_of_next_ = nullptr;  // the next event
-  Event growth_;                           // of a tip with boundary elements, that was told
-  bool is_stale_ = false;
+  EventSource* source_of_next_ = nullptr;  // source that has found the next event
+  Event growth_;                           // growth of a tip in boundary elements, if it is the next event
+  bool is_stale_ = false;                  // the state has been replaced since the last refresh()
   WindowPatience patience_;
   Resumption resumption_;
   ReturnPoint return_point_;

@@ -12,29 +12,31 @@
 
 namespace bempd::fracture {
 
-// Line of the history: an event, or (event 0) the end of a step.
+// Entry of the history: an event, or the end of a step (event 0).
 struct HistoryEntry {
   std::int64_t event = 0;
   std::int64_t total_broken_bonds = 0;
   double load_factor = 0;
-  double stretch_ratio = 0;  // largest stretch over critical stretch just before the break; 1 where cracks grew
+  // Largest stretch over critical stretch, or of a tip intensity over toughness, just before the event.
+  double stretch_ratio = 0;
   double stored_energy = 0;
   double released_energy = 0;
   double work = 0;
   double energy_balance_error = 0;
   double residual = 0;
-  // Load factor of the equilibrium path at which the bonds of the event just reach their critical stretch, and the
-  // energy stored there after the event. At the end of a step: `load_factor` and `stored_energy`.
+  // Load factor on the equilibrium path at which the event's bonds or tip just reach their critical value; at the end
+  // of a step the load factor.
   double critical_load_factor = 0;
+  // Stored energy after the event at the critical load factor [J]; at the end of a step the stored energy.
   double critical_stored_energy = 0;
-  double bond_energy = 0;  // released by then, had each event happened there
-  // Values just before the event; at the end of a step those at its end.
+  double bond_energy = 0;  // energy released so far, had each event happened at its critical load factor [J]
+  // Values just before the event; at the end of a step the values there.
   double load_factor_before = 0;
   double stored_energy_before = 0;
   double work_before = 0;
-  double resistance_before = 0;  // in equilibrium: what would be borne beyond it is divided by the stretch ratio [N]
-  double resistance = 0;         // after it [N]
-  std::int64_t ties = 0;         // others that would have grown at the event as soon
+  double resistance_before = 0;  // in equilibrium: a force out of equilibrium is divided by the stretch ratio [N]
+  double resistance = 0;         // after the event [N]
+  std::int64_t ties = 0;         // other tips or places that would have grown at the same load factor
 };
 
 using CrackExtension = crack::Extension;
@@ -45,24 +47,25 @@ struct BodyState {
   bool in_equilibrium = false;  // false before the first solution and after the host changed loads
   bool separated = false;
   double first_unit_energy = -1;       // energy of the proportional load alone when it was given; < 0: not known yet
-  double largest_force = 0;            // largest internal nodal force met on the way: the measure of residuals
-  coupling::Affine displacement;       // 2 * node + component
+  double largest_force = 0;            // largest internal nodal force so far [N], by which residuals are measured
+  coupling::Affine displacement;       // row 2 * node + component
   Eigen::VectorXd total_displacement;  // at load_factor
   Eigen::VectorXd total_force;         // internal nodal forces at load_factor
-  std::vector<std::uint8_t> stages;    // of every term in its law
-  std::vector<coupling::HoldingSpring> springs;
-  std::vector<char> unloaded;         // nodes whose loads have gone with a piece that came free
-  std::vector<GrowingTip> tips;       // of cracks that grow as lines
-  FaceState faces;                    // of cracks, where they can close
-  std::vector<crack::TipId> stopped;  // tips with elements that cannot go on
+  std::vector<std::uint8_t> stages;    // damage stage of every term
+  std::vector<coupling::HoldingSpring> springs;  // springs that hold freed parts
+  std::vector<char> unloaded;                    // flags of nodes whose loads have gone with a piece that came free
+  std::vector<GrowingTip> tips;                  // of crack lines (cracks that grow in a lattice by steps)
+  FaceState faces;                               // contact state of crack faces
+  std::vector<crack::TipId> stopped;             // tips in boundary elements that cannot grow
 };
 
 // Resistance: the force that the body carries, as the pull in a tensile test. It is half the sum of the magnitudes of
 // all support forces and nodal loads.
 struct Resistance {
-  double present = 0;    // after the last event [N]
-  double peak = 0;       // the largest that was borne in equilibrium just before an event [N]
-  double stiffness = 1;  // share that events have left of it, each at the loads of its own
+  double present = 0;  // after the last event [N]
+  double peak = 0;     // the largest that was borne in equilibrium just before an event [N]
+  // Share of the stiffness that is left: product of each event's resistance after it over that before.
+  double stiffness = 1;
 };
 
 // Counts and sums of a run.
@@ -71,28 +74,30 @@ struct Sums {
   std::int64_t broken_bonds = 0;
   std::int64_t fragments = 0;
   double released_energy = 0;
-  double bond_energy = 0;  // of it, what broken terms take; the rest would have become motion
+  double bond_energy = 0;  // part of the released energy that broken terms take
   double work = 0;
   double largest_work = 0;
   double worst_energy_balance_error = 0;
-  double residual = 0;  // at the last line of the history
+  double residual = 0;  // at the last entry of the history
   Resistance resistance;
-  std::int64_t contact_switches = 0;  // places of faces that have closed or opened
-  std::int64_t ties = 0;              // tips or places that would have grown at events as soon as those that did
-  double work_out_of_balance = 0;     // of loads since equilibrium was lost, as far as it is stored
+  std::int64_t contact_switches = 0;  // contact places that have closed or opened
+  std::int64_t ties = 0;              // tips or places that would have grown at the same load factor as an event
+  // Work of the loads since equilibrium was lost, less the part that became kinetic energy [J].
+  double work_out_of_balance = 0;
 };
 
-// Everything that a run changes: a copy saves the run. A Continuation is needed as well to continue with the same
-// digits.
+// State of a run: everything that the run changes, so that a copy saves it. A Continuation is needed as well to
+// continue with the same digits.
 struct EvolutionState : BodyState, Sums {
   std::vector<HistoryEntry> history;
-  // Values of supports, an x and a y for each support and line of the history. `reactions`: forces of the supports at
-  // the line, `reactions_before`: just before its event [N]. `support_displacements`: mean prescribed displacement of
-  // its nodes, NaN where a component is not prescribed [m].
+  // Values of supports: an x and a y for each support and entry of the history. `reactions` are the forces of the
+  // supports at the entry, `reactions_before` those just before its event [N]. `support_displacements` are the mean
+  // prescribed displacements of the nodes of the support, NaN where a component is not prescribed [m].
   std::vector<double> reactions, reactions_before, support_displacements;
   std::vector<CrackExtension> extensions;
-  // What lattice patches have followed: extensions by their places in the list, with a high bit if elements have got
-  // what lies behind them (regions::gives_back), or broken bonds, each a number below 0
+  // Enlargements of lattice patches (lattices that follow cracks), in order. An entry is the place in `extensions` of
+  // the extension that a patch has followed, with a high bit if boundary elements have replaced the lattice behind the
+  // tip (regions::gives_back); or a number below 0 for broken bonds near the border of a patch
   // (regions::BrokenBondNearBorder).
   std::vector<std::int64_t> layouts;
 };

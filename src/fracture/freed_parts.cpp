@@ -21,7 +21,7 @@ constexpr double collinearity_tolerance = 1e-10;
 // Work of forces on a free motion, over their size, below which they are in equilibrium without support.
 constexpr double balance_tolerance = 1e-9;
 
-// Difference below which components of a motion are equal, so that rounding does not decide which one is held.
+// Relative difference below which components of a motion are equal, so that rounding does not decide which one is held.
 constexpr double motion_rounding = 1e-6;
 
 }  // namespace
@@ -102,7 +102,7 @@ FreedPartFinder::Resistance FreedPartFinder::resistance_of(int node) const {
 void FreedPartFinder::hold_loose_point(int node, const Eigen::VectorXd& displacement, FreedParts& found) const {
   if (system_.dense_bodies().contain(node)) return;
   const Resistance resistance = resistance_of(node);
-  if (!resistance.has_terms || !resistance.is_loose()) return;  // without terms it is a piece of its own
+  if (!resistance.has_terms || !resistance.is_loose()) return;  // a point without terms is a piece of its own
   const linalg::SymmetricModes& modes = resistance.modes;
   const Eigen::Vector2d weak = modes.vectors.col(0);
   const Eigen::RowVector2d push = weak.transpose() * system_.load().force().middleRows<2>(2 * node);
@@ -110,7 +110,7 @@ void FreedPartFinder::hold_loose_point(int node, const Eigen::VectorXd& displace
   const bool pushed = push.norm() > balance_tolerance * system_.load().force().middleRows<2>(2 * node).norm();
   if (pushed && std::find(lost.begin(), lost.end(), node) == lost.end()) {
     lost.push_back(node);
-    ++found.fragments;  // it swings on its last bond
+    ++found.fragments;  // the point swings on its last bond
   }
   double held = 0;
   for (const HoldingSpring& s : system_.springs()) {
@@ -161,7 +161,7 @@ void FreedPartFinder::hold_piece(const std::vector<int>& nodes, const Eigen::Vec
   const RigidMotion motion(positions_, nodes, held);
   const std::vector<HeldDirection> missing = motion.missing_supports(positions_, holdable);
   for (const HeldDirection& h : missing) found.springs.push_back(spring(h.node, h.cosine, h.sine, displacement));
-  if (!missing.empty() && (!supported || pushed)) ++found.fragments;  // free, or it swings on a support
+  if (!missing.empty() && (!supported || pushed)) ++found.fragments;  // the piece is free, or it swings on a support
 }
 
 FreedPartFinder::PartsOnSprings FreedPartFinder::held_parts() const {

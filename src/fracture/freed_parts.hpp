@@ -15,43 +15,47 @@ namespace bempd::fracture {
 // equilibrium stays unique.
 struct FreedParts {
   std::vector<coupling::HoldingSpring> springs;
-  std::vector<int> nodes_with_lost_loads;  // their loads push a free part for which there is no equilibrium
+  std::vector<int> nodes_with_lost_loads;  // nodes of free parts that their loads push, so that these are removed
   std::int64_t fragments = 0;              // pieces that have come free of all supports
 };
 
-// Whether forces on all nodes have no equilibrium on a piece that can move: they do work on a free motion of it.
+// Whether `forces` push a piece that can move: they do work on a free motion of the piece, which has the nodes `nodes`,
+// so that there is no equilibrium.
 bool is_pushed(const coupling::RigidMotion& motion, const std::vector<Point>& positions, const std::vector<int>& nodes,
                const coupling::Affine& forces);
 
-// Finds parts that can move freely: pieces cut off from supports, and points whose remaining terms act along one line.
-// They are held at their place by springs that carry no force.
+// Finds parts of a body that can move freely: pieces cut off from supports, and points whose remaining terms (bonds and
+// cell squares) act along one line. Such parts are held at their place by springs that carry no force.
 class FreedPartFinder {
  public:
   FreedPartFinder(const coupling::EquilibriumSystem& system, const std::vector<Point>& positions);
 
-  // All free parts of the body under its present loads, including those that springs hold already; `displacement` is
-  // where new springs hold them.
+  // Free parts of the whole body under its present loads. Parts that springs hold already get no more springs, but lose
+  // loads that push them. New springs hold a part where it is in `displacement`.
   FreedParts all_pieces(const Eigen::VectorXd& displacement) const;
 
-  // Parts that the terms `removed`, broken in the system, have freed.
+  // Parts that the terms `removed` have freed, which are broken in the system.
   FreedParts after_break(const std::vector<int>& removed, const Eigen::VectorXd& displacement) const;
 
   // Whether after_break() would find nothing; in most cases without a search of the whole body.
   bool frees_nothing(const std::vector<int>& removed, const Eigen::VectorXd& displacement) const;
 
-  // Parts held by springs: nodes of pieces that springs but no support hold, and of held points whose terms act along
-  // one line. `springs_in_supported_pieces` are springs that hold only part of a piece.
+  // Parts on springs. `nodes` has flags of the nodes of pieces that springs but no support hold, and of points whose
+  // terms act along one line. `springs_in_supported_pieces` are the other springs: they hold motions within pieces that
+  // supports hold as well.
   struct PartsOnSprings {
     std::vector<char> nodes;
     std::vector<coupling::HoldingSpring> springs_in_supported_pieces;
   };
   PartsOnSprings held_parts() const;
 
-  // Spring that holds the largest component of a motion that met no resistance, where it is in `displacement`.
+  // Spring against a motion that met no resistance. It acts on the largest component of `motion`, and holds this
+  // component at its value in `displacement`.
   coupling::HoldingSpring spring_against(const Eigen::VectorXd& motion, const Eigen::VectorXd& displacement) const;
 
  private:
-  // Resistance of a point by its terms and supports; in a loose point the weakest direction has almost none.
+  // Resistance of a point to displacement, by its terms and supports. A point is loose if its weakest direction has
+  // almost no resistance.
   struct Resistance {
     linalg::SymmetricModes modes;
     bool has_terms;

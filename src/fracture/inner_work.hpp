@@ -7,9 +7,10 @@
 
 namespace bempd::fracture {
 
-// Work that the system's nodal forces do not include: that of loads inside dense operators, and that of the contact
-// forces which these eliminate (closed exact constraints). The loads' part is (1, f) W (1, f)^T / 2 with a matrix W at
-// the load factor f. All of this work counts as stored energy, so that it does not disturb the balance of energies.
+// Work that the system's nodal forces do not include: the work of loads inside dense operators (boundary element
+// regions), and of the contact forces that these operators eliminate (closed exact constraints). At the load factor f
+// the loads contribute (1, f) W (1, f)^T / 2 with a matrix W. All of this work counts as stored energy, so that it does
+// not disturb the balance of energies.
 class InnerWork {
  public:
   // The displacements are those of `state`.
@@ -19,8 +20,8 @@ class InnerWork {
   void set_form(const Eigen::Matrix2d& form) { form_ = form; }
 
   double at(double load_factor) const;  // [J]
-  // Least scale of the energies that at() returns: where the parts of the loads cancel, these are known only up to a
-  // share of the energies of the parts.
+  // Least scale of the energies that at() returns [J]. Where the constant and the proportional part of the loads
+  // cancel, at() is accurate only to a share of the energies of these parts.
   double least_scale(double load_factor) const;
 
  private:

@@ -7,7 +7,8 @@ namespace bempd::fracture {
 
 namespace {
 
-// Length of a bond over that of the shortest one at a node, up to which it counts as one of the shortest.
+// Ratio of the length of a bond to that of the shortest bond at a node, up to which the bond counts as one of the
+// shortest.
 constexpr double shortest = 1.01;
 
 }  // namespace

@@ -7,14 +7,14 @@
 
 namespace bempd::fracture {
 
-// Shortest bonds at nodes of bodies that cannot break. Once one of them breaks, a crack has reached the body and can
-// only run along it.
+// Shortest bonds at the nodes of bodies that cannot break (boundary element regions). Once such a bond breaks, a crack
+// has reached the body and can only run along it.
 class InterfaceBonds {
  public:
-  // Collects the bonds that are intact now.
+  // Collects the shortest bonds that are intact at present.
   InterfaceBonds(const coupling::EquilibriumSystem& system, const std::vector<Point>& positions);
 
-  // Node of such a body at which one of the collected bonds has broken since; empty if there is none.
+  // Node of a body that cannot break at which a collected bond has broken; empty if none has.
   std::optional<int> reached() const;
 
  private:

@@ -11,8 +11,9 @@ namespace bempd::fracture {
 class CrackEvolution;
 class LineEvents;
 
-// Carrier of cracks that grow as lines in the lattices of a body. A step cuts all bonds across it, in place or in an
-// open window that has computed it ahead.
+// Carrier of crack lines (cracks that grow in the lattices of a body by steps of a spacing). A step cuts all bonds
+// across it, in the whole body or in an open window (region around crack tips that is solved alone) that has computed
+// the step ahead.
 class LineCarrier final : public crack::Carrier {
  public:
   using Openings = std::function<std::vector<Point>(int crack, const std::vector<double>& fractions)>;
@@ -20,18 +21,18 @@ class LineCarrier final : public crack::Carrier {
   LineCarrier(CrackEvolution& body, Openings openings) : body_(body), openings_(std::move(openings)) {}
 
   std::vector<crack::Tip> tips() override;
-  // Tips without their loads of growth, for which trial steps may be needed.
+  // Tips without their critical loads, which may need trial steps.
   std::vector<crack::Tip> tips_without_loads();
   std::vector<crack::Candidate> candidates(const crack::LoadWay& way) override;
-  // A step that the load drives has to be the event that comes next in the run. Without bonds ahead of the tip nothing
-  // grows.
+  // Performs a step. A step that the load drives has to be the next event of the run. Nothing grows if no bond lies
+  // ahead of the tip.
   crack::Advance advance(const crack::Step& step) override;
   std::vector<Point> openings(int crack, const std::vector<double>& fractions) override {
     return openings_(crack, fractions);
   }
 
  private:
-  LineEvents& source();  // for the present state
+  LineEvents& source();  // source of steps, for the present state
 
   CrackEvolution& body_;
   Openings openings_;

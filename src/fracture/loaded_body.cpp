@@ -64,12 +64,12 @@ LoadedBody::FirstEquilibrium LoadedBody::find_equilibrium(bool tells_work) {
   const bool cracked = std::find(system_.stages().intact().begin(), system_.stages().intact().end(), 0) !=
                        system_.stages().intact().end();
   if (cracked) {
-    if (!system_.factor().is_current()) system_.factor().forget();  // that of another matrix knows nothing of hinges
+    if (!system_.factor().is_current()) system_.factor().forget();  // a factor of another matrix does not show hinges
     const HeldMotions held = holder_.solve({}, before, [&] { return !response_.is_balanced(); });
     result.fragments += held.fragments;
     result.held.insert(result.held.end(), held.nodes.begin(), held.nodes.end());
   } else {
-    response_.solve();  // what moves freely without cracks is the host's mistake
+    response_.solve();  // a free motion without cracks is an error of the host
   }
   const bool had_contact = system_.constraints().closed_count() > 0;
   const BodyContact::Settled settled = contact_.settle(0);

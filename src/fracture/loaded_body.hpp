@@ -16,7 +16,8 @@
 
 namespace bempd::fracture {
 
-// Whole body under its loads: its parts, and what only all of them together can do.
+// Whole body under its loads: owns the parts of the body (response, crack faces, loads, supports, contact), and does
+// what needs several of them.
 class LoadedBody {
  public:
   // The bonds `cut` are broken from the start. `state` belongs to the caller, who saves and restores it.
@@ -41,21 +42,22 @@ class LoadedBody {
   PartHolder& holder() { return holder_; }
   BodyContact& contact() { return contact_; }
 
-  // Replaces the loads by others that are equal at the present load factor; the body stays in equilibrium.
+  // Replaces the loads by others that are equal at the present load factor. The body stays in equilibrium if the new
+  // loads have no proportional part; otherwise find_equilibrium() has to follow.
   void take_over(const coupling::Affine& force, const coupling::Affine& prescribed, const CrackPressures& pressures);
 
   struct FirstEquilibrium {
     double work;
-    std::int64_t fragments;  // cut off by initial cracks, or pushed by new loads
+    std::int64_t fragments;  // parts cut off by initial cracks, or pushed by new loads
     std::vector<int> held;   // nodes of parts that could move freely
-    std::int64_t switches;   // places of faces that have closed or opened
+    std::int64_t switches;   // contact places that have closed or opened
     LostBalance lost_balance;
   };
-  // Finds the equilibrium under new loads at the present load factor. The work, which is costly to tell where faces are
-  // closed, is 0 if nothing asks for it.
+  // Finds the equilibrium under new loads at the present load factor. The work of the loads is computed only if
+  // `tells_work`, because it costs more where faces are closed; else it is 0.
   FirstEquilibrium find_equilibrium(bool tells_work);
 
-  void restore();  // system and ratios to the state, which the caller has changed
+  void restore();  // adapts system and ratios to the state, which the caller has replaced
 
  private:
   coupling::EquilibriumSystem& system_;

@@ -19,12 +19,12 @@ constexpr int most_holds = 64;
 // Resistance relative to the stiffest direction below which a motion is free up to rounding.
 constexpr double free_motion_resistance = 1e-13;
 
-// Limits for a free motion: elongation of a term, and bending of a body, over the motion's largest displacement. With
-// larger values the motion is only soft. For comparison, bending a slender strip of length L and width h (in spacings)
+// Largest elongation of a term and largest bending of a dense body in a free motion, over the largest displacement of
+// the motion. A motion with larger values is only soft: bending a slender strip of length L and width h (in spacings)
 // has about h / L^2 and 1.
 constexpr double free_elongation = 1e-9, free_bending = 1e-6;
 
-// Displacement of a node over the largest one of a free motion below which the node counts as not moving.
+// Ratio of a node's displacement to the largest one of a free motion, below which the node counts as not moving.
 constexpr double moved_share = 1e-6;
 
 bool is_free(const EquilibriumSystem& system, const std::vector<Point>& positions, const coupling::SoftMotion& soft) {
@@ -59,7 +59,7 @@ std::vector<int> pushed_nodes(const EquilibriumSystem& system, const Eigen::Vect
   return loaded;
 }
 
-// Force of a spring over the largest nodal force below which it is rounding.
+// Ratio of the force of a spring to the largest nodal force, below which the spring force is rounding.
 constexpr double pushed_share = 1e-9;
 
 }  // namespace

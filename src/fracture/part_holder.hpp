@@ -11,15 +11,15 @@
 
 namespace bempd::fracture {
 
-// Whether both displacements of a node are unknowns or prescribed: the node shows how a dense body moves, whose other
-// nodes the sparse system has eliminated.
+// Whether both displacements of a node are unknown or prescribed in the sparse system. Such nodes show how a dense body
+// (boundary element region) moves; the system has eliminated the displacements of its other nodes.
 bool shows_motion(const coupling::EquilibriumSystem& system, int node);
 
-// Parts that had to be held to make the equilibrium unique.
+// Motions of parts that had to be held to make the equilibrium unique.
 struct HeldMotions {
-  std::vector<int> nodes;      // where a spring was put
-  bool loads_lost = false;     // they pushed on something that moves freely
-  std::int64_t fragments = 0;  // parts that lost them
+  std::vector<int> nodes;      // nodes that got a spring
+  bool loads_lost = false;     // loads were removed because they pushed a part that moves freely
+  std::int64_t fragments = 0;  // number of parts that lost their loads
 };
 
 // Holds parts of the body that can move freely by springs, and keeps loads and fluid off them.
@@ -41,10 +41,11 @@ class PartHolder {
                     const std::function<bool()>& looks_free);
 
   HeldParts held_parts() const;
-  // Keeps parts held by springs out of the fluid: they would be pushed away if it reached them later.
+  // Excludes parts that only springs hold from the fluid in cracks, which would push them away if it reached them
+  // later.
   void exclude_from_fluid();
-  // Removes the loads of parts that the fluid pushes although only springs hold them, and solves again. Returns whether
-  // there were any.
+  // Removes the loads of parts that only springs hold if the fluid pushes such parts, and solves again. Returns whether
+  // loads were removed.
   bool unload_pushed();
 
  private:

@@ -35,7 +35,7 @@ void Resumption::recall() {
   if (!awaited_) return;
   remember(*awaited_);
   if (!awaited_->window) return awaited_.reset();
-  if (!body_.state().in_equilibrium) close();  // other loads act since
+  if (!body_.state().in_equilibrium) close();  // the host has changed the loads
 }
 
 bool Resumption::reopen() {

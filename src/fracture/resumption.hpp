@@ -19,18 +19,19 @@ class Resumption {
 
   Continuation present() const;
 
-  // Sets the continuation that recall() and reopen() restore; await_nothing() takes it away.
+  // Sets the awaited continuation, which recall() and reopen() restore; await_nothing() clears it.
   void await(Continuation continuation) noexcept { awaited_ = std::move(continuation); }
   void await_nothing() noexcept { awaited_.reset(); }
-  // Restores all but an open window, for the body's state, in which system and ratios are. Only what has an open window
-  // is still awaited then.
+  // Restores the awaited data except an open window. System and ratios must be those of the body's state. The
+  // continuation stays awaited only if it has an open window.
   void recall();
-  // Opens the window again that was open when the awaited continuation was saved. Returns false if it differs from what
-  // was saved, as on a processor that rounds otherwise. The body's state is then as it was before the call, but system
-  // and ratios are not; likewise after a failure.
+  // Opens the window again that was open when the awaited continuation was saved. Returns false if the result differs
+  // from the saved one, as on a processor that rounds otherwise. After that, or after a failure, the body's state is as
+  // it was before the call, but system and ratios are not.
   bool reopen();
-  // Ends a saved window that is not opened again: drops the system's factor, or its order of elimination, where closing
-  // an open window would (EventSources::settle()). The state's displacements are already those of its last event.
+  // Closes a saved window without opening it: drops the system's factor, or the order of elimination of the factor,
+  // where closing the open window would (EventSources::settle()). The displacements of the state are already those
+  // after the window's last event.
   void close();
 
  private:

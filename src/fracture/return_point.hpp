@@ -8,31 +8,31 @@
 
 namespace bempd::fracture {
 
-// One state of the body to return to if a call fails: the first one marked since the last drop(). If begin_call() was
-// called before, the data of the run beside this state (Continuation) are kept as well.
+// State of the body to return to if a call fails: the state that was marked first since the last drop(). After
+// begin_call(), the data of the run beside that state (Continuation) are kept as well.
 class ReturnPoint {
  public:
   ReturnPoint(LoadedBody& body, WindowEvents& window, const Resumption& resumption)
       : body_(body), window_(window), resumption_(resumption) {}
 
-  // Begins a call that can be taken back. What is known beside the state is kept at once only if no window is open,
-  // because the first search for an event may then change the system's factor. With an open window nothing changes
-  // before the first mark.
+  // Begins a call that can be taken back. Without an open window the Continuation is kept at once, because the first
+  // search for an event may change the system's factor. With an open window it does not change before the first mark().
   void begin_call();
   void mark();
   void drop() noexcept { mark_.reset(), call_.reset(); }
-  // Makes the return point independent of the window, which is about to be left: keeps what the run knows beside the
-  // state (its Continuation), and turns a mark that is a position in the window into a state.
+  // Makes the return point independent of the window, which is about to be closed: keeps the Continuation of the run,
+  // and turns a mark that is a position in the window into a state.
   void keep() { keep_continuation(), complete(); }
-  // Replaces the mark, if it is a position in a window, by the state at this position. Displacements that were computed
-  // again only on return would have other rounding errors.
+  // Replaces a mark that is a position in a window by the state at this position. Displacements that are computed only
+  // on return would have other rounding errors.
   void complete();
-  // Replaces the mark, if it is a position in a window, by this state: the window has only been opened since then.
+  // Replaces a mark that is a position in a window by `state`, in which the window was opened: none of its events has
+  // been performed.
   void replace_place(const BodyState& state);
 
-  // Returns to the mark, which is dropped. If `is_in_window`, the open window stays valid. If not, only the body's
-  // state is restored: all else may be half changed, and `continuation` is what was known beside the state when the
-  // call began.
+  // Returns to the marked state and drops the mark. If the result's `is_in_window` is set, the open window stays valid.
+  // Otherwise only the body's state is restored, all other data may be half changed, and `continuation` has the run's
+  // data at the beginning of the call.
   struct Back {
     bool is_in_window;
     std::optional<Continuation> continuation;
@@ -40,13 +40,13 @@ class ReturnPoint {
   Back go_back() noexcept;
 
  private:
-  // Marked state. In an open window a position in it replaces the large parts of the state.
+  // Marked state of the body. While a window is open, `place` (a position among its events) stands for the state, which
+  // is large.
   struct Mark {
     BodyState state;
     std::optional<WindowEvents::Place> place;
   };
-  // Data of the run beside the body's state (Continuation) at the start of the call, copied when they are about to
-  // change.
+  // Data of the run beside the body's state (Continuation) at the beginning of a call, copied just before they change.
   struct Call {
     std::optional<Continuation> continuation;
   };

@@ -9,7 +9,8 @@
 
 namespace bempd::fracture {
 
-// Events of a run in one body: finds the next one, performs and books it, and takes back what cannot be completed.
+// Events of a run in one body: finds the next event, performs and books it, and takes back an event that cannot be
+// completed.
 class RunEvents {
  public:
   RunEvents(EvolutionState& state, LoadedBody& body, EventSources& sources, const InnerWork& inner_work,
@@ -31,8 +32,8 @@ class RunEvents {
   bool perform_if_possible(const Event& event);
   void perform_contact() { records_.book_contact(sources_.perform()); }
 
-  // Body before an event, to which give_up() returns it; empty while events come from a window, which are too short to
-  // be given up.
+  // Body before an event, to which give_up() returns it. before() is empty while events come from a window; such events
+  // are too short to be given up.
   struct Before {
     BodyState body;
     RunRecords::Start start;
@@ -42,12 +43,13 @@ class RunEvents {
   // Returns to the start of a call that has failed.
   void return_to(const RunRecords::Start& start) noexcept;
 
-  // Lets the tip of a crack line grow by a step at the present load factor, whatever its load, as an event, if a bond
-  // lies ahead of it; in a direction, or by its criterion. After a failure the caller restores an earlier state.
+  // Performs a step of the tip of a crack line as an event at the present load factor, whatever the load on the tip, if
+  // a bond lies ahead of it. The step has the given direction, or that of its criterion. After a failure the caller
+  // restores an earlier state.
   void extend_line(const crack::TipId& tip, const std::optional<Point>& direction);
-  // Stops a tip of a crack line: it has come to an interface, or its crack continues in boundary elements.
+  // Stops the tip of a crack line that has come to an interface, or whose crack continues in boundary elements.
   void stop_line(const crack::TipId& tip, crack::TipState state = crack::TipState::at_interface);
-  // Stops tips with boundary elements that cannot grow.
+  // Stops tips in boundary elements that cannot grow.
   void stop(const std::vector<crack::TipId>& tips);
 
  private:

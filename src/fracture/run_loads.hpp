@@ -6,8 +6,8 @@
 
 namespace bempd::fracture {
 
-// Loads of a run: forces, prescribed displacements, heat and pressures. Whatever replaces loads returns what is needed
-// to restore those before; find_equilibrium() has to follow.
+// Loads of a run: forces, prescribed displacements, heat and pressures. Before set(), present() gives what restore()
+// needs; heat() and load_faces() return what undoes them. find_equilibrium() has to follow each change.
 class RunLoads {
  public:
   RunLoads(EvolutionState& state, LoadedBody& body, EventSources& sources, InnerWork& inner_work, RunRecords& records)
@@ -18,15 +18,16 @@ class RunLoads {
         inner_work_(inner_work),
         records_(records) {}
 
-  // Sets new loads and prescribed displacements. `work_within` is the form of InnerWork.
+  // Sets new loads and prescribed displacements. `work_within` is the matrix W of InnerWork.
   void set(const coupling::Affine& force, const coupling::Affine& prescribed,
            const Eigen::Matrix2d& work_within = Eigen::Matrix2d::Zero(), const CrackPressures& pressures = {});
 
-  // Replaces the loads by others that are equal at the present load factor, so that nothing moves.
+  // Replaces the loads by others that are equal at the present load factor, so that nothing moves
+  // (LoadedBody::take_over()).
   void take_over(const coupling::Affine& force, const coupling::Affine& prescribed, const Eigen::Matrix2d& work_within,
                  const CrackPressures& pressures = {});
 
-  // Loads that set() replaces, for restore().
+  // Loads that set() replaces, to be given to restore().
   struct SavedLoads {
     ActingLoads acting;
     Eigen::Matrix2d work_within;
@@ -35,8 +36,9 @@ class RunLoads {
   SavedLoads present();
   void restore(SavedLoads loads) noexcept;
 
-  // Changes the rest lengths of terms and operators by heating. The change of stored energy at unchanged displacements
-  // is work; the body then has to find equilibrium. Returns what restore_rest_lengths() needs to undo it.
+  // Changes the rest lengths of terms and operators (heat, swelling). The change of the stored energy at unchanged
+  // displacements counts as work; find_equilibrium() has to follow. Returns what restore_rest_lengths() needs to undo
+  // the change.
   struct Heat {
     coupling::Rests rests;
     Eigen::VectorXd total_force;
@@ -46,8 +48,8 @@ class RunLoads {
   void restore_rest_lengths(Heat heat) noexcept;
 
   // Changes the gaps of contact constraints due to loads inside operators (body forces, tractions on cracks). The
-  // change of stored energy at unchanged displacements is work; set() or take_over() has to follow. Returns what
-  // unload_faces() needs to undo it.
+  // change of the stored energy at unchanged displacements counts as work; set() or take_over() has to follow. Returns
+  // what unload_faces() needs to undo the change.
   struct FaceLoads {
     coupling::Affine offsets;
     double work;

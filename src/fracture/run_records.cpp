@@ -89,8 +89,8 @@ void RunRecords::book_contact(const Outcome& outcome) {
   state_.work = in_range(state_.work + outcome.work_before);
   measure_work();
   state_.contact_switches += outcome.switches;
-  // Energy with which later ones are compared: the largest one before the first event, because a scene that only closed
-  // faces hold has hardly any until they close.
+  // first_unit_energy is the energy with which later ones are compared (is_separated()). Before the first event its
+  // largest value counts, because a body that only closed faces hold stores hardly any energy until they close.
   if (state_.events == 0) state_.first_unit_energy = std::max(state_.first_unit_energy, body_.response().unit_energy());
   if (!outcome.comes_free) return;
   state_.work = in_range(state_.work + outcome.work);
@@ -99,7 +99,7 @@ void RunRecords::book_contact(const Outcome& outcome) {
   note_separation(outcome);
 }
 
-// Records the extensions of crack lines; those of one event share its energy by their lengths.
+// Records the extensions of crack lines. The extensions of one event share its energy by their lengths.
 void RunRecords::book_lines(const Outcome& outcome, double released_energy) {
   double length = 0;
   for (const CrackExtension& extension : outcome.extensions) length += extension.length;
@@ -114,7 +114,7 @@ void RunRecords::book_lines(const Outcome& outcome, double released_energy) {
     extension.crack_length = (last != all.rend() ? last->crack_length : described.length) + extension.length;
     if (is_first) extension.crack_length += described.to_cut[static_cast<std::size_t>(extension.end)];
     extension.released_energy = released_energy * extension.length / length;
-    // Energy that a last ligament releases beyond its fracture energy, at a constant load factor, becomes kinetic
+    // A last ligament may release more than its fracture energy at a constant load factor; the excess becomes kinetic
     // energy.
     const double taken = outcome.bond_energy * extension.length / length;
     const double most = extension.has_ended() ? extension.surface_energy : taken;
@@ -168,7 +168,7 @@ void RunRecords::write_line(const HistoryEntry& known, double energy_scale, cons
   state_.largest_work = std::max(state_.largest_work, std::abs(line.work));
   const double scale = std::max({state_.largest_work, energy_scale, inner_work_.least_scale(state_.load_factor)});
   line.energy_balance_error = scale > 0 ? difference / scale : difference;
-  if (!std::isfinite(line.energy_balance_error)) line.energy_balance_error = 0;  // of energies that are lost
+  if (!std::isfinite(line.energy_balance_error)) line.energy_balance_error = 0;  // energies beyond the range of numbers
   const auto is_finite = [](double value) { return std::isfinite(value); };
   if (!std::all_of(reactions.begin(), reactions.end(), is_finite) || !is_finite(line.load_factor) ||
       !is_finite(line.stretch_ratio) || !is_finite(line.residual)) {

@@ -12,8 +12,8 @@
 
 namespace bempd::fracture {
 
-// Records of a run: work and energies, resistance of the body, extensions of cracks, and lines of the history. They are
-// kept in the state.
+// Records of a run: work and energies, resistance of the body, extensions of cracks, and entries of the history. They
+// are kept in the state.
 class RunRecords {
  public:
   RunRecords(EvolutionState& state, LoadedBody& body, const InnerWork& inner_work)
@@ -21,7 +21,8 @@ class RunRecords {
 
   // Lengths of the cracks that the host described.
   void set_lengths(std::vector<pd::CrackLength> lengths) { lengths_ = std::move(lengths); }
-  // Sets the stepping from now on. Only event by event does the excess work of an event become kinetic energy.
+  // Sets the mode of stepping. Only in the mode `events` does the excess work of an event out of equilibrium become
+  // kinetic energy.
   void set_mode(SteppingMode mode) { mode_ = mode; }
 
   // Sums and sizes of lists at the start of a call, to return to.
@@ -35,7 +36,7 @@ class RunRecords {
   // Adds the work of loads and supports while the load factor moves without an event.
   void add_work(double work);
   double work() const;  // of loads and supports so far [J]
-  // Updates the largest work so far, by which energy errors are measured.
+  // Updates the largest work so far, the scale of energy errors.
   void measure_work();
 
   void book(const Event& event, const Outcome& outcome);
@@ -43,15 +44,15 @@ class RunRecords {
   void book_contact(const Outcome& outcome);
   // Books an equilibrium under new loads.
   void book(LoadedBody::FirstEquilibrium found);
-  // Adds extensions of tips with boundary elements, of the last event.
+  // Adds the extensions of tips in boundary elements at the last event.
   void add_extensions(const std::vector<CrackExtension>& extensions);
-  // Ends the history of a step, for a state that is up to date.
+  // Ends a step with an entry of the history, for a state that is up to date.
   void end_step();
 
   void set_separated() { state_.separated = true; }
 
-  // Notes nodes of parts that could move freely in the last equilibrium under new loads and are held since. Whoever
-  // takes the list clears it.
+  // Notes nodes of parts that could move freely in the last equilibrium under new loads, and that springs hold since.
+  // take_held() returns the list and clears it.
   void set_held(std::vector<int> nodes) { held_ = std::move(nodes); }
   std::vector<int> take_held() { return std::exchange(held_, {}); }
 
@@ -60,7 +61,7 @@ class RunRecords {
   void book_lines(const Outcome& outcome, double released_energy);
   void find_lost_work(double stored_energy);
   void note_separation(const Outcome& outcome);
-  // Adds a line to the history. Throws Error (unsolvable) if its forces or energies do not balance.
+  // Adds an entry to the history. Throws Error (unsolvable) if its forces or energies do not balance.
   void write_line(const HistoryEntry& line, double energy_scale, const std::vector<double>& reactions_before,
                   const std::vector<double>& reactions);
 

@@ -22,18 +22,18 @@ using crack::Control;
 
 struct SteppingOptions {
   SteppingMode mode = SteppingMode::events;
-  double increment = 1;  // of the load factor
-  double tie_band = 1e-3;
+  double increment = 1;          // of the load factor
+  double tie_band = 1e-3;        // relative difference of stretch ratios up to which bonds break together
   int max_breaks_per_solve = 0;  // 0: no limit
   std::int64_t max_events = 10'000'000;
-  bool window = true;       // compute events ahead in a window around what breaks, where that is possible
-  double window_ahead = 0;  // of a crack tip, in lattice spacings; 0: chosen
+  bool window = true;       // compute events ahead in a window (region around crack tips), where possible
+  double window_ahead = 0;  // length of a window ahead of a crack tip [lattice spacings]; 0: chosen by the size
   Control control = Control::load;
-  double separation_share = 0;  // of the largest resistance: what is left of the load's connection counts for nothing
-  bool leaves_fresh = false;    // a step that changes the system leaves no factor behind, as a saved state does
-  BodyCarrier* elements = nullptr;          // of cracks with boundary elements; null: none of them may grow
+  double separation_share = 0;  // share of the largest resistance below which the body counts as separated
+  bool leaves_fresh = false;  // a step that changes the system leaves no factor behind (CrackEvolution::synchronize())
+  BodyCarrier* elements = nullptr;          // carrier of cracks in boundary elements; null: no such crack may grow
   std::set<crack::TipId> frozen{};          // tips that the host keeps where they are
-  const std::atomic<bool>* stop = nullptr;  // where a host asks for the end of the step; null: nowhere
+  const std::atomic<bool>* stop = nullptr;  // flag by which the host asks for the end of the step; null: none
 };
 
 }  // namespace bempd::fracture

@@ -62,7 +62,7 @@ double SupportForces::resistance(const std::vector<double>& reactions, double lo
   for (std::size_t i = 0; i < reactions.size(); i += 2) half += 0.5 * std::hypot(reactions[i], reactions[i + 1]);
   for (int node : loads_.loaded_nodes()) {
     const Point load = loads_.on(node, load_factor);
-    half += 0.5 * std::hypot(load.x(), load.y());  // no square of it has to be within the range of numbers
+    half += 0.5 * std::hypot(load.x(), load.y());  // hypot: squares of loads may exceed the range of numbers
   }
   return in_range(half);
 }

@@ -22,12 +22,12 @@ class SupportForces {
   const coupling::SupportDofs& dofs() const { return dofs_; }
   Eigen::Vector2d reaction(std::size_t support) const;
   double reaction_moment(std::size_t support, const Point& about) const;  // [N m]
-  double reaction_at(int dof) const;                                      // of one that is held [N]
-  std::vector<double> reactions() const;                                  // x and y of every support
+  double reaction_at(int dof) const;      // reaction at a degree of freedom that is held [N]
+  std::vector<double> reactions() const;  // x and y of every support
   // Prescribed displacement at the present load factor, x and y of each support: the mean over its nodes, NaN for a
   // component that is not prescribed.
   std::vector<double> displacements() const;
-  // Force that the body carries at a load factor: half the sum of the magnitudes of these reactions and of the nodal
+  // Force that the body carries at a load factor [N]: half the sum of the magnitudes of `reactions` and of the nodal
   // loads.
   double resistance(const std::vector<double>& reactions, double load_factor) const;
   double resistance(const std::vector<double>& reactions) const { return resistance(reactions, state_.load_factor); }

@@ -12,11 +12,11 @@ namespace bempd::fracture {
 
 namespace {
 
-// Elongation of a term after its break over that before it, from which on the term was the last resistance to some
-// motion.
+// Ratio of a term's elongation after its break to the scale of elongations before. A larger ratio means that the term
+// was the last resistance to some motion.
 constexpr double runaway_elongation = 1e8;
 
-// Rounding error of an elongation over the displacements that it is the difference of.
+// Rounding error of an elongation, as a share of the displacements whose difference it is.
 constexpr double elongation_rounding = 1e-16;
 
 }  // namespace
@@ -33,8 +33,9 @@ Elongation WholeBody::elongation(int term, double load_factor) const {
 bool WholeBody::loses_resistance(std::span<const ChangingTerm> terms) const {
   const double f = body_.state().load_factor;
   const Eigen::VectorXd after = evaluate(body_.state().displacement, f);
-  // The scale is the largest elongation of all changing terms, because a follower, or a term that a line's step also
-  // cuts, may have had none of its own. It is at least the rounding error, for events without load.
+  // The scale is the largest elongation of all changing terms, because a follower (cell square), or a bond that the
+  // step of a crack line cuts, may have had no elongation. The scale is at least the rounding error, for events without
+  // load.
   const double displacement = body_.state().total_displacement.lpNorm<Eigen::Infinity>();
   double largest = elongation_rounding * displacement;
   for (const ChangingTerm& one : terms) largest = std::max(largest, std::abs(one.before.elastic));
@@ -47,9 +48,10 @@ bool WholeBody::loses_resistance(std::span<const ChangingTerm> terms) const {
   return !std::all_of(terms.begin(), terms.end(), is_within);
 }
 
-// Energies released by constraints that have opened or closed at the event: the sum of those with a penalty, then that
-// of exact ones, if any has a multiplier. The latter is the limit of the former for large penalties. Gaps of exact
-// constraints are those that the displacements would leave without multipliers.
+// Energies [J] that constraints have released by opening or closing at the event: the sum for constraints with a
+// penalty, then, if an exact constraint has a multiplier, the sum for exact constraints. The formula for exact
+// constraints is the limit of the other one for large penalties; their gaps are those that the displacements would
+// leave without multipliers.
 std::vector<double> WholeBody::released_by_constraints(const Eigen::VectorXd& before) const {
   const coupling::Constraints& constraints = system_.constraints();
   const Eigen::VectorXd& after = body_.state().total_displacement;
@@ -82,7 +84,7 @@ std::optional<BodyChange> WholeBody::change(const Event& event, std::span<const 
   const double unbalanced_before = body_.loads().unbalanced_share();
   remember_constraints();
   FreedParts freed;
-  Eigen::VectorXd flow = Eigen::VectorXd::Zero(before.size());  // force of the fluid that comes in
+  Eigen::VectorXd flow = Eigen::VectorXd::Zero(before.size());  // forces of the fluid that enters
   {
     const Stopwatch watch(body_.response().seconds_search());
     system_.stages().mark(changes);
@@ -106,8 +108,8 @@ std::optional<BodyChange> WholeBody::change(const Event& event, std::span<const 
   if (change.takes_loads_along) outcome.lost_balance = {unbalanced_before, body_.loads().unbalanced_share()};
   body_.response().update_ratios();
   change.work = body_.response().absorb(event.load_factor);
-  // The fluid's whole force acts while the points move, of which nodal forces before and after show only half. The
-  // fluid also fills the opening that the bonds had before they broke.
+  // The whole force of the entering fluid acts while the points move, but absorb() takes the mean of the nodal forces
+  // before and after, which has half of it. The fluid also fills the opening that the bonds had before they broke.
   const double by_fluid = 0.5 * flow.dot(state.total_displacement + before);
   change.work += by_fluid;
   change.released_after_terms = released_by_constraints(before);

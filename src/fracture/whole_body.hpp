@@ -6,8 +6,8 @@
 
 namespace bempd::fracture {
 
-// Whole body as events change it: by a low-rank change and a solution of the whole system. Parts that come free are
-// held, so that every event can be performed. The load factor is that of the event.
+// Whole body that events change by a low-rank change and a solution of the whole system. Parts that come free are held,
+// so that every event can be performed. The state has to be at the event's load factor.
 class WholeBody final : public EventBody {
  public:
   explicit WholeBody(LoadedBody& body) : body_(body), system_(body.system()) {}
@@ -25,8 +25,8 @@ class WholeBody final : public EventBody {
 
   LoadedBody& body_;
   coupling::EquilibriumSystem& system_;
-  std::vector<char> closed_before_;  // before the event: flags of constraints, and multipliers of the exact ones
-  Eigen::VectorXd multipliers_before_;
+  std::vector<char> closed_before_;     // before the event: flags of closed constraints
+  Eigen::VectorXd multipliers_before_;  // before the event: multipliers of exact constraints
 };
 
 }  // namespace bempd::fracture

@@ -31,7 +31,7 @@ std::optional<double> WholeBodyEvents::next_load_factor(double target, const Ste
   if (!next || way.control == Control::path || options.mode == SteppingMode::events) return next;
   const Stopwatch watch(body_.response().seconds_search());
   if (const std::optional<double> increment = next_increment(target, options.increment)) return increment;
-  // No break up to the target: the next one lies beyond it.
+  // No bond breaks up to the target; the next break lies beyond it.
   return way.end();
 }
 
@@ -47,7 +47,7 @@ std::optional<double> WholeBodyEvents::next_increment(double target, double incr
     const double end = std::max(first, std::ceil(number(*next) - increment_rounding)) * increment;
     const double load_factor = direction * std::min(end, target * direction);
     if (!body_.response().ratios().overstretched(system_.stages().intact(), load_factor).empty()) return load_factor;
-    from = load_factor;  // what exceeded its critical stretch here has been relieved by then
+    from = load_factor;  // bonds critical before this load factor are relieved here
   }
 }
 

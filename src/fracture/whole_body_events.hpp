@@ -8,15 +8,15 @@
 
 namespace bempd::fracture {
 
-// Source of events among all terms of the body, which are performed on the whole body (WholeBody). It can always
-// continue if the body's displacements are those of its state.
+// Source of breaks among all terms (bonds and cell squares) of the body, which are performed on the whole body
+// (WholeBody). The displacements of the state have to be up to date.
 class WholeBodyEvents final : public EventSource {
  public:
   explicit WholeBodyEvents(LoadedBody& body) : body_(body), system_(body.system()) {}
 
   const Event* next(double target, const SteppingOptions& options) override;
   Outcome perform() override;
-  Outcome perform(Event event);  // one that another source has told
+  Outcome perform(Event event);  // performs an event that another source has found
 
  private:
   std::optional<double> next_load_factor(double target, const SteppingOptions& options);
