@@ -18,10 +18,12 @@ namespace {
 // times.
 constexpr std::int64_t newton_rounds = 64, rounds_per_constraint = 16;
 
-// Faces may part or meet all at once, as under a pressure that just vanishes. Rounding may then decide which
-// constraints are open, and there is no solution. After this many rounds gaps are evaluated a little farther along the
-// load path: by a share of the load factor that grows tenfold at each attempt.
+// Number of rounds without success after which gaps are evaluated slightly farther along the load path. Faces may part
+// or meet all at once, as under a pressure that just vanishes; rounding may then decide which constraints are open, so
+// that no active set agrees with all gaps.
 constexpr std::int64_t rounds_at_rounding = 256;
+// Distances along the load path at which gaps are evaluated after rounds_at_rounding, as shares of the load factor: the
+// first and the largest one. The share grows tenfold at each attempt.
 constexpr double farther_at_first = 1e-8, farthest_ahead = 1e-6;
 
 // Constraint to be switched alone, out of those whose gaps are wrong: the first one with a penalty, else the first
@@ -63,8 +65,8 @@ void BodyContact::bar(std::vector<char> barred, std::size_t changes) {
   changes_that_bar_ = changes;
 }
 
-// Load factor farther along `direction`: by a share of the present one, or near zero by a share of the one at which
-// both parts of the displacement are equally large.
+// Load factor farther along `direction`, by a share of the present load factor, or near zero by a share of the load
+// factor at which both parts of the displacement are equally large.
 double BodyContact::farther_on(double share, double direction) const {
   const double f = state_.load_factor, proportional = state_.displacement.col(1).lpNorm<Eigen::Infinity>();
   if (share == 0 || proportional == 0) return f;

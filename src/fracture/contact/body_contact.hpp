@@ -8,7 +8,8 @@
 
 namespace bempd::fracture {
 
-// Contact of the whole body at its load factor: which faces of its cracks press on each other (the active set).
+// Contact of crack faces in the whole body at its load factor: finds which faces press on each other (the active set of
+// constraints).
 class BodyContact {
  public:
   BodyContact(coupling::EquilibriumSystem& system, const std::vector<Point>& positions, BodyState& state,
@@ -16,24 +17,25 @@ class BodyContact {
       : system_(system), positions_(positions), state_(state), faces_(faces), response_(response), holder_(holder) {}
 
   // Opens and closes constraints, with a solution after each round, until all agree with their gaps at the present load
-  // factor. Where a gap is zero, its sign just ahead in `direction` decides. Parts that only closed faces held are held
-  // by springs when these open.
+  // factor. Where a gap is zero, its sign just ahead in `direction` decides. A part that only closed faces held is held
+  // by springs when the faces open.
   struct Settled {
-    std::int64_t switched = 0, fragments = 0;  // constraints; parts that loads push
+    std::int64_t switched = 0, fragments = 0;  // numbers of constraints, and of parts that lost loads which push them
     std::vector<int> held;                     // nodes of parts that could move freely
   };
   Settled settle(double direction);
-  // Load factor up to which constraints are settled in a direction: the present one, or one a little farther if they
-  // could only be settled for that.
+  // Load factor up to which constraints are settled in a direction: the present load factor, or one slightly farther if
+  // the constraints could be settled only there.
   double settled_until(double direction) const;
   // Whether constraints open or close as soon as the load factor moves in a direction.
   bool switches_at_once(double direction) const;
-  // Settles constraints for a look at what is ahead. The caller restores the state.
+  // Settles constraints as they are just ahead in a direction, and moves the load factor there. The caller restores the
+  // state afterwards.
   void look_ahead(double direction);
 
-  // Adds the contact places of terms that have broken since the last update, at the state's displacements.
+  // Adds the contact places of bonds that have broken since the last update, at the state's displacements.
   void update_faces() { faces_.update(state_.total_displacement, state_.faces); }
-  // Adds contact places as update_faces() does, and bars those on parts that only springs hold from closing.
+  // Adds contact places as update_faces() does, and bars places on parts that only springs hold from closing.
   void refresh_faces() {
     update_faces();
     bar_held_parts();
@@ -51,8 +53,9 @@ class BodyContact {
   CrackFaces& faces_;
   BodyResponse& response_;
   PartHolder& holder_;
-  double settled_at_ = 0, settled_farther_on_ = 0;  // load factors; the same where places are right at the first
-  std::size_t changes_that_bar_ = 0;                // springs and broken terms when constraints were barred
+  // Load factor of the last settle(), and the one at which gaps were evaluated then.
+  double settled_at_ = 0, settled_farther_on_ = 0;
+  std::size_t changes_that_bar_ = 0;  // number of springs and broken terms when constraints were barred
 };
 
 }  // namespace bempd::fracture

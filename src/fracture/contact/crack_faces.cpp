@@ -170,7 +170,8 @@ class CrackFaces::PresentPlaces final : public FacePlaces {
   FaceState& state_;
 };
 
-// Broken terms and those near them: all that have a contact place or may have one now.
+// Broken bonds near the given terms, which may get a contact place or another normal. Bonds that initial cracks cut are
+// left out.
 std::vector<int> CrackFaces::places_affected(std::span<const int> terms) const {
   std::vector<int> found;
   for (const int term : terms) {

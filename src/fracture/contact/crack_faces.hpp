@@ -23,9 +23,10 @@ struct ContactPlan {
   std::vector<pd::FacePlace> initial;
 };
 
-// Contact of crack faces in lattices: constraints with a penalty. There are places on the initial cracks, and one at
-// every bond between neighbours that has broken since. The normal of the latter follows from the broken bonds around it
-// and may change while the place is open. In the system's list they follow the exact constraints.
+// Contact of crack faces in lattices: constraints with a penalty at contact places. Contact places lie on the initial
+// cracks, and at every bond between neighbouring points that has broken since. The normal at such a bond follows from
+// the broken bonds around it and may change while the place is open. In the system's list these constraints follow the
+// exact ones.
 class CrackFaces {
  public:
   // Creates the places on initial cracks. `cut` are the bonds that initial cracks have cut.
@@ -38,13 +39,14 @@ class CrackFaces {
 
   // Number in the system's list of the first constraint that a broken bond has added.
   std::size_t first_grown() const { return system_.constraints().exact_count() + plan_.initial.size(); }
+  // Whether a contact place of a saved state is possible in this body.
   bool can_have(const GrownFace& face) const;
 
-  // Notes terms that have broken; the next update() adds their contact places.
+  // Notes terms that have broken together; the next update() adds their contact places.
   void note_broken(std::span<const int> terms, FaceState& state);
   // Terms that have broken but whose contact places are not added yet, grouped by event.
   const std::vector<std::vector<int>>& pending() const { return pending_; }
-  // Leaves only the first of the pending events, because those behind are taken back.
+  // Keeps only the first `events` pending events, because the later ones are taken back.
   void keep_first_pending(std::size_t events, FaceState& state) noexcept {
     pending_.resize(events);
     state.pending.resize(events);
@@ -53,7 +55,7 @@ class CrackFaces {
   // if the faces would overlap with the new one at this displacement.
   void update(const Eigen::VectorXd& displacement, FaceState& state);
   // Rule shared by updates and forecasts: adds to `places` the contact places of terms that have broken together, and
-  // renews the normals of open ones near them. Returns the terms that count for normals from now on; forget_terms()
+  // renews the normals of open places near them. Returns the terms that determine normals from now on; forget_terms()
   // undoes that.
   std::vector<int> follow(std::span<const int> broken, FacePlaces& places);
   void forget_terms(std::span<const int> terms);
@@ -83,11 +85,11 @@ class CrackFaces {
   coupling::EquilibriumSystem& system_;
   const std::vector<Point>& positions_;
   ContactPlan plan_;
-  std::vector<int> cut_;                                             // ascending
-  double reach_ = 1;                                                 // of what tells a normal [m]
-  std::unordered_map<std::uint64_t, std::vector<int>> broken_near_;  // neighbours, by where their middles are
-  std::unordered_set<int> counted_;                                  // the same as a set
-  std::unordered_map<int, std::size_t> grown_;                       // term -> its place among the grown ones
+  std::vector<int> cut_;  // bonds that initial cracks cut, ascending
+  double reach_ = 1;      // distance within which broken bonds determine a normal [m]
+  std::unordered_map<std::uint64_t, std::vector<int>> broken_near_;  // broken bonds by the grid cells of their middles
+  std::unordered_set<int> counted_;                                  // all bonds in broken_near_
+  std::unordered_map<int, std::size_t> grown_;  // place in FaceState::grown of each broken bond that has one
   std::vector<std::vector<int>> pending_;
 };
 

@@ -9,28 +9,31 @@
 
 namespace bempd::fracture {
 
-// Contact constraint in a range of states: from the state `since` on, before the state `until`.
+// Contact constraint with its status in the states that a window (region around crack tips that is solved alone)
+// computes: from the state `since` on, before the state `until`. State n is that after n events.
 struct WatchedConstraint {
   coupling::Constraint constraint;
   bool closed;
-  bool known;  // from the beginning
+  bool known;  // whether the body has this constraint in state 0
   int since, until;
-  std::size_t number;  // in the system, also of places to come
-  int event;           // that made it as it is
+  std::size_t number;  // number in the system's list, continued for places to come
+  int event;           // number of the event that gave it this status or normal
 };
 
-// Contact constraints in the states that a window computes ahead (0 is the present one), by the rule of
+// Contact constraints in the states that a window computes ahead (0 is the present state), by the rule of
 // CrackFaces::follow(). The constraints of the body itself stay unchanged.
 class FaceForecast final : public FacePlaces {
  public:
   FaceForecast(CrackFaces& faces, const FaceState& state);
   ~FaceForecast() override;
 
-  // Follows the terms that an event breaks on the way to `state`: adds their contact places, and renews normals of open
-  // ones.
+  // Adds the contact places of terms that an event breaks on the way to `state`, and renews the normals of open places
+  // near them.
   void follow(std::span<const int> broken, int state);
+  // Closes or opens the constraint with an index in constraints(), from `state` on.
   void switch_constraint(std::size_t watched, int state);
-  void forget_after(int state);  // and no more is asked but constraints()
+  // Forgets the states after `state`. Only constraints() may be called afterwards.
+  void forget_after(int state);
 
   // Constraints of all states, each with the range of states in which it holds. Those of the system come first, in its
   // order.
@@ -47,11 +50,11 @@ class FaceForecast final : public FacePlaces {
  private:
   CrackFaces& faces_;
   std::vector<WatchedConstraint> watched_;
-  std::vector<std::size_t> latest_;  // by numbers in the system: which of them in the last state
+  std::vector<std::size_t> latest_;  // by number in the system: index in watched_ for the last state
   std::vector<GrownFace> grown_;
-  std::unordered_map<int, std::size_t> number_of_;  // of terms that have a place
+  std::unordered_map<int, std::size_t> number_of_;  // number of the place of each term that has one
   std::vector<int> counted_;
-  int state_ = 0;  // that is being followed
+  int state_ = 0;  // state to which the present event leads
 };
 
 }  // namespace bempd::fracture

@@ -11,16 +11,15 @@ using coupling::Constraints;
 
 namespace {
 
-// Rounding of gaps and their rates over the largest displacement, also of iterated solutions: smaller values are zero.
-// Exact constraints, inside dense operators, have larger rounding.
+// Rounding errors of gaps and of their rates over the largest displacement, also of iterated solutions: smaller values
+// count as zero. Exact constraints, inside dense operators, have larger errors.
 constexpr double rounding_of_penalties = 1e-12, rounding_of_exact = 1e-10;
 
 // Tolerance for gaps that have passed zero. While a constraint is closed its gap is zero up to rounding; after it
 // opens, that rounding is magnified by the ratio of the penalty to the remaining stiffness, which is unknown. So a gap
 // that has passed zero by less than this share of the largest displacement, and is returning, still counts as zero. The
-// energy error is its square.
-// Contact forces of exact constraints may change faster than any displacement; for them it is the same share of the
-// load factor's change.
+// energy error is the square of the share. Contact forces of exact constraints may change faster than any displacement;
+// for such constraints the tolerance is this share of the change of the load factor.
 constexpr double rounding_of_passed_gaps = 1e-8;
 
 double rounding_of(const Constraint& constraint) {

@@ -10,10 +10,10 @@ namespace bempd::fracture {
 
 namespace {
 
-// Smallest change of a gap that is not rounding, over the largest change that its weights allow for a motion.
+// Least change of a gap that is not rounding, over the largest change that the weights of the gap allow for a motion.
 constexpr double least_gap_change = 1e-6;
 
-// Displacement over the largest one of a held motion below which a node counts as not moving.
+// Ratio of a node's displacement to the largest one of a held motion, below which the node counts as not moving.
 constexpr double least_share_moved = 1e-6;
 
 using Motions = std::vector<Eigen::VectorXd>;

@@ -8,10 +8,11 @@
 
 namespace bempd::fracture {
 
-// Newton's method for unilateral constraints. A round switches all wrong constraints, until an active set occurs again.
-// From then on one constraint is switched at a time (the first wrong one), until fewer are wrong than ever before; then
-// all again for some rounds. Switching one at a time always ends (Murty 1974), but slowly; both together end soon
-// (Judice and Pires 1994).
+// Choice of the constraints that a round of Newton's method for unilateral constraints switches. Rounds switch all
+// constraints whose status contradicts their gaps (wrong constraints), until an active set (of closed constraints)
+// occurs again. From then on they switch only the first wrong constraint, until fewer constraints are wrong than ever
+// before, after which some rounds switch all again. Switching one at a time always ends (Murty 1974), but slowly; the
+// combination ends soon (Judice and Pires 1994).
 class NewtonRounds {
  public:
   // Whether the next round switches all wrong constraints. `wrong` is their number, `closed` the present active set.

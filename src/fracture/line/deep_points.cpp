@@ -10,15 +10,15 @@ namespace bempd::fracture {
 
 namespace {
 
-// Points deep inside the lattices of one kind (those in `is_of`), which have `full` neighbours. Points beside an
-// outline that does not follow the rows may have more, and do not count.
+// Points deep inside the lattices of one kind, whose points `is_of` marks. Such points have `full` neighbours. Points
+// beside an outline that does not follow the rows may have more neighbours, and do not count.
 std::vector<int> deepest_of(const std::vector<char>& is_of, const linalg::Adjacency& neighbours, std::size_t full) {
   const auto is_own = [&](int node) { return is_of[static_cast<std::size_t>(node)] != 0; };
   std::size_t most = 0;
   const int nodes = static_cast<int>(is_of.size());
   for (int node = 0; node < nodes; ++node)
     if (is_own(node)) most = std::max(most, std::min(full, neighbours.of(node).size()));
-  std::vector<char> depth(is_of.size(), 0);  // 1: full number of neighbours; 2, 3: likewise theirs, and theirs
+  std::vector<char> depth(is_of.size(), 0);  // 1: full number of neighbours; 2: so have these; 3: and their neighbours
   for (int node = 0; node < nodes; ++node)
     depth[static_cast<std::size_t>(node)] = is_own(node) && neighbours.of(node).size() == most ? 1 : 0;
   for (const char level : {1, 2})

@@ -7,11 +7,12 @@
 
 namespace bempd::fracture {
 
-// Whether two laws are those of one kind of lattice.
+// Whether two tip laws belong to lattices of one kind: with equal spacing, horizon, thickness and modulus.
 bool are_alike(const pd::TipLaw& one, const pd::TipLaw& other);
 
-// Points deep inside the lattices of each law, which stand for an endless lattice of that kind: by law, ascending. All
-// regions of a kind count together, so that neither their order nor the number of regions matters.
+// Material points deep inside the lattices of each tip law, which represent an infinite lattice: a list for each law,
+// ascending. Regions with lattices of one kind share their points, so that neither the order nor the number of regions
+// matters.
 std::vector<std::vector<int>> deep_points(const coupling::Terms& terms, const pd::TipLaws& laws);
 
 }  // namespace bempd::fracture

@@ -8,12 +8,12 @@ namespace bempd::fracture {
 
 namespace {
 
-// K_II of a fit over that of boundary elements: measured as 1.06 to 1.11 on inclined cracks (docs/directions.md). Under
-// shear the effective tip lies some 0.15 horizons farther ahead than under opening.
+// Ratio of the K_II of a fit to that of boundary elements: measured as 1.06 to 1.11 on inclined cracks
+// (docs/directions.md). Under shear the effective tip lies some 0.15 horizons farther ahead than under opening.
 constexpr double shear_as_fitted = 1.08;
-// K_II of a fit over the K_II by which a tip grows: shear acts farther ahead, so a part of the difference is real. With
-// points nearer to the tip, as beside an edge, K_I is too small as well. Both are measured on first loads of kinks of
-// 10 to 70 degrees and of edge cracks at 20 to 70 degrees.
+// Ratio of the K_II of a fit to the K_II by which a tip grows: shear acts farther ahead, so a part of the difference is
+// real. With stress points nearer to the tip, as beside an edge, K_I is too small as well. Both ratios are measured on
+// first loads of kinks of 10 to 70 degrees and of edge cracks at 20 to 70 degrees.
 constexpr double shear_for_load = 1.03, shear_for_load_beside = 0.94;
 
 }  // namespace

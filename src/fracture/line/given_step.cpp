@@ -6,8 +6,8 @@
 
 namespace bempd::fracture {
 
-// The step counts as one by energy, so that its energy does not correct later loads by the fit. A tip that bears no
-// load releases no energy by it.
+// Step of a tip in a given direction. Its load counts as one by a trial energy, so that the energy of the step does not
+// correct later loads by the fit. A tip that bears no load releases no energy at the step.
 std::optional<LineStep> step_towards(const Point& direction, const crack::TipId& tip, const LineSteps& steps,
                                      const BodyState& state, const std::optional<LineStep>& by_load) {
   const std::vector<GrowingTip>& tips = state.tips;

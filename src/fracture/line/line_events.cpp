@@ -11,13 +11,13 @@ namespace bempd::fracture {
 
 namespace {
 
-// Distance in horizons from a tip that does not grow (frozen or stopped) within which no crack begins.
+// Distance from any tip, in horizons, within which no other crack begins.
 constexpr double reach_of_other_tip = 1;
 
 // Relative difference of two energies up to which they count as equal.
 constexpr double rounding_of_energies = 1e-9;
 
-// Sum of stiffness times elongation squared [J] of bonds, twice their energy.
+// Sum of stiffness times the square of the elongation of some bonds [J]: twice their energy.
 double energy_of(const std::vector<int>& bonds, const LoadedBody& body, const coupling::Affine& displacement,
                  double load_factor) {
   const coupling::EquilibriumSystem& system = body.system();
@@ -44,8 +44,8 @@ Point LineEvents::middle_of(int bond) const {
          2;
 }
 
-// Crack that begins at a bond at this load factor. Empty at wide terms, between different materials, and close to a tip
-// that does not grow.
+// Crack that begins at a bond at a load factor. Empty at cell squares, at bonds with an end outside the lattices of
+// crack lines, and close to a tip.
 std::optional<LineEvents::Birth> LineEvents::birth_at(int bond, double load_factor) const {
   const coupling::Terms& terms = body_.system().terms();
   const auto b = static_cast<std::size_t>(bond);
@@ -58,13 +58,13 @@ std::optional<LineEvents::Birth> LineEvents::birth_at(int bond, double load_fact
   for (const GrowingTip& tip : body_.state().tips)
     if ((tip.place - middle).norm() < reach_of_other_tip * law.horizon) return std::nullopt;
   const Point direction = steps_.fields().stress().across_tension(bond, law, body_.state().displacement, load_factor);
-  if (!direction.allFinite()) return std::nullopt;  // stresses that no number holds
+  if (!direction.allFinite()) return std::nullopt;  // stresses beyond the range of numbers
   return Birth{middle, direction, number};
 }
 
-// Bonds that a crack cuts where it begins. A path through a material point, such as the middle of a bond of two
-// spacings, may pass it on either side: it passes where the bonds across it have the larger energy, which is the same
-// side however the body is mirrored or turned. It is a tie if those energies are equal.
+// Bonds that a new crack cuts. A path through a material point, such as the middle of a bond of two spacings, may pass
+// the point on either side. It takes the side on which the bonds across it have the larger energy, which does not
+// depend on how the body is mirrored or turned. `is_tie` says whether the energies are equal.
 std::vector<int> LineEvents::cut_by(const Birth& birth, double load_factor, bool& is_tie) const {
   const pd::TipLaw& law = laws().laws[static_cast<std::size_t>(birth.law)];
   const Point half = law.spacing / 2 * birth.direction;
@@ -82,13 +82,14 @@ std::vector<int> LineEvents::cut_by(const Birth& birth, double load_factor, bool
   return !is_tie && on_left > on_right ? left : right;
 }
 
-// Whether a crack that began at this bond would lie at another place.
+// Whether a crack that begins at a bond would lie at another place than `birth`.
 bool LineEvents::is_elsewhere(int bond, const Birth& birth) const {
   const double spacing = laws().laws[static_cast<std::size_t>(birth.law)].spacing;
   return (middle_of(bond) - birth.middle).norm() > rounding_of_places * spacing;
 }
 
-// Prepares the event at which a crack begins at one of the most stretched bonds. Null if it would not cut that bond.
+// Prepares the event at which a crack begins at `bond`, one of the most stretched bonds. Null if the crack would not
+// cut that bond.
 const Event* LineEvents::prepare_birth(int bond, const std::vector<int>& most, const Birth& birth, double load_factor) {
   bool sides_tie = false;
   const std::vector<int> bonds = cut_by(birth, load_factor, sides_tie);
@@ -114,8 +115,8 @@ const Event* LineEvents::prepare_breaks(const std::vector<char>& intact, double 
   return &event_;
 }
 
-// Prepares the event at which a crack begins. If several places are equal up to rounding, it is that of the bond with
-// the smallest number of those that a crack across the tension cuts. Null where no crack begins.
+// Prepares the event at which a crack begins at one of the most stretched bonds: the bond with the smallest number that
+// the crack through its middle would cut. Null if no crack begins.
 const Event* LineEvents::prepare_birth(const std::vector<int>& most, double load_factor) {
   for (const int bond : most) {
     const std::optional<Birth> birth = birth_at(bond, load_factor);
@@ -125,8 +126,8 @@ const Event* LineEvents::prepare_birth(const std::vector<int>& most, double load
   return nullptr;
 }
 
-// Flags of the terms that can break by themselves: all intact ones, except those near tips that are driven or do not
-// grow.
+// Flags of the terms that can break by themselves: all intact terms, except those near tips that the load drives, or
+// that do not grow at any load.
 std::vector<char> LineEvents::free_to_break(const LineSteps::Choice& choice, const LoadWay& way) const {
   const BodyState& state = body_.state();
   std::vector<char> intact = body_.system().stages().intact();
@@ -142,8 +143,8 @@ std::vector<char> LineEvents::free_to_break(const LineSteps::Choice& choice, con
   return intact;
 }
 
-// Exempts overloaded bonds close to a tip that unloads. They exceeded their critical stretch long before without
-// breaking, because the tip did not grow, so they do not break while the load decreases either.
+// Exempts overloaded bonds close to a tip that unloads from breaking. These bonds exceeded their critical stretch
+// before without breaking, because the tip did not grow, so they do not break while the load decreases either.
 void LineEvents::exempt_unloading(const LoadWay& way, std::vector<char>& intact) const {
   const BodyState& state = body_.state();
   for (const LineStep& step : steps_.all(state.tips, state.displacement, way.back()))
@@ -171,7 +172,7 @@ const Event* LineEvents::next(double target, const SteppingOptions& options) {
   }
   if (bonds && way.is_before(*bonds, choice.load_factor)) {
     const std::vector<int> most =
-        most_critical({body_.response().ratios(), intact}, *bonds, 0, 0);  // alike but for rounding
+        most_critical({body_.response().ratios(), intact}, *bonds, 0, 0);  // equal up to rounding
     const Event* born = prepare_birth(most, *bonds);
     return born ? born : prepare_breaks(intact, *bonds, options);
   }
@@ -211,7 +212,8 @@ Outcome LineEvents::perform() {
   return outcome;
 }
 
-// The id of the new crack follows those of all existing cracks.
+// Adds the tips of the new crack to the state and its extensions to the outcome. The id of the crack follows those of
+// all existing cracks.
 void LineEvents::begin_crack(Outcome& outcome) {
   std::vector<GrowingTip>& tips = body_.state().tips;
   int id = static_cast<int>(laws().of_crack.size());
@@ -228,7 +230,7 @@ void LineEvents::begin_crack(Outcome& outcome) {
                                                         {{unknown, unknown}, {unknown, unknown}}, resistance);
     crack::arrive(extension, tips.back().place, law.spacing / 2, tips.back().state);
     extension.rate_before = extension.rate_after = unknown;
-    extension.surface_energy = outcome.bond_energy;  // all that the bonds have taken
+    extension.surface_energy = outcome.bond_energy;  // RunRecords shares it between both tips
     outcome.extensions.push_back(extension);
   }
 }

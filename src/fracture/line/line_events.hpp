@@ -8,36 +8,38 @@
 
 namespace bempd::fracture {
 
-// Source of the steps of cracks that grow as lines in lattices. The tip that first reaches its toughness grows by a
-// spacing in the direction of maximum hoop stress, and all bonds across this step break at one event, whatever the
-// lattice. The load factor is corrected by the energy that the last steps released, so that the growth absorbs the
-// fracture energy. Away from tips, a crack begins where a bond reaches its critical stretch: a line of one spacing
-// through its middle, across the largest principal stress, with a tip at both ends.
+// Source of the steps of crack lines (cracks that grow in lattices by steps of a spacing). The tip that first reaches
+// its toughness grows by a spacing in the direction of maximum hoop stress, and all bonds across this step break at one
+// event. The load factor is corrected by the energy that the last steps released, so that the growth absorbs the
+// fracture energy. Away from tips, a new crack begins where a bond reaches its critical stretch: a crack of one spacing
+// through the middle of the bond, perpendicular to the largest principal stress, with a tip at both ends.
 class LineEvents final : public EventSource {
  public:
   LineEvents(LoadedBody& body, WholeBodyEvents& whole_body, pd::TipLaws laws, FactorsAround factors);
 
   const Event* next(double target, const SteppingOptions& options) override;
   Outcome perform() override;
-  // Event by which this tip takes its next step now, at the present load factor, even if its load of growth is another.
-  // The step has the given direction, or that of the criterion. Null if no bond lies ahead of the tip. The next
-  // perform() performs this event.
+  // Event at which a tip takes its next step at the present load factor, whatever its critical load. The step has the
+  // given direction, or that of the criterion. Null if no bond lies ahead of the tip. The next perform() performs this
+  // event.
   const Event* step_of(const crack::TipId& tip, const std::optional<Point>& direction);
 
   const LineSteps& steps() const { return steps_; }
-  // Called before tips or candidates are asked for. If an open window (`in_window`) has changed the terms, or the
-  // system has no current factor, trial steps use a factor of their own.
+  // Prepares trial steps, before tips or candidates are asked for. They use a factor of their own if an open window
+  // (`in_window`) has changed the terms, or if the system has no current factor.
   void prepare_trials(bool in_window) {
     trials_.use_separate_factor(in_window || !body_.system().factor().is_current());
   }
   void freeze(const std::set<crack::TipId>& tips) { steps_.freeze(tips); }
-  // Tips of the lines, and candidates for growth, for LineCarrier (line_carrier.hpp). If tips are asked for without
-  // their loads of growth, no trial step is made.
+  // Tips of the crack lines, for LineCarrier (line_carrier.hpp). Without `with_loads` they have no critical loads, and
+  // no trial step is made.
   std::vector<crack::Tip> tips(bool with_loads = true);
+  // Tips that grow on a load path, with the load factors at which they grow.
   std::vector<crack::Candidate> candidates(const crack::LoadWay& way);
-  bool is_step_of_tip() const { return step_.has_value(); }  // and no crack begins
+  bool is_step_of_tip() const { return step_.has_value(); }  // the next event is not the beginning of a crack
 
  private:
+  // Beginning of a new crack: its middle, its direction, and the number of its tip law.
   struct Birth {
     Point middle, direction;
     int law;
@@ -63,7 +65,7 @@ class LineEvents final : public EventSource {
   std::optional<LineStep> step_;  // the step of a tip, if event_ is one
   std::optional<Birth> birth_;    // the crack that begins, if event_ is one
   Event event_;
-  int ties_ = 0;  // others that would have grown as soon
+  int ties_ = 0;  // other tips or places that would have grown at the same load factor
 };
 
 }  // namespace bempd::fracture

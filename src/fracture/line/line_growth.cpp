@@ -14,9 +14,9 @@ namespace bempd::fracture {
 
 namespace {
 
-// Number of last steps whose energies correct the load factor, and number of additional steps that count as exact,
-// which dampen the correction.
+// Number of last steps whose energies correct the load factor.
 constexpr std::size_t remembered_steps = 8;
+// Number of additional steps that count as exact, which dampen the correction.
 constexpr double steps_taken_exact = 2;
 
 // Limits on the ratio of released to expected energy of a step, by which the loads of later steps are corrected. A step
@@ -29,8 +29,8 @@ double distance_to(const std::vector<Edge>& edges, const Point& place) {
   return nearest;
 }
 
-// Law of the region in which the nearest material point ahead of a tip lies; the tip's present law if there is no point
-// near.
+// Number of the law of the region in which the nearest material point ahead of a tip lies; the tip's present law if
+// there is no point near.
 int law_ahead_of(const GrowingTip& tip, const pd::TipLaws& laws, const NearPoints& near,
                  const std::vector<Point>& positions) {
   const pd::TipLaw& law = laws.laws[static_cast<std::size_t>(tip.law)];
@@ -53,8 +53,8 @@ double LineGrowth::correction_of(const GrowingTip& tip) {
   return std::sqrt(sum / (steps_taken_exact + static_cast<double>(tip.energy_ratios.size())));
 }
 
-// Ratio of the equivalent factor to the toughness after a step. In a region with another modulus it is scaled so that
-// its square gives the energy release rate.
+// Ratio of the equivalent stress intensity factor to the toughness after a step. If the tip has entered a region with
+// another modulus, the ratio is scaled so that its square gives the energy release rate.
 double LineGrowth::ratio_after(const GrowingTip& tip, const pd::TipLaw& law, const coupling::Affine& displacement,
                                double load_factor) const {
   const Eigen::Vector2d at(1, load_factor);
@@ -113,7 +113,7 @@ crack::Extension LineGrowth::remember(const LineStep& step, double ratio, double
   const double expected = rate * law.thickness * step.path.length;
   const double released = step.load_by_sums ? step.rate_over_fit : expected > 0 ? released_energy / expected : 1;
   // The energy of a first step is not used, because it depends on where between the points the crack was described to
-  // end. A load by an energy is no test of the fit, whose correction then stays as it is.
+  // end. A step whose load comes from a trial energy does not test the fit, so that the correction stays as it is.
   const bool is_first = tip.energy_ratios.empty();
   if (is_first || !step.load_by_trial)
     tip.energy_ratios.push_back(is_first ? 1 : std::clamp(released, least_energy_ratio, largest_energy_ratio));

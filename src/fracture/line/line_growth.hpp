@@ -10,25 +10,25 @@
 
 namespace bempd::fracture {
 
-// Growth of crack lines by steps that have been performed: moves tips, ends them at edges and faces, and remembers the
-// energy of each step, by which the loads of the next ones are corrected.
+// Growth of crack lines (cracks that grow in a lattice by steps) by steps that have been performed: moves tips, ends
+// them at edges and faces, and remembers the energy of each step, by which the loads of the next ones are corrected.
 class LineGrowth {
  public:
   LineGrowth(const std::vector<Point>& positions, const TipFields& fields, const LinePath& path)
       : positions_(positions), fields_(fields), path_(path) {}
 
-  // Factor on a fit's stress intensity factors, and so on its loads: from the ratios of released to expected energy in
-  // the tip's last steps.
+  // Factor by which the stress intensity factors of a fit are multiplied, from the ratios of released to expected
+  // energy in the tip's last steps.
   static double correction_of(const GrowingTip& tip);
 
-  // Moves the tip of a step after its event, which has released `released_energy`. The tip keeps the ratio of that to
-  // the energy expected, which corrects its next loads, or it ends. `displacement_at` returns displacements after the
-  // event, known around the given tips.
+  // Function that returns the displacements after an event, known around the given tips.
   using DisplacementAt = std::function<const coupling::Affine&(const std::vector<GrowingTip>&)>;
+  // Completes a step after its event, which has released `released_energy` [J]: moves the tip, ends it if it has met an
+  // edge or a face, and remembers the ratio of released to expected energy for the tip's next loads.
   crack::Extension complete_step(const LineStep& step, const Event& event, double released_energy,
                                  const DisplacementAt& displacement_at, std::vector<GrowingTip>& tips) const;
 
-  // State of a tip whose crack has just begun: at a free edge or a hole it has ended.
+  // State of a tip whose crack has just begun: a tip at a free edge or a hole has ended.
   crack::TipState state_of_begun(const GrowingTip& tip) const;
 
  private:
@@ -37,8 +37,8 @@ class LineGrowth {
                             const coupling::Affine& displacement, double load_factor,
                             std::vector<GrowingTip>& tips) const;
   crack::TipState state_at_edge(const Point& place) const;
-  // Ratio of a tip's equivalent stress intensity factor after a step to the toughness of `law`. `displacement` is that
-  // after the step.
+  // Ratio of a tip's equivalent stress intensity factor after a step to the toughness of `law`. `displacement` is the
+  // solution after the step.
   double ratio_after(const GrowingTip& tip, const pd::TipLaw& law, const coupling::Affine& displacement,
                      double load_factor) const;
 

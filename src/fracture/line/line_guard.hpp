@@ -8,7 +8,7 @@
 
 namespace bempd::fracture {
 
-// Terms near the tips of crack lines, which do not break by themselves.
+// Guard of the terms (bonds and cell squares) near the tips of crack lines, which do not break by themselves.
 class LineGuard {
  public:
   LineGuard(LoadedBody& body, const TipFields& fields, const LinePath& path)
@@ -17,7 +17,7 @@ class LineGuard {
   // Whether a term is too close to a tip to break by itself.
   bool is_guarded(int term, const GrowingTip& tip) const;
   // Marks terms near a tip as not intact in `intact`, because they do not break by themselves: all of them, or only
-  // those overloaded at a load factor.
+  // those that are overloaded at the load factor `overloaded_at`.
   void exempt(const GrowingTip& tip, std::vector<char>& intact, std::optional<double> overloaded_at = {}) const;
 
  private:

@@ -15,7 +15,8 @@ constexpr int rounds_for_kink = 8;
 // Largest ratio of an intensity and a load factor that can still be multiplied and squared.
 constexpr double largest_ratio_of_loads = 1e150;
 
-// Kink by the hoop stress; by the law, if it has a fracture energy that depends on the direction.
+// Kink of a tip with the stress intensity factors `of`: in the direction of maximum hoop stress, or by the law if its
+// fracture energy depends on the direction.
 Kink kink_at(const AffineIntensity& of, double load_factor, const crack::GrowthLaw& law) {
   const Eigen::Vector2d at(1, load_factor);
   const Point factors(of.one.dot(at), of.two.dot(at));
@@ -35,9 +36,9 @@ double beyond_toughness(const AffineIntensity& intensity, const crack::GrowthLaw
   return slope > 0 ? load_ratio(4 * size, slope).value_or(0) : 0;
 }
 
-// Growth by the hoop stress. Without constant loads the kink does not depend on the load factor. Otherwise the
-// equivalent factor is convex in the load factor, with one tangent for each kink: rising tangents lead to its larger
-// root (Newton's method).
+// Load factor of growth by the maximum hoop stress. Without constant loads the kink does not depend on the load factor.
+// Otherwise the equivalent factor is convex in the load factor, with one tangent for each kink: rising tangents lead to
+// the larger load factor at which the equivalent factor reaches the toughness (Newton's method).
 class ByHoopStress {
  public:
   ByHoopStress(const AffineIntensity& intensity, const AffineIntensity& turn_factors, const LineCriterion& criterion)
@@ -75,8 +76,8 @@ class ByHoopStress {
     return root.has_value();
   }
 
-  // Whether the tip, overloaded at the start of the path, grows there, although the search has found no load factor or
-  // only a farther one: the load factor has turned, or the path starts below the smaller root.
+  // Whether a tip that is overloaded at the start of the load path grows there, although the search has found no load
+  // factor or only a farther one: the load factor has turned, or the path starts below the smaller root.
   bool is_due(bool grows) const {
     const double present = criterion_.present, least = proportional_ ? 1 + ratio_rounding : 1;
     return (!proportional_ || present < 0) && criterion_.control == Control::load &&
@@ -138,8 +139,8 @@ std::optional<LineLoad> load_by_numbers(const AffineIntensity& intensity, const 
 
 }  // namespace
 
-// A fracture energy that a function of the host gives depends on the factors of the tip, and so on the load factor.
-// Both are found together, by repeated substitution.
+// A fracture energy from a function of the host depends on the stress intensity factors of the tip, and so on the load
+// factor. Both are found together, by repeated substitution.
 std::optional<LineLoad> load_of_growth(const AffineIntensity& intensity, const AffineIntensity& turn_factors,
                                        LineCriterion& criterion) {
   if (!criterion.law.asking.function) return load_by_numbers(intensity, turn_factors, criterion);

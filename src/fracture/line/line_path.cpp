@@ -17,14 +17,16 @@ constexpr int most_empty_steps = 2;
 // Length of a ligament to a free edge, in horizons (plus one spacing), up to which it breaks in one step. No stress
 // point ahead gives the load on a shorter ligament, which would carry twice the correct load (docs/directions.md).
 constexpr double shortest_ligament = 1;
-// Distance in spacings around a place on an edge in which boundary elements and supports make the edge count as not
+// Distance from a place on an edge, in spacings, within which boundary elements and supports make the edge count as not
 // free.
 constexpr double around_edge = 1.5;
 
-// Search for a crack face ahead: number of samples on one spacing, and largest distance of a bond beside the path in
-// spacings. Then the least cosine of its angle to the path, and the number of bonds needed.
+// Number of places on one spacing of the path at which a crack face ahead is searched.
 constexpr int samples = 10;
+// Bonds that count in the search for a crack face ahead: largest distance from the path in spacings, and least cosine
+// of the angle to the path.
 constexpr double beside = 1, least_cosine = 0.8;
+// Number of bonds near a place on the path, all of them broken, that make a crack face there.
 constexpr int enough_bonds = 2;
 
 }  // namespace
@@ -40,7 +42,7 @@ LinePath::LinePath(const coupling::EquilibriumSystem& system, const std::vector<
       })) {}
 
 // Distance from a tip to the face of a crack on its path, where all bonds along the path are broken; empty if there is
-// none within a spacing.
+// no such face within a spacing.
 std::optional<double> LinePath::face_ahead(const Point& tip, const Point& direction, const pd::TipLaw& law) const {
   const coupling::Terms& terms = system_.terms();
   std::array<int, samples> present{}, left{};
@@ -77,7 +79,7 @@ bool LinePath::is_free(const Point& edge, double reach) const {
   return true;
 }
 
-// Distance from a tip to where its path leaves the body through a free edge; empty if that is not near.
+// Distance from a tip to the place where its path leaves the body through a free edge; empty if that place is not near.
 std::optional<double> LinePath::edge_ahead(const Point& tip, const Point& direction, const pd::TipLaw& law) const {
   const int farthest = static_cast<int>(std::lround(shortest_ligament * law.horizon / law.spacing)) + 1;
   const double around = around_edge * law.spacing, reach = farthest * law.spacing + around;
@@ -130,7 +132,8 @@ LinePath::Step LinePath::next(const Point& place, const Point& direction, const 
   const auto step_of = [&](double length, TipState ends_as) {
     return Step{length, across(place, place + length * direction, law.horizon), ends_as};
   };
-  // The step reaches half a spacing beyond the face, because the first row of points behind it may lie as far away.
+  // The step reaches half a spacing beyond the face, because the first row of points behind the face may lie that far
+  // away.
   if (const std::optional<double> face = face_ahead(place, direction, law))
     return step_of(*face + law.spacing / 2, TipState::at_crack);
   if (const std::optional<double> edge = edge_ahead(place, direction, law)) return step_of(*edge, TipState::at_edge);

@@ -11,30 +11,33 @@
 
 namespace bempd::fracture {
 
-// Path of a tip: bonds across it, and whether it meets the face of a crack or a free edge.
+// Path of the tip of a crack line (crack that grows in a lattice by steps): the bonds across it, and whether it meets
+// the face of a crack or a free edge.
 class LinePath {
  public:
   LinePath(const coupling::EquilibriumSystem& system, const std::vector<Point>& positions, const TipStress& stress);
 
   struct Step {
     double length = 0;
-    std::vector<int> bonds;  // across it; none where nothing lies ahead
+    std::vector<int> bonds;  // bonds across the step; none if no bond lies ahead
     crack::TipState ends_as = crack::TipState::grows;
 
-    bool arrives() const { return crack::has_ended(ends_as); }  // at the face of a crack or at an edge
+    bool arrives() const { return crack::has_ended(ends_as); }  // at a crack face or an edge
   };
+  // Next step of a tip at a place in a direction.
   Step next(const Point& place, const Point& direction, const pd::TipLaw& law) const;
 
-  // Intact bonds across the straight path between two places. Points on the path count as lying on its right side, so
-  // that none stays bonded to both faces, or all of them on its left side.
+  // Side of a straight path to which material points exactly on the path are counted.
   enum class PointsOnPath { right, left };
+  // Intact bonds across the straight path between two places. Points exactly on the path all count to one `side` of it,
+  // so that none stays bonded to both faces.
   std::vector<int> across(const Point& from, const Point& to, double horizon,
                           PointsOnPath side = PointsOnPath::right) const;
 
-  // Number of spacings ahead of a tip before the face of a crack or an edge, at most `most`.
+  // Number of spacings from a tip to the face of a crack or an edge ahead, at most `most`.
   int clear_spacings(const Point& place, const Point& direction, const pd::TipLaw& law, int most) const;
 
-  // Whether a place lies at a free edge or outside of it, with nothing ahead.
+  // Whether a place lies at a free edge or outside of it, with no bonds ahead.
   bool leaves_body(const Point& place, const Point& direction, const pd::TipLaw& law) const;
 
   const linalg::Adjacency& terms_from() const { return terms_from_; }
@@ -47,7 +50,7 @@ class LinePath {
   const coupling::EquilibriumSystem& system_;
   const std::vector<Point>& positions_;
   const TipStress& stress_;
-  linalg::Adjacency terms_from_;  // nodes, the first ones of terms
+  linalg::Adjacency terms_from_;  // terms by their first nodes
 };
 
 }  // namespace bempd::fracture

@@ -6,38 +6,43 @@
 
 namespace bempd::fracture {
 
-// Next step of a tip.
+// Next step of the tip of a crack line (crack that grows in a lattice by steps).
 struct LineStep {
-  std::size_t tip = 0;
-  crack::TipId id{};  // of the tip
+  std::size_t tip = 0;  // number of the tip in the list of tips
+  crack::TipId id{};
   Point direction{1, 0};
   LinePath::Step path{};
-  double load_factor = 0;            // critical
-  double constant = 0, growing = 0;  // hoop intensity there, over the toughness, corrected
-  int law = 0;                       // by which it grows
-  double angle = 0;                  // by which it turns, counter-clockwise
-  crack::AffineFactors factors{};    // of the tip
+  double load_factor = 0;            // critical load factor
+  double constant = 0, growing = 0;  // ratio of intensity to toughness, corrected: see ratio_at()
+  int law = 0;                       // number of the tip law
+  double angle = 0;                  // by which the tip turns, counter-clockwise [rad]
+  crack::AffineFactors factors{};    // stress intensity factors of the tip
 
-  // Whether the fit gives the load, because the field ahead is that of the tip alone. Then the relative error of the
-  // load, and the residual of the fit as a share of the stress.
-  bool fit_holds = true, is_shut = false;  // shut: its faces press on each other at the tip
+  // Whether the fit of stresses gives the load, because the field ahead is that of the tip alone.
+  bool fit_holds = true, is_shut = false;  // shut: the faces press on each other at the tip
+  // Relative error of the load, and residual of the fit as a share of the stress.
   double error = 0, residual = 0;
-  // Sums around the tip: whether they are asked for its factors, direction and load; whether their load then stands
-  // without that of an energy; and whether the load is theirs (`load_by_sums`: there was room for them). `at_border`:
-  // the fit lacks points beside a border with boundary elements. `fit_holds_without_sums`: it holds if no sums are
-  // asked for. `rate_over_fit`: if by factors, the square of their ratio to those of the fit.
+  // Use of path-independent sums around the tip. `asks_for_sums`: factors, direction and load are taken from the sums
+  // if there is room for them. `sums_suffice`: their load needs no trial step in addition. `load_by_sums`: the load
+  // comes from the sums.
   bool asks_for_sums = false, sums_suffice = true, load_by_sums = false;
+  // Properties of the fit. `at_border`: it lacks points beside a border with boundary elements.
+  // `fit_holds_without_sums`: it gives the load if the sums do not.
   bool at_border = false, fit_holds_without_sums = true;
+  // Square of the ratio of the intensity by the sums to that of the fit; 1 if the load is not by the sums.
   double rate_over_fit = 1;
-  // Whether the load by the fit counts beside that by an energy: for a sheared tip with no other tip near.
+  // Whether the load is a mean of the load by the fit (or by the sums) and of the load by a trial step, as for a
+  // sheared tip with no other tip near.
   bool averages_loads = false;
-  // Whether the load comes from the energy of a trial step. If so: the ratio (see ratio_at) after the step over that
-  // before it, and the energy that the step's bonds take [J].
+  // Whether the load comes from the energy of a trial step.
   bool load_by_trial = false;
-  double toughness = 0;  // at that load factor by a function of the host; 0 without one [Pa m^(1/2)]
+  double toughness = 0;  // by a function of the host, at the critical load factor; 0 without one [Pa m^(1/2)]
+  // Ratio of ratio_at() after a trial step to that before it; and energy that the bonds of the step take, 0 if unknown
+  // [J].
   double after_step = 1, taken_energy = 0;
-  bool is_loaded = true;  // the tip bears a load at the step's load factor; false only for steps in a given direction
+  bool is_loaded = true;  // whether the tip bears a load at this load factor; false only for steps in a given direction
 
+  // Ratio of the equivalent stress intensity factor to the toughness at a load factor.
   double ratio_at(double at) const { return constant + at * growing; }
 };
 

@@ -9,8 +9,8 @@ namespace bempd::fracture {
 
 namespace {
 
-// Critical load factor of a tip over that of the event considered, beyond which the tip's intensity is only rounding,
-// as in a part without stress.
+// Ratio of a tip's critical load factor to that of the event considered, beyond which the intensity of the tip is only
+// rounding, as in a part without stress.
 constexpr double farthest_load = 1e6;
 
 }  // namespace

@@ -7,12 +7,12 @@
 
 namespace bempd::fracture {
 
-// Search for points near a place, by square buckets.
+// Search for points near a place, by square buckets (cells of a grid).
 class NearPoints {
  public:
   explicit NearPoints(const std::vector<Point>& points);
 
-  // Numbers of points, ascending: all within `reach` of a place, and some others nearby.
+  // Numbers of points, ascending: all points within `reach` of a place, and some others nearby.
   std::vector<int> about(const Point& place, double reach) const;
 
  private:

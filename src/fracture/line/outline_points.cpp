@@ -13,10 +13,12 @@ namespace bempd::fracture {
 
 namespace {
 
-// Sum of the pulls of a point's bonds over the sum of their magnitudes, from which on the pulls do not balance.
+// Ratio of the sum of the pulls of a point's bonds to the sum of their magnitudes, above which the point lies on the
+// outline.
 constexpr double outline_pull = 0.1;
 
-// Least ratio of the eigenvalues of a point's stiffness for which its bonds tell all components of a stress.
+// Least ratio of the smallest to the largest eigenvalue of a point's stiffness for which its bonds determine all
+// components of the stress.
 constexpr double least_resistance = 1e-3;
 
 // Relative difference of a point's stiffness from that of a point deep inside up to which the two count as equal.
@@ -56,8 +58,8 @@ OutlinePoints::OutlinePoints(const coupling::Terms& terms, const std::vector<Poi
   find_stresses(terms, positions, laws, stiffness);
 }
 
-// Finds points on the outline by their bonds: under constant stress these pull the point inwards, while the pulls at
-// inner points balance. Weakened bonds count as whole, because the end of a crack is no outline.
+// Finds points on the outline by their bonds. Under uniform stress the bonds of such a point pull it inwards, while the
+// pulls on an inner point balance. Weakened bonds count as whole, because the end of a crack is no outline.
 void OutlinePoints::find_shares(const coupling::Terms& terms, const pd::TipLaws& laws,
                                 const std::vector<double>& stiffness) {
   std::vector<Point> pull(share_.size(), Point(0, 0));
@@ -77,13 +79,14 @@ void OutlinePoints::find_shares(const coupling::Terms& terms, const pd::TipLaws&
   }
 }
 
-// Tension of a term under a uniform strain E, where m (xx, yy, xy) is its moment at each of its n points:
-// k n m.(E_xx, E_yy, 2 E_xy). So a point's sum of moments is S (E_xx, E_yy, 2 E_xy) with S = sum of k n m m^T, and the
-// stress is S of a full point over its volume times the same strain.
+// Finds the matrices of stress_of_moments(). Under a uniform strain E, a term with the stiffness k, n points and the
+// moment m (xx, yy, xy) at each of them has the tension k n m.(E_xx, E_yy, 2 E_xy). So the sum of moments of a point is
+// S (E_xx, E_yy, 2 E_xy) with S = sum of k n m m^T, and the stress is the S of a full point over its volume, times the
+// same strain.
 void OutlinePoints::find_stresses(const coupling::Terms& terms, const std::vector<Point>& positions,
                                   const pd::TipLaws& laws, const std::vector<double>& stiffness) {
   std::vector<Eigen::Matrix3d> sums(share_.size(), Eigen::Matrix3d::Zero());
-  std::vector<char> is_mixed(share_.size(), 0);  // has terms to another kind of lattice
+  std::vector<char> is_mixed(share_.size(), 0);  // 1: the point has terms to another kind of lattice
   for (std::size_t t = 0; t < terms.size(); ++t) {
     int nodes = 0;
     bool joins = false;

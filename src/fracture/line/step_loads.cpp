@@ -13,44 +13,46 @@ namespace bempd::fracture {
 
 namespace {
 
-// Largest residual of a fit that holds, as a share of the stress; it is larger for horizons of few spacings. There the
-// field is rough, and the energy of a step, which cuts fewer bonds, gives loads within 5 % only (with four spacings
-// within 2.5 %). Behind kinks the error of loads by the fit is about 1.8 * residual - 5 %.
-constexpr double least_limit = 0.035, limit_of_residual = 0.7;  // the latter over the square of the spacings
-// Largest residual of a fit whose direction a crack still follows.
+// Largest residual of a fit that holds, as a share of the stress: least_limit, or limit_of_residual over the square of
+// the horizon in spacings, if that is larger. With few spacings in a horizon the field is rough, and the energy of a
+// step, which cuts few bonds, gives loads within 5 % only (with four spacings within 2.5 %). Behind kinks the error of
+// loads by the fit is about 1.8 * residual - 5 %.
+constexpr double least_limit = 0.035, limit_of_residual = 0.7;
+// Largest residual of a fit that gives the direction of a step.
 constexpr double residual_without_direction = 0.2;
-// Residual up to which a fit fully determines how the energy release rate begins behind a kink; from here to
-// residual_without_direction its influence fades out.
+// Residual up to which the fit fully determines how the energy release rate begins behind a kink. Beyond it the
+// influence of the fit fades out, up to residual_without_direction.
 constexpr double residual_with_shape = 0.1;
-// T stress by which the energy release rate changes behind a kink, over the T stress of the fit. It is above 1 because
-// in a lattice a kink acts longer than the bonds that it cuts: measured so that loads of first growth by energy are
-// those of boundary elements for any T stress, in the mean.
+// Ratio of the T-stress by which the energy release rate changes behind a kink to the T-stress of the fit. The ratio is
+// above 1 because in a lattice a kink acts longer than the bonds that it cuts. It is measured so that loads of first
+// growth by energy are those of boundary elements for any T-stress, in the mean.
 constexpr double t_stress_at_kinks = 1.2;
-// Largest K_II / K_I for which the fit holds. With more shear K_II dominates, which the fit gives less accurately.
+// Largest K_II / K_I for which the fit holds. Under more shear K_II dominates, which the fit gives less accurately.
 constexpr double largest_shear = 0.7;
-// Distances in horizons that a fit needs: to any edge, face or other tip, and as length of its own crack.
+// Distances in horizons that a fit needs: from the tip to any edge, face or other tip, and as length of the tip's own
+// crack.
 constexpr double clear_horizons = 2, shortest_crack = 3;
 
-// Most by which the load of a fit that does not hold is too high, as a factor: a step beyond this multiple of the
-// smallest load cannot come first. It is no bound where the direction of the fit does not hold either, or where the tip
-// seems shut.
+// Largest ratio of the load of a fit that does not hold to the correct load. A step whose load exceeds the smallest
+// load by more than this ratio cannot come first. There is no such bound if the direction of the fit does not hold
+// either, or if the tip seems shut.
 constexpr double most_by_fit = 4;
 
-// Largest relative error of factors by sums around a tip that are taken. It is that of the smallest sum, which the
-// mouth of a crack at the border disturbs; the largest one is right to 0.3 %.
+// Largest relative error with which factors by sums around a tip are used. The error is that of the smallest sum, which
+// the mouth of a crack (where it meets an edge) disturbs; the largest sum is right to 0.3 %.
 constexpr double largest_error_around = 0.1;
 
-// Relative errors of loads: that by a fit with a small residual, how it grows with the residual beyond least_residual,
-// and that by the energy of a trial step.
+// Relative errors of loads: by a fit with a small residual (error_of_fit), its growth with the residual beyond
+// least_residual (error_by_residual), and by the energy of a trial step (error_by_energy).
 constexpr double error_of_fit = 0.02, error_by_residual = 1.8, least_residual = 0.025, error_by_energy = 0.025;
-// Relative error of a sheared tip's load by the fit: at no shear, its growth with the share of K_II^2, with the
-// residual, and beside an edge or a face.
+// Relative error of the load by the fit for a sheared tip: without shear (error_of_sheared), its growth with the share
+// of K_II^2 and with the residual, and its increase beside an edge or a face (error_of_crowded).
 constexpr double error_of_sheared = 0.01, error_by_shear = 0.03, error_of_sheared_by_residual = 0.5,
                  error_of_crowded = 0.02;
 
-// Relative error of a fit with another crack's face within a horizon of the tip, which leaves few points to it: neither
-// its load nor its direction holds. Loads were up to 12 times too high there; those by the energy are up to 2.5 times
-// those of boundary elements.
+// Relative errors of the loads by the fit and by the energy, with another crack's face within a horizon of the tip. The
+// fit has few points there, so neither its load nor its direction holds. Loads by the fit were up to 12 times too high;
+// those by the energy are up to 2.5 times those of boundary elements.
 constexpr double error_beside_face = 1, error_by_energy_beside_face = 0.65;
 
 bool direction_holds(const LineStep& step) {
@@ -61,7 +63,8 @@ double largest_residual(const pd::TipLaw& law) {
   return std::max(least_limit, limit_of_residual * std::pow(law.spacing / law.horizon, 2));
 }
 
-// Whether an edge lies within a horizon to a side of a tip. Factors by sums turn the tip towards it.
+// Whether an edge lies within a horizon to a side of a tip, which makes the factors by sums turn the tip towards the
+// edge.
 bool runs_along_edge(const GrowingTip& tip, const pd::TipLaw& law, const LinePath& path) {
   const int spacings = static_cast<int>(std::floor(law.horizon / law.spacing + rounding_of_places));
   const Point left = left_of(tip.direction);
@@ -69,9 +72,9 @@ bool runs_along_edge(const GrowingTip& tip, const pd::TipLaw& law, const LinePat
          path.clear_spacings(tip.place, -left, law, spacings) < spacings;
 }
 
-// Change of the energy release rate along a kink, by the factors and the T stress of the fit; T counts less the larger
-// the fit's residual is. The rate is constant if the residual is too large, or if crack faces press on each other,
-// because the series is that of free faces.
+// Change of the energy release rate along a kink, by the factors and the T-stress of the fit; the T-stress counts less
+// the larger the residual of the fit is. The rate is constant if the residual is too large, or if crack faces press on
+// each other, because the series is that of free faces.
 KinkShape shape_of(const WilliamsFit& fit, const TipStress& stress, double horizon, const LineStep& step) {
   const double share = std::clamp(
       (residual_without_direction - step.residual) / (residual_without_direction - residual_with_shape), 0.0, 1.0);
@@ -86,7 +89,8 @@ double sheared_error(double one, double two, const LineStep& step, bool is_crowd
          (is_crowded ? error_of_crowded : 0);
 }
 
-// Replaces factors, load and turn of a step's fit by those of sums around its tip. `correction` is that of the fit.
+// Replaces factors, load and turn of a step's fit by those of sums around the tip. `correction` is the correction of
+// the fit (LineGrowth::correction_of()).
 void set_by_factors(const TipFactors& found, const LineLoad& load, const LoadWay& way, double correction,
                     LineStep& step) {
   const double load_factor = way.ahead(load.load_factor);
@@ -100,9 +104,9 @@ void set_by_factors(const TipFactors& found, const LineLoad& load, const LoadWay
   step.angle = load.angle;
 }
 
-// Direction of a step by energy where that of its fit does not hold: among directions beside that of the fit. With a
-// face within a horizon the fit may point to where the step would close; then directions up to 65 degrees off straight
-// ahead are tried.
+// Direction of a step by trial energies, where that of its fit does not hold: the best direction near that of the fit.
+// With another crack's face within a horizon the fit may point to where the step would close; in that case directions
+// up to 65 degrees off straight ahead are tried.
 Point direction_by_energy(const GrowingTip& tip, const pd::TipLaw& law, const LineStep& step, const TrialSteps& trials,
                           const coupling::Affine& displacement, TrialBody& body) {
   const auto best_about = [&](const Point& middle) {
@@ -122,9 +126,9 @@ Point direction_by_energy(const GrowingTip& tip, const pd::TipLaw& law, const Li
   return best;
 }
 
-// Takes the load by the energy, with its relative error; for a sheared tip the mean of both loads, weighted by the
-// squares of their errors. The fit's load of such a tip depends less on its place between points, that of the energy
-// less on what lies around (docs/cracks.md).
+// Sets the load by the energy and its relative error. For a sheared tip the load is the mean of the loads by the energy
+// and by the fit, with weights inverse to the squares of their errors: the load by the fit depends less on the tip's
+// place between points, that by the energy less on what lies around (docs/cracks.md).
 void average_loads(const LineLoad& by_energy, double error, LineStep& step) {
   const double share = step.averages_loads ? error * error / (error * error + step.error * step.error) : 0;
   const double constant = std::lerp(by_energy.constant, step.constant, share);
@@ -158,10 +162,10 @@ void StepLoads::judge_fit(const std::vector<GrowingTip>& tips, const WilliamsFit
              beside_face = fields_.stress().is_beside_face(tip, law, (1 - rounding_of_places) * law.horizon);
   const bool may_sum =
       !fields_.has_begun(tip) && !step.is_shut && !press && !beside_face && !runs_along_edge(tip, law, path_);
-  // Sums around the tip give the loads of first steps, and of steps towards an edge. Other steps do without, because
-  // each one would cost a solution of the whole body.
+  // Sums around the tip give the loads of first steps, and of steps towards an edge. Other steps do not use them,
+  // because each of them would cost a solution of the whole body.
   const bool has_own_field = may_sum && tip.grown == 0;
-  if (law.function) {  // it needs factors
+  if (law.function) {  // the function of the host needs stress intensity factors
     step.asks_for_sums = has_own_field;
     step.fit_holds = !has_own_field;
     return;
@@ -219,8 +223,8 @@ bool StepLoads::take_factors(const GrowingTip& tip, const coupling::Affine& disp
   if (!load || its.bonds.empty()) return false;
   set_by_factors(*found, *load, way, LineGrowth::correction_of(tip), step);
   step.direction = direction, step.path = its;
-  // If these factors do not suffice, the energy gives the load: alone if growth is by the energy criterion, else (a
-  // sheared tip beside an edge) in the mean with the load by the factors.
+  // If the factors by the sums do not suffice, the energy gives the load: alone if growth is by the energy criterion,
+  // else (for a sheared tip beside an edge) in the mean with the load by the factors.
   step.averages_loads = !step.sums_suffice && fields_.laws().criterion == KinkCriterion::hoop_stress;
   if (step.averages_loads) step.error += error_of_crowded;
   if (law.function)
@@ -231,7 +235,7 @@ bool StepLoads::take_factors(const GrowingTip& tip, const coupling::Affine& disp
 }
 
 // Replaces the load by the fit by that of sums around the tip, or of a trial step's energy. Cracks under fluid pressure
-// have none by energy: fluid would follow into the step, which the energy does not contain.
+// get no load by a trial step, because fluid would follow into the step, which the energy does not contain.
 void StepLoads::replace(const GrowingTip& tip, const coupling::Affine& displacement, const LoadWay& way,
                         TrialBody& body, LineStep& step) const {
   const bool around = step.asks_for_sums && take_factors(tip, displacement, way, body, step);

@@ -11,30 +11,31 @@
 
 namespace bempd::fracture {
 
-// Stress intensity factors as functions of the load factor times the sign of the load path.
+// Stress intensity factors as functions of the load factor times the sign of the load path (1 or -1).
 AffineIntensity along_load_path(AffineIntensity intensity, const LoadWay& way);
 
-// Whether one of the steps whose fits do not hold may be the first, where `steps` have the loads of their fits. Its
-// load then has to come from the energy of a trial step, which a TrialBody is needed for.
+// Whether a step whose fit does not hold may come first on the load path. Its load then has to come from sums around
+// the tip or from a trial step, for which a TrialBody is needed. `steps` have the loads of their fits.
 bool needs_trial_step(const std::vector<LineStep>& steps, const LoadWay& way);
 
-// Methods that give a tip's critical load: the fit of stresses or, where that fit does not hold, sums around the tip or
-// the energy of a trial step.
+// Methods that give the critical load of a tip: the fit of Williams' series to stresses or, where that fit does not
+// hold, path-independent sums around the tip or the energy of a trial step.
 class StepLoads {
  public:
   StepLoads(LoadedBody& body, const TipFields& fields, const LinePath& path)
       : body_(body), fields_(fields), path_(path), trials_(body.system(), fields.laws(), path) {}
 
-  // Says whether the fit that gave a step its load holds, and which method serves if it does not.
+  // Decides whether the fit that gave a step its load holds, and by which method the load is found if it does not
+  // (flags of LineStep).
   void judge_fit(const std::vector<GrowingTip>& tips, const WilliamsFit& fit, LineStep& step) const;
-  // Replaces the load of the fit by that of sums around the tip, or of a trial step's energy; keeps it if the step
-  // would close, or if the body has no answer.
+  // Replaces the load of the fit by that of sums around the tip, or of a trial step's energy. The load of the fit stays
+  // if the bonds across the step would become shorter, or if `body` has no answer.
   void replace(const GrowingTip& tip, const coupling::Affine& displacement, const LoadWay& way, TrialBody& body,
                LineStep& step) const;
 
  private:
   // Takes factors, load and direction of a step from path-independent sums around its tip, in place of those of the
-  // fit; false if these sums find too little room around the tip, or if it cannot grow by them.
+  // fit; false if the sums find too little room around the tip, or if the tip cannot grow by their factors.
   bool take_factors(const GrowingTip& tip, const coupling::Affine& displacement, const LoadWay& way, TrialBody& body,
                     LineStep& step) const;
 

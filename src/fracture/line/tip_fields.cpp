@@ -12,11 +12,12 @@ namespace bempd::fracture {
 
 namespace {
 
-// Stress closely ahead of a tip over the stress around it below which it counts as zero.
+// Ratio of the stress closely ahead of a tip to the stress around it, below which the stress closely ahead counts as
+// zero.
 constexpr double least_stress = 1e-8;
 
-// Least K_II of a shut crack over the K_I that the fit takes from the pressure across the crack. A smaller K_II is an
-// error of the lattice under pressure alone, by which a crack never grows.
+// Least ratio of the K_II of a shut crack to the K_I that the fit takes from the pressure across the crack. A smaller
+// K_II is an error of the lattice under pressure alone, by which a crack never grows.
 constexpr double least_shear_of_shut = 0.1;
 
 }  // namespace
@@ -28,14 +29,14 @@ crack::GrowthLaw TipFields::growth_law(const pd::TipLaw& there, const GrowingTip
           heading_of(tip.direction), {there.function, tip.id, place, tip.grown, {unknown, unknown}}};
 }
 
-// Whether the tip's crack began in the run. Its other tip is then closely behind at first, which the fitted series does
-// not take into account.
+// Whether the crack of a tip has begun during the run. Its other tip is closely behind at first, which the fitted
+// series does not take into account.
 bool TipFields::has_begun(const GrowingTip& tip) const {
   return static_cast<std::size_t>(tip.id.crack) > laws_.of_crack.size();
 }
 
-// Stress intensity factors for the turn of a tip whose crack began in the run: from the stress closely ahead. They are
-// 0 (no turn) if that stress is only rounding.
+// Stress intensity factors for the turn of a tip whose crack has begun during the run, from the stress closely ahead.
+// They are 0 (no turn) if that stress is only rounding.
 AffineIntensity TipFields::factors_for_turn(const GrowingTip& tip, const AffineIntensity& by_fit,
                                             const coupling::Affine& displacement, double present) const {
   const pd::TipLaw law = law_of(tip).at(tip.acts_at(), tip.grown);

@@ -9,8 +9,8 @@
 
 namespace bempd::fracture {
 
-// Fields around the tips of crack lines, by the laws of the tips: stress intensity factors, and what the growth reads
-// from them. Displacements need to be known around the tips only.
+// Fields around the tips of crack lines (cracks that grow in a lattice by steps), by the laws of the tips: stress
+// intensity factors, and other data for the growth. Displacements need to be known around the tips only.
 class TipFields {
  public:
   TipFields(LoadedBody& body, const pd::TipLaws& laws)
@@ -18,7 +18,7 @@ class TipFields {
 
   const pd::TipLaws& laws() const { return laws_; }
   const pd::TipLaw& law_of(const GrowingTip& tip) const { return laws_.laws[static_cast<std::size_t>(tip.law)]; }
-  // Law of growth of a tip at a place. `there` is the law of its lattice with the toughness at that place.
+  // Law of growth of a tip at a place. `there` is the tip law of its lattice with the toughness at that place.
   crack::GrowthLaw growth_law(const GrowingTip& tip, const Point& place) const {
     return growth_law(law_of(tip).at(place, tip.grown), tip, place);
   }
@@ -31,27 +31,30 @@ class TipFields {
 
   // Stress intensity factors of a tip as affine functions of the load factor.
   AffineIntensity intensity_at(const GrowingTip& tip, const coupling::Affine& displacement) const;
-  // Stress intensity factors from a fit, corrected as in TipStress::corrected_factors(). If loads come from energies,
-  // K_I is 0 for a tip whose faces press on each other.
+  // Stress intensity factors of a tip from a fit, corrected by TipStress::corrected_factors(). A shut tip (whose faces
+  // press on each other) has K_I = 0, if the laws take loads from energies.
   AffineIntensity intensity_of(const GrowingTip& tip, const WilliamsFit& fit) const;
-  // Factors that give the load of growth: TipStress::factors_for_load(), but those of intensity_of() if the tip is shut
-  // and loads come from energies.
+  // Stress intensity factors that give the load of growth: TipStress::factors_for_load(), but intensity_of() for a shut
+  // tip if the laws take loads from energies.
   AffineIntensity intensity_for_load(const GrowingTip& tip, const WilliamsFit& fit) const;
-  // Factors that give the turn of a tip whose crack began in the run; 0 (no turn) if the stress ahead is only rounding.
+  // Stress intensity factors that give the turn of a tip whose crack has begun during the run; 0 (no turn) if the
+  // stress ahead is only rounding.
   AffineIntensity factors_for_turn(const GrowingTip& tip, const AffineIntensity& by_fit,
                                    const coupling::Affine& displacement, double present) const;
-  // T of a tip, constant and proportional part [Pa].
+  // T-stress of a tip, constant and proportional part [Pa].
   Point t_stress_at(const GrowingTip& tip, const coupling::Affine& displacement) const {
     return fitted(tip, law_of(tip), displacement).t_stress();
   }
   // Angle by which a tip that grows at a load factor turns, counter-clockwise [rad].
   double kink_at(const GrowingTip& tip, const coupling::Affine& displacement, double load_factor) const;
 
-  // Whether the faces of a crack press on each other near a tip; and whether the tip is shut there.
+  // Whether the faces of a crack press on each other near a tip.
   bool faces_press_at(const GrowingTip& tip) const;
+  // Whether a tip is shut: the faces press on each other, and the fit has no opening.
   bool is_shut(const GrowingTip& tip, const WilliamsFit& fit) const;
+  // Whether a tip is shut, by the fit for given displacements.
   bool is_closed(const GrowingTip& tip, const coupling::Affine& displacement) const;
-  // Whether the tip's crack began in the run.
+  // Whether the crack of a tip has begun during the run.
   bool has_begun(const GrowingTip& tip) const;
 
   // Nodes whose displacements are needed for these tips, each once.

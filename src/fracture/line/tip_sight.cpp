@@ -12,12 +12,13 @@ namespace {
 
 // Half length of the pieces that make up a face, in spacings. Each piece runs across the middle of a broken bond
 // between neighbours and overlaps the next one slightly.
-constexpr double half_length_of_piece = 0.55;  // in spacings
+constexpr double half_length_of_piece = 0.55;
 
-// Limits in spacings up to which a broken bond counts as broken by the tip's own crack: how far its middle lies ahead
-// of the tip, within `beside_own` to the sides and elsewhere. Broken bonds between neighbours have their middles within
-// half a spacing of their crack, and the crack turns back from the tip's direction by at least 110 degrees.
-constexpr double ahead_of_own = 0.75, beside_own = 1.5, ahead_of_kink = 0.25;  // in spacings
+// Limits in spacings up to which a broken bond counts as broken by the tip's own crack: its middle lies at most
+// `ahead_of_own` ahead of the tip within `beside_own` to the sides, or at most `ahead_of_kink` ahead elsewhere. Broken
+// bonds between neighbours have their middles within half a spacing of their crack, and the crack turns back from the
+// tip's direction by at least 110 degrees.
+constexpr double ahead_of_own = 0.75, beside_own = 1.5, ahead_of_kink = 0.25;
 
 bool lie_apart(const Point& from, const Point& to, const Point& a, const Point& b) {
   return is_left(from, to, a) != is_left(from, to, b);

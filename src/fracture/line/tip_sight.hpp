@@ -6,8 +6,9 @@
 
 namespace bempd::fracture {
 
-// Visibility from a tip: faces of other cracks hide points behind them. Holes and inward corners need not hide points,
-// because stress points are taken closer to the tip the closer it is to an outline.
+// Visibility of stress points (material points whose stress is fitted) from a tip: faces of other cracks hide points
+// behind them. Holes and inward corners need not hide points, because stress points are taken closer to the tip the
+// closer the tip is to an outline.
 class TipSight {
  public:
   TipSight(const Point& place, const Point& direction, double spacing);
@@ -15,7 +16,7 @@ class TipSight {
   // Adds a broken bond between neighbours as part of a face, unless the tip's own crack has broken it.
   void add_broken_bond(const Point& middle, const Point& along);
 
-  double nearest_face() const { return nearest_face_; }  // infinite without one
+  double nearest_face() const { return nearest_face_; }  // distance [m]; infinite without a face
   bool sees(const Point& point) const;
 
  private:

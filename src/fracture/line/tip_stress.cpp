@@ -14,23 +14,24 @@ namespace bempd::fracture {
 namespace {
 
 // Distances in horizons between which Williams' series is fitted. With three terms, or farther out, the load of an
-// inclined crack's first growth is too small; nearer the lattice smooths the stress by a few percent. A surface within
-// three horizons disturbs it more, so then nearer points are used (docs/directions.md).
+// inclined crack's first growth is too small; nearer to the tip the lattice smooths the stress by a few percent. A
+// surface within three horizons disturbs the stress more, so that nearer points are used there (docs/directions.md).
 constexpr double inner_reach = 1, fitted_cosine = 0, inner_reach_beside = 0.5;
 constexpr double beside_surface = 1, away_from_surfaces = 3;
 
-// Mean stress closely ahead, used for cracks that have begun in the run: reach and least cosine to the tip's direction
-// of its points. Then its ratios to the field of K_I and K_II, measured for horizons of 3 and 4 spacings and valid
-// within 1 % for any angle of the rows (docs/directions.md).
+// Points of the mean stress closely ahead of a tip, used for cracks that have begun in the run: largest distance, and
+// least cosine of the angle to the tip's direction.
 constexpr double near_reach = 1.5, near_cosine = 0.5;  // in horizons
+// Ratios of the mean stress closely ahead of a tip to the field of K_I and K_II, measured for horizons of 3 and 4
+// spacings. They are valid within 1 % for any angle of the rows (docs/directions.md).
 constexpr double near_opening = 0.79, near_shear = 0.482;
 
 constexpr int fitted_terms = WilliamsFit::most_terms;
 // Number of fitted terms ahead of the face of another crack, where there are fewer points: four within three horizons
-// of it, two within one (docs/directions.md).
+// of the face, two within one (docs/directions.md).
 constexpr int terms_near_face = 4, terms_at_face = 2;
 constexpr double at_face = 1;
-// Number of stress points below which the points nearest to the tip are used too, if a face is near.
+// Number of stress points below which the points nearest to the tip are used too, if the face of another crack is near.
 constexpr std::size_t enough_points = 6;
 // Largest length of a bond between neighbours, in spacings.
 constexpr double longest_short_bond = 1.3;
@@ -75,8 +76,9 @@ double TipStress::nearest_outline(const Point& place, double at_most) const {
   return at_most;
 }
 
-// Distance to the nearest disturbance of the field ahead of a tip, at most three horizons. A border with boundary
-// elements of the same material is one only ahead of the tip, where points are missing within two horizons.
+// Distance to the nearest disturbance of the field ahead of a tip, at most three horizons [m]. A border with boundary
+// elements of the same material disturbs the field only if it lies ahead of the tip, where points are missing within
+// two horizons.
 double TipStress::nearest_disturbance(const GrowingTip& tip, const pd::TipLaw& law) const {
   double nearest = away_from_surfaces * law.horizon;
   for (const int node : near_.about(tip.place, nearest)) {
@@ -157,7 +159,8 @@ Point TipStress::across_tension(int bond, const pd::TipLaw& law, const coupling:
     return *stress_of_moments * stress_times_volume(node, {1, 0}, displacement);
   };
   const Eigen::Vector3d s = (stress_of(terms.first[b]) + stress_of(terms.second[b])) * Eigen::Vector2d(1, load_factor);
-  // Equal principal stresses have no direction but what rounding gives them: the direction is then across the bond.
+  // Equal principal stresses have no direction but that of rounding; the result is perpendicular to the bond in that
+  // case.
   if (std::hypot(s[0] - s[1], 2 * s[2]) <= rounding_of_places * (std::abs(s[0]) + std::abs(s[1])))
     return {-terms.sine[b], terms.cosine[b]};
   const double angle = std::atan2(2 * s[2], s[0] - s[1]) / 2;  // of the principal direction

@@ -15,29 +15,31 @@
 
 namespace bempd::fracture {
 
-// Stresses around tips from the forces of terms. The stress of a point is the mean over its area: half of force times
-// bond vector of every bond belongs to the point at either end, and a quarter of a square's moment to each corner of
-// its cell. At points of the outline it is exact under uniform stress (OutlinePoints). All results are linear in the
-// displacements. Only points ahead of the tip are used, none of which lies beside its crack or is hidden by another
-// crack.
+// Stresses around tips of crack lines (cracks that grow in a lattice by steps) from the forces of terms. The stress of
+// a point is the mean over its area: half of force times bond vector of every bond belongs to the point at either end,
+// and a quarter of the moment of a cell square to each corner of its cell. At points of the outline the stress is exact
+// under uniform stress (OutlinePoints). All results are linear in the displacements. Only points ahead of the tip are
+// used, none of which lies beside its crack or is hidden by another crack.
 class TipStress {
  public:
-  // Distance in horizons of the farthest points of the fit: away from surfaces, and beside one.
+  // Distance in horizons of the farthest points of the fit: for tips away from surfaces, and for tips beside one.
   static constexpr double outer_reach = 2, outer_reach_beside = 1.25;
 
   TipStress(const coupling::EquilibriumSystem& system, const std::vector<Point>& positions, const pd::TipLaws& laws);
 
-  // fitted(): Williams' series fitted to the stress ahead of the tip. `pressure` is the fluid pressure in its crack
-  // (constant and proportional part): a uniform pressure of that size is subtracted from the stress, so that the faces
-  // are free of load. corrected_factors(): the tip's stress intensity factors from those of the fit. If loads come from
-  // energies, it reduces K_II, which the fit gives too large. factors_for_load(): those that give the load of growth.
+  // Fit of Williams' series to the stress ahead of the tip. `pressure` is the fluid pressure in its crack (constant and
+  // proportional part): a uniform pressure of that size is subtracted from the stress, so that the faces are free of
+  // load.
   WilliamsFit fitted(const GrowingTip& tip, const pd::TipLaw& law, const coupling::Affine& displacement,
                      const Eigen::RowVector2d& pressure) const;
+  // Stress intensity factors of a tip from those of its fit. If the laws take loads from energies, K_II is reduced,
+  // because the fit gives it too large.
   AffineIntensity corrected_factors(AffineIntensity fitted) const;
+  // Stress intensity factors of a tip that give its load of growth.
   AffineIntensity factors_for_load(const WilliamsFit& fit, double horizon) const;
 
-  // Stress intensity factors from the mean stress closely ahead. Their ratio K_II / K_I is more accurate if another tip
-  // is closely behind.
+  // Stress intensity factors from the mean stress closely ahead of the tip. Their ratio K_II / K_I is more accurate
+  // than that of the fit if another tip is closely behind.
   AffineIntensity closely_ahead_of(const GrowingTip& tip, const pd::TipLaw& law, const coupling::Affine& displacement,
                                    const Eigen::RowVector2d& pressure) const;
 
@@ -45,35 +47,39 @@ class TipStress {
   // than once.
   void add_nodes_asked(const GrowingTip& tip, const pd::TipLaw& law, bool closely_ahead, std::vector<int>& nodes) const;
 
-  // Unit vector perpendicular to the largest principal stress at a bond: of the mean stress of its two points.
+  // Unit vector perpendicular to the largest principal stress at a bond, where the stress is the mean of that of the
+  // two points of the bond.
   Point across_tension(int bond, const pd::TipLaw& law, const coupling::Affine& displacement, double load_factor) const;
 
-  // Whether the field ahead is not that of the tip alone: an edge ahead or another crack's face lies within `reach`, or
-  // (second function) points of another material.
+  // Whether an edge ahead of the tip or another crack's face lies within `reach` [m], so that the field ahead is not
+  // that of the tip alone.
   bool is_crowded(const GrowingTip& tip, const pd::TipLaw& law, double reach) const;
+  // Whether another crack's face lies within `reach` [m] of the tip.
   bool is_beside_face(const GrowingTip& tip, const pd::TipLaw& law, double reach) const {
     return sight_of(tip, law).nearest_face() < reach;
   }
+  // Whether points of a material with another modulus lie within `reach` [m] of the tip.
   bool meets_other_material(const GrowingTip& tip, const pd::TipLaw& law, double reach) const;
   // Whether the fit lacks points because a border with boundary elements of the same material is near.
   bool lacks_points(const GrowingTip& tip, const pd::TipLaw& law) const;
 
   const NearPoints& near() const { return near_; }
+  // Distance from a place to the nearest point on an outline, at most `at_most` [m].
   double nearest_outline(const Point& place, double at_most) const;
 
  private:
   using Stress = WilliamsFit::Stress;
   struct Reach {
-    double inner, outer;  // in horizons, of what is asked around a tip
+    double inner, outer;  // least and largest distance from the tip, in horizons
   };
 
-  // Stress point: a material point near a tip whose stress is a value for the fit of Williams' series.
+  // Stress point: a material point near a tip whose stress is used in the fit of Williams' series.
   struct StressPoint {
     int node;
-    double distance, ahead, across;  // of the tip, in horizons
+    double distance, ahead, across;  // from the tip, in horizons
   };
   struct Fit {
-    int terms;  // of Williams' series
+    int terms;  // number of terms of Williams' series
     std::vector<StressPoint> stress_points;
   };
   GrowingTip as_fitted(GrowingTip tip) const;
@@ -95,17 +101,18 @@ class TipStress {
   double nearest_disturbance(const GrowingTip& tip, const pd::TipLaw& law) const;
   Reach reach_at(double nearest_surface, double horizon) const;
   TipSight sight_of(const GrowingTip& tip, const pd::TipLaw& law) const;
-  Eigen::RowVector2d tension(std::size_t term, const coupling::Affine& displacement) const;  // both parts [N]
+  // Constant and proportional part [N].
+  Eigen::RowVector2d tension(std::size_t term, const coupling::Affine& displacement) const;
   Stress stress(int node, const Point& direction, const pd::TipLaw& law, const coupling::Affine& displacement) const;
 
   Stress stress_times_volume(int node, const Point& direction, const coupling::Affine& displacement) const;
-  double volume_of(int node, const pd::TipLaw& law) const;  // where its region has none, by this one [m^3]
+  double volume_of(int node, const pd::TipLaw& law) const;  // of a point; by `law` if its region has no tip law [m^3]
 
   const coupling::EquilibriumSystem& system_;
   const std::vector<Point>& positions_;
   const pd::TipLaws& laws_;
   NearPoints near_;
-  linalg::Adjacency bonds_at_, wide_at_;  // nodes
+  linalg::Adjacency bonds_at_, wide_at_;  // bonds and cell squares at each node
   OutlinePoints outline_;
   JointPoints joints_;
 };

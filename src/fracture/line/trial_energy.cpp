@@ -10,7 +10,7 @@ namespace bempd::fracture {
 
 namespace {
 
-// Pivot of 1 - k^1/2 F k^1/2 below which rounding decides whether the body still has a resistance.
+// Pivot of 1 - k^1/2 F k^1/2 below which rounding decides whether the body resists all motions.
 constexpr double smallest_trial_pivot = 1e-7;
 
 // Largest number of flexibilities kept for reuse: about as many paths and directions are tried between two changes of
@@ -34,7 +34,7 @@ std::optional<Eigen::MatrixXd> WholeBodyTrials::flexibility(std::span<const int>
   }
 }
 
-// Factorizes 1 - k^1/2 F k^1/2 row by row, so that the factor ends before the first pivot that is too small.
+// Factorizes 1 - k^1/2 F k^1/2 row by row, so that the factorization ends before the first pivot that is too small.
 TrialEnergy::TrialEnergy(const Eigen::VectorXd& stiffness, const Eigen::MatrixXd& flexibility,
                          const coupling::Affine& elongation)
     : root_stiffness_(stiffness.cwiseSqrt()), y_(root_stiffness_.asDiagonal() * elongation) {

@@ -19,11 +19,12 @@ struct TipFactors {
   AffineIntensity intensity;
   double error = 0;
 };
-// Function that finds the factors of a tip by path-independent sums from displacements; empty if there is no room for
-// the sums around the tip.
+// Function that finds the stress intensity factors of a tip by path-independent sums from displacements; empty if there
+// is no room for the sums around the tip.
 using FactorsAround = std::function<std::optional<TipFactors>(const GrowingTip&, const coupling::Affine& displacement)>;
 
-// Body for trial steps: it gives the flexibility along some of its terms, and the factors of tips.
+// Body for trial steps of crack lines (steps that are evaluated but not taken): it gives the flexibility along some of
+// its terms, and the stress intensity factors of tips.
 class TrialBody {
  public:
   TrialBody() = default;
@@ -37,7 +38,7 @@ class TrialBody {
   virtual std::optional<TipFactors> factors_around(const GrowingTip& tip, const coupling::Affine& displacement) = 0;
 };
 
-// Whole body for trial steps. Recent answers are kept as long as the body's matrix does not change.
+// Whole body for trial steps. Recent flexibilities are kept as long as the body's matrix does not change.
 class WholeBodyTrials final : public TrialBody {
  public:
   WholeBodyTrials(coupling::EquilibriumSystem& system, FactorsAround factors)
@@ -48,8 +49,8 @@ class WholeBodyTrials final : public TrialBody {
     return factors_ ? factors_(tip, displacement) : std::nullopt;
   }
 
-  // Computes answers with a separate factor from now on if `separate`: an open window has changed terms, and the
-  // system's factor belongs to the previous matrix.
+  // Sets whether flexibilities are computed with a separate factor. It is needed if an open window (region around crack
+  // tips that is solved alone) has changed terms, so that the system's factor belongs to the previous matrix.
   void use_separate_factor(bool separate) { uses_separate_factor_ = separate; }
 
  private:
@@ -61,14 +62,15 @@ class WholeBodyTrials final : public TrialBody {
   coupling::EquilibriumSystem& system_;
   FactorsAround factors_;
   bool uses_separate_factor_ = false;
-  std::int64_t matrix_known_ = -1;  // by the count of matrices
+  std::int64_t matrix_known_ = -1;  // SolverCounters::matrices when the answers were computed
   std::vector<Answer> answers_;
 };
 
-// Energy that is released when terms are removed, for every number of first terms at once. With the forces f = k e of
-// the terms and the body's flexibility F along them, all of them release 1/2 f^T (k - k F k)^-1 f. This is half the sum
-// of the squares of y, where L y = e and L L^T = k^-1 - F; the first n terms release half the sum of the first n
-// squares. The formula holds for dead loads and for supports alike.
+// Energy that is released when terms (bonds and cell squares) are removed, for every number of first terms at once.
+// With the forces f = k e of the terms and the body's flexibility F along them, all terms release
+//   1/2 f^T (k - k F k)^-1 f.
+// This is half the sum of the squares of y, where L y = e and L L^T = k^-1 - F; the first n terms release half the sum
+// of the first n squares. The formula holds for dead loads and for supports alike.
 class TrialEnergy {
  public:
   // `elongation` holds the elastic elongations, constant and proportional part.
@@ -79,13 +81,13 @@ class TrialEnergy {
 
   double released(Eigen::Index terms, double load_factor) const;
 
-  // Elongations of the first `terms` terms after these are removed.
+  // Elongations of the first `terms` terms after their removal.
   Eigen::VectorXd elongations_without(Eigen::Index terms, double load_factor) const;
 
  private:
   Eigen::Index count_ = 0;
   Eigen::VectorXd root_stiffness_;
-  Eigen::MatrixXd lower_;  // of 1 - k^1/2 F k^1/2
+  Eigen::MatrixXd lower_;  // triangular factor of 1 - k^1/2 F k^1/2
   coupling::Affine y_;
 };
 

@@ -16,23 +16,25 @@ namespace bempd::fracture {
 
 namespace {
 
-// Largest length of a trial step in spacings. The bonds that it happens to cut change the result by up to 13 % over one
-// spacing, by 2 % over four. Near an edge or a face it reaches half of the distance.
+// Largest length of a trial step in spacings. The bonds that a step happens to cut change the result by up to 13 % over
+// one spacing, by 2 % over four. Near an edge or a face the step reaches half of the distance.
 constexpr int longest_trial = 4;
 
-// Directions that are tried: their number on each side, and the angle between two of them [rad].
+// Number of directions that are tried on each side of a given one.
 constexpr int trials_on_each_side = 2;
+// Angle between two directions that are tried [rad].
 constexpr double angle_between_trials = 10 * std::numbers::pi / 180;
 
+// Relative difference below which the ratios of two directions are equal.
 constexpr double ratio_of_ties = 1e-9;
 
-// Ratio below which only rounding loads the bonds across a step, as in a piece that has come off but for a hinge. The
-// sign of their elongations means nothing then.
+// Ratio (mean_ratio()) below which only rounding loads the bonds across a step, as in a piece that has come off but for
+// a hinge. The sign of their elongations means nothing in that case.
 constexpr double least_ratio = 1e-9;
 
 constexpr int rounds_for_load = 30;
 constexpr double load_rounding = 1e-12;
-// Half the distance, over the load factor, of the two at which the slope of the ratio is taken.
+// Half the distance, relative to the load factor, of the two load factors at which the slope of the ratio is taken.
 constexpr double beside_load = 1e-5;
 
 // Share of a tip's opening that depends on its last bonds, measured on straight cracks with horizons of 3, 4, 5
@@ -84,8 +86,8 @@ std::vector<CutStiffness::Bond> CutStiffness::family_of(const coupling::Terms& t
   return family;
 }
 
-// Stiffness across a straight crack that it cuts per unit of its length: a sum over the bonds of a point, half of each,
-// because the other half belongs to the other point.
+// Stiffness across a straight crack that the crack cuts per unit of its length: a sum over the bonds of a point, half
+// of each, because the other half belongs to the bond's other point.
 double CutStiffness::per_length(int law, const Point& normal) const {
   double sum = 0;
   for (const Bond& bond : family_[static_cast<std::size_t>(law)]) {
@@ -128,9 +130,9 @@ CutStiffness::Counted CutStiffness::of(std::size_t bond, double stiffness, const
   return counted;
 }
 
-// Extrapolates the energy release rate to the tip. Along the path x it varies as g exp(c x) times the shape of a kink,
-// so its mean over s is about g exp(c s / 2) times the mean shape. The rate that growth takes is that of the first,
-// shortest trial length.
+// Extrapolates the energy release rate to the tip. Along the path x the rate varies as g exp(c x) times the shape of a
+// kink, so its mean over s is about g exp(c s / 2) times the mean shape. The rate that growth takes is that of the
+// first, shortest trial length.
 TrialGrowth::AtTip TrialGrowth::at_tip(double load_factor) const {
   double weights = 0, x_mean = 0, y_mean = 0, xx = 0, xy = 0;
   const auto rate = [&](const Length& l) {
@@ -253,7 +255,8 @@ std::optional<TrialGrowth> TrialSteps::along(const GrowingTip& tip, const pd::Ti
                        : std::optional(TrialGrowth(std::move(energy), std::move(found), std::move(opening)));
 }
 
-// Direction of the largest ratio: the top of a parabola through the best direction and its neighbours.
+// Direction of the largest mean_ratio(): the best one of the directions that are tried, refined by the top of a
+// parabola through it and its two neighbours.
 Point TrialSteps::best_direction(const GrowingTip& tip, const pd::TipLaw& law, const Point& around, double load_factor,
                                  const coupling::Affine& displacement, TrialBody& body) const {
   std::array<double, 2 * trials_on_each_side + 1> ratio{};
@@ -261,7 +264,7 @@ Point TrialSteps::best_direction(const GrowingTip& tip, const pd::TipLaw& law, c
     const auto growth = along(tip, law, turned(around, k * angle_between_trials), displacement, body);
     ratio[static_cast<std::size_t>(k + trials_on_each_side)] = growth ? growth->mean_ratio(load_factor) : 0;
   }
-  // The direction nearest to the middle is chosen among those that are equal up to rounding.
+  // The direction nearest to `around` is chosen among directions with ratios that are equal up to rounding.
   int best = trials_on_each_side;
   for (const int k : {-1, 1, -2, 2})
     if (ratio[static_cast<std::size_t>(trials_on_each_side + k)] >

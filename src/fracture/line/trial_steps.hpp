@@ -18,15 +18,15 @@ class CutStiffness {
  public:
   CutStiffness(const coupling::Terms& terms, const pd::TipLaws& laws);
 
-  // Length [m] and energy [J] for which a cut bond counts, on a line with the unit vector `normal`: half of them by the
-  // lattice at each end.
+  // Crack length [m] and fracture energy [J] for which a cut bond counts, on a crack with the unit normal `normal`:
+  // half of both by the lattice at each end of the bond.
   struct Counted {
     double length = 0, energy = 0;
   };
   Counted of(std::size_t bond, double stiffness, const Point& normal) const;
 
-  // Effective stiffness of a bond that is weakened at the end of an initial crack: taking away half a bond releases
-  // less than half of what the whole bond would release.
+  // Effective stiffness of a bond that is weakened at the end of an initial crack: removing half of a bond releases
+  // less than half of the energy that the whole bond would release.
   double effective_stiffness_of_weakened(std::size_t bond, double stiffness) const;
 
  private:
@@ -40,41 +40,43 @@ class CutStiffness {
 
   const coupling::Terms& terms_;
   const pd::TipLaws& laws_;
-  std::vector<std::vector<Bond>> family_;  // of a point deep inside, for every law
+  std::vector<std::vector<Bond>> family_;  // bonds of a point deep inside the lattice, for every law
 };
 
-// Energy that growth straight on in one direction would release over the energy that it would take: for lengths of one
-// to several spacings, and extrapolated to the tip.
+// Ratio of the energy that straight growth in one direction would release to the energy that it would take: for lengths
+// of one to several spacings, and extrapolated to the tip.
 class TrialGrowth {
  public:
   struct Length {
     Eigen::Index terms;
-    double length, energy;  // counted [m], and taken [J]
+    double length, energy;  // effective length [m], and energy that the growth takes [J]
   };
 
-  // `opening` holds the weights of the terms' elongations in a sum whose sign says whether a step opens or closes.
+  // Trial growth by the given lengths. `opening` holds the weights of the terms' elongations in a sum whose sign says
+  // whether a step opens or closes the crack.
   TrialGrowth(TrialEnergy energy, std::vector<Length> lengths, Eigen::VectorXd opening)
       : energy_(std::move(energy)), lengths_(std::move(lengths)), opening_(std::move(opening)) {}
 
-  // Square root of the energy release rate at the tip over the rate that growth takes; ratio_after() is that after the
-  // first length.
+  // Square root of the ratio of the energy release rate at the tip to the rate that growth takes.
   double ratio(double load_factor) const { return at_tip(load_factor).ratio; }
+  // Ratio as ratio() gives it, but after growth by the first trial length.
   double ratio_after(double load_factor) const { return at_tip(load_factor).ratio_after; }
-  // Relative error of the ratio, from the scatter of the rates of the trial lengths about the line fitted to them.
+  // Relative error of ratio(), from the scatter of the rates of the trial lengths about the line fitted to them.
   double error(double load_factor) const { return at_tip(load_factor).error; }
-  // Ratio for the longest length as a whole, which depends less on single bonds.
+  // Square root of the ratio of released to taken energy over the longest trial length, which depends less on single
+  // bonds than ratio().
   double mean_ratio(double load_factor) const;
-  // Whether the bonds across the whole step are longer after it rather than shorter.
+  // Whether the step opens the crack: the bonds across the whole step are on the whole longer after it than before.
   bool opens(double load_factor) const;
   // Energy [J] that growth takes by the first, shortest one of the trial lengths.
   double first_energy() const { return lengths_.front().energy; }
-  // Sets the shape of the energy release rate behind a kink.
+  // Sets the change of the energy release rate behind a kink.
   void shape(const KinkShape& kink) { kink_ = kink; }
 
   // Load factor at which ratio() reaches one, so that the tip grows, and the slope of the ratio there; found by an
-  // iteration from `nearby`. `sense` is the sign of the load path; `proportional`: there are no constant loads. Empty
-  // if the ratio does not rise on the path, or if the bonds across the step bear nothing or would become shorter
-  // (opens()).
+  // iteration from `nearby`. `sense` is the sign of the load path; `proportional` says that there are no constant
+  // loads. Empty if the ratio does not rise on the path, or if the bonds across the step bear nothing or would become
+  // shorter (opens()).
   std::optional<LineLoad> load(double nearby, double sense, bool proportional) const;
 
  private:
@@ -89,8 +91,9 @@ class TrialGrowth {
   KinkShape kink_;
 };
 
-// Trial steps of tips: their loads follow from the energy that they release. Used where the field ahead of a tip is not
-// its own singular field, but disturbed by an edge, a face or another tip.
+// Trial steps (evaluated but not taken) of the tips of crack lines, whose loads follow from the energy that the steps
+// release. They are used where the field ahead of a tip is not its own singular field, but disturbed by an edge, a face
+// or another tip.
 class TrialSteps {
  public:
   TrialSteps(const coupling::EquilibriumSystem& system, const pd::TipLaws& laws, const LinePath& path);

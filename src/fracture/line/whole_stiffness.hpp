@@ -7,7 +7,7 @@
 
 namespace bempd::fracture {
 
-// Stiffness of all terms as in an intact lattice, also of those that are weakened at the end of a crack.
+// Stiffness of all terms as in an intact lattice, also of terms that are weakened at the end of a crack.
 inline std::vector<double> whole_stiffness(const coupling::Terms& terms,
                                            const std::vector<pd::WeakenedTerm>& weakened) {
   std::vector<double> stiffness = terms.stiffness;

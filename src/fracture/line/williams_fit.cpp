@@ -11,7 +11,8 @@ namespace bempd::fracture {
 
 namespace {
 
-// Limits on the energy release rate of a kink over its first spacings, relative to that at its beginning.
+// Limits on the energy release rate of a kink over its first spacings, relative to the rate at the beginning of the
+// kink.
 constexpr double least_shape = 0.25, largest_shape = 4;
 
 constexpr int most_amplitudes = 2 * WilliamsFit::most_terms;

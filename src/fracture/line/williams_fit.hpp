@@ -33,8 +33,8 @@ class WilliamsFit {
   // Distance from the tip of the farthest point of the fit [horizons].
   double reach() const { return reach_; }
 
-  // Residual: the part of the stress that the fitted terms do not describe, as a share of it, at a load factor. It is
-  // small if the field is that of the tip alone.
+  // Residual at a load factor: the part of the stress that the fitted terms do not describe, as a share of the stress.
+  // It is small if the field is that of the tip alone.
   double residual(double load_factor) const;
 
  private:
@@ -46,12 +46,12 @@ class WilliamsFit {
   double reach_ = 0;
   Eigen::Matrix<double, amplitudes, amplitudes> normal_ = Eigen::Matrix<double, amplitudes, amplitudes>::Zero();
   Parts right_ = Parts::Zero();
-  Eigen::Matrix2d squares_ = Eigen::Matrix2d::Zero();  // of the stress
+  Eigen::Matrix2d squares_ = Eigen::Matrix2d::Zero();  // sums of squares of the stress
 };
 
 // Change of the energy release rate over the first spacings of a kink: it varies as the square of stress intensity
-// factors that grow with the square root of the kink's length. Constant without a kink, or if nothing is known of the
-// tip.
+// factors that grow with the square root of the kink's length. The rate is constant without a kink, or if nothing is
+// known of the tip.
 class KinkShape {
  public:
   KinkShape() = default;
@@ -59,13 +59,14 @@ class KinkShape {
   KinkShape(const AffineIntensity& factors, const Eigen::RowVector2d& t_stress, double angle)
       : factors_(factors), t_stress_(t_stress), angle_(angle) {}
 
-  // Energy release rate over that of a kink of zero length: mean over a length, and value at its end.
+  // Ratio of the energy release rate to that of a kink of zero length: mean over a length.
   double mean(double length, double load_factor) const;
+  // Ratio of the energy release rate at the end of a length to that of a kink of zero length.
   double at(double length, double load_factor) const;
 
  private:
   struct Factors {
-    Point first, growing;  // at no length, and what comes with the root of the length
+    Point first, growing;  // at zero length, and increase with the square root of the length
   };
   Factors of_kink(double load_factor) const;
 
