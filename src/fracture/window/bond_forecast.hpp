@@ -12,28 +12,30 @@
 
 namespace bempd::fracture {
 
-// Breaks of bonds that a window computes ahead where cracks grow bond by bond: which bonds break next, and the proof
-// that none breaks before them that the window does not watch.
+// Breaks of bonds that a window (region around crack tips or bonds close to breaking that is solved alone) computes
+// ahead where cracks grow bond by bond: chooses the bonds that break next, and proves that no bond outside the window
+// breaks before them.
 class BondForecast {
  public:
   explicit BondForecast(LoadedBody& body) : body_(body) {}
 
-  // Sets the window whose events are computed; with `proportional` its displacements are proportional to the load
+  // Sets the window whose events are computed. `proportional` says that its displacements are proportional to the load
   // factor.
   void begin_window(const coupling::Condensation& condensation, const WindowSolver& window, bool proportional);
   void end_window() noexcept { certificate_.reset(), window_ = nullptr; }
 
-  // Begins a series of events that are computed together: drops the checks of the one before.
+  // Begins a series of events that are computed together: drops the checks of the series before.
   void begin() { checks_.clear(); }
-  // Next break at a load factor from `from` on, which is put into `foreseen`; false if the window cannot tell it.
+  // Puts the next break at a load factor from `from` on into `foreseen`; false if the window cannot determine it.
   bool choose(double from, const WindowOptions& options, ForecastEvent& foreseen) const;
-  // Adds the checks for an event in a state: no bond outside the window may break before it, or tie with it.
+  // Adds the checks for an event in a state: no bond outside the window may break before the event, or tie with it.
   void note(int state, double from, const Event& event, const WindowOptions& options);
+  // Drops the checks of all events but the first `count`.
   void keep_first(int count);
 
-  // Number of events before the first that is not proven: among bonds that the window has stopped watching; and in the
-  // whole body, whose displacements in state 0 are `whole`.
+  // Number of events before the first that is not proven among bonds that the window has stopped watching.
   int proven_in_window(const std::vector<coupling::Affine>& states) const;
+  // Number of events before the first that is not proven in the whole body, whose displacements in state 0 are `whole`.
   int proven(const std::vector<coupling::Affine>& states, const std::vector<ForecastEvent>& events,
              const coupling::Affine& whole);
   // Displacements of the whole body in one of the states of the last call of proven().
@@ -41,7 +43,7 @@ class BondForecast {
 
  private:
   LoadedBody& body_;
-  const WindowSolver* window_ = nullptr;  // the present one
+  const WindowSolver* window_ = nullptr;  // present window
   std::unique_ptr<WindowCertificate> certificate_;
   bool proportional_ = false;
   std::vector<OutsideCheck> checks_;

@@ -11,20 +11,21 @@
 
 namespace bempd::fracture {
 
-// Event that a window has computed ahead, with its outcome once it is performed.
+// Event that a window (region around crack tips or bonds close to breaking that is solved alone) has computed ahead,
+// with its outcome once it is performed.
 struct ForecastEvent {
   Event event;
-  Outcome outcome;                          // but for the work before it and the residual
-  std::vector<coupling::StageChange> back;  // undoes its changes
-  EnergyForm before;                        // stored energy before it
-  double largest_force = 0;                 // internal nodal force that is known to be reached until then
-  std::optional<FaceState> faces;           // after it, where some close or open
-  std::vector<GrowingTip> tips;             // after it, where cracks grow as lines
-  std::vector<GrowingTip> growing;          // before it, those that have a way
+  Outcome outcome;                          // without the work before the event and the residual
+  std::vector<coupling::StageChange> back;  // changes of stages that undo the event
+  EnergyForm before;                        // stored energy before the event
+  double largest_force = 0;                 // largest internal nodal force known up to the event [N]
+  std::optional<FaceState> faces;           // contact state after the event, if faces close or open at it
+  std::vector<GrowingTip> tips;             // tips of crack lines after the event
+  std::vector<GrowingTip> growing;          // tips near which no bond breaks by itself before the event
 };
 
-// Events that a window has computed together, and how many of them have been taken. Stages of terms in the system are
-// those after the events taken; while events are computed, those after the last one.
+// Events that a window has computed together, and the number of them that the run has taken. The stages of terms in the
+// system are those after the events taken; while events are computed, those after the last computed event.
 class ComputedEvents {
  public:
   explicit ComputedEvents(coupling::EquilibriumSystem& system) : system_(system) {}
@@ -35,14 +36,14 @@ class ComputedEvents {
   ForecastEvent& last() { return list_.back(); }
   void add(ForecastEvent event) { list_.push_back(std::move(event)); }
   void clear() noexcept { list_.clear(), position_ = 0; }
-  // Returns the system to the stages after the first `count` events. The later ones stay in the list; keep_first()
+  // Returns the system to the stages after the first `count` events. The later events stay in the list; keep_first()
   // removes them from it, too.
   void take_back(int count);
   void keep_first(int count);
 
   // Next event to take; null if there is none.
   const ForecastEvent* next() const { return position_ < count() ? &list_[position_] : nullptr; }
-  void take();  // the system's terms change
+  void take();  // takes the next event, and changes the stages of terms in the system
   bool are_all_taken() const { return position_ == count(); }
   // Number of events taken. Only the states at positions 0 up to this one can be asked for or returned to.
   int position() const { return position_; }

@@ -37,7 +37,7 @@ std::vector<Affine> DroppedDofs::complete(const std::vector<State>& states, bool
   for (const State& state : states) result.push_back(state.displacement);
   const int first_part = has_constant_part ? 0 : 1, parts = 2 - first_part;
   // Degrees of freedom that were dropped last are completed first: bonds that broke before that end on them, and pull
-  // on those that were dropped earlier.
+  // on degrees of freedom that were dropped earlier.
   for (std::size_t l = levels_.size(); l-- > 0;) {
     const Level& level = levels_[l];
     std::vector<std::size_t> later;
@@ -67,10 +67,11 @@ std::vector<Affine> DroppedDofs::complete(const std::vector<State>& states, bool
   return result;
 }
 
-// Hands over forces on the degrees of freedom l that were left to those, f, that were followed at that time. Let F0 be
-// the flexibility then, F the present one, and P = sum of k b b^T over the terms that have lost stiffness since. Only
-// displacements f enter P, so F = F0 + F P F0. A force r_l therefore acts as F_fl r_l = y + F_ff P y, with y = F0_fl
-// r_l.
+// Transfers forces on the degrees of freedom l that were dropped to those, f, that were followed at that time. Let F0
+// be the flexibility at that time, F the present one, and P = sum of k b b^T over the terms that have lost stiffness
+// since. Only displacements f enter P, so F = F0 + F P F0. With y = F0_fl r_l, a force r_l therefore causes the
+// displacements
+//   F_fl r_l = y + F_ff P y.
 void DroppedDofs::transfer_forces(Affine& force, Affine& answer) const {
   for (const Level& level : levels_) {
     const Affine y = level.response.transpose() * force(level.dropped, Eigen::all);

@@ -90,7 +90,7 @@ void EventForecast::close() noexcept {
   states_.clear();
   if (events_.have_changed_terms()) system_.factor().forget();
   if (needs_whole_body_)
-    system_.factor().keep_last({});  // what comes next factorizes, twice, and needs no window for it
+    system_.factor().keep_last({});  // the next event needs no window, but factorizes the whole body
 }
 
 void EventForecast::forget() {
@@ -123,7 +123,8 @@ void EventForecast::compute(const BodyState& state) {
 }
 
 // Computes events until the window ends or their number is reached. Returns false if rounding errors have grown too
-// large since the last check of the balance of forces. A host that asks for the end of the step gets the events so far.
+// large since the last check of the balance of forces. A host that asks for the end of the step gets the events
+// computed so far.
 bool EventForecast::forecast_events(const BodyState& start) {
   const Phase phase("events ahead in a window", most_events_);
   double from = start.load_factor;
@@ -133,7 +134,7 @@ bool EventForecast::forecast_events(const BodyState& start) {
     phase.reach(events_.count());
     if (!forecast_next(from, start)) {
       has_ended_ = true;
-      return true;  // in the window the event may be half done
+      return true;  // no check: the window may have performed a part of the event
     }
     from = events_.last().event.load_factor;
     const auto since = events_.count() - balanced_events_;

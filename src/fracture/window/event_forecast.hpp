@@ -19,10 +19,10 @@
 
 namespace bempd::fracture {
 
-// Computes events ahead: a window around the bonds close to breaking runs through them on condensed equations. Only
-// events are kept for which it is proven that the whole body would break in the same way.
-// The window ends before an event that it cannot perform: near its rim or outside, or one that frees a part of the body
-// or removes the last resistance to a motion.
+// Computation of events ahead in a window (region around crack tips or bonds close to breaking that is solved alone),
+// by condensed equations. Only events are kept for which it is proven that the whole body would break in the same way.
+// The window ends before an event that it cannot perform: an event near its rim or outside, or one that frees a part of
+// the body or removes the last resistance to a motion.
 class EventForecast {
  public:
   using Options = WindowOptions;
@@ -33,7 +33,8 @@ class EventForecast {
   // have broken the bonds `cut`.
   void expect_cracks(const std::vector<int>& cut) { locator_.expect_cracks(cut); }
 
-  // Switches to growth of crack lines: events are steps of lines from now on.
+  // Switches to crack lines (cracks that grow in a lattice by steps): the computed events are steps of crack lines from
+  // now on.
   void grow_lines(const LineSteps& lines) { lines_.emplace(body_, lines); }
 
   // Opens a window around the bonds that are close to breaking at the load factor of the next event. Returns false if
@@ -43,7 +44,8 @@ class EventForecast {
   void open_again(const BodyState& state, const Options& options);
   bool is_open() const { return window_ != nullptr; }
   void close() noexcept;
-  void forget();  // and where the window was: a new one is what it would be in a fresh run
+  // Closes the window and forgets its location, so that the next window is that of a fresh run.
+  void forget();
 
   const Options& options() const { return options_; }
   WindowLocation place() const { return locator_.memory(); }
@@ -62,13 +64,15 @@ class EventForecast {
   // Whether the window has ended before an event that only the whole body can perform, or because faces of cracks open
   // or close after its last event.
   bool needs_whole_body() const { return needs_whole_body_ || faces_move_; }
+  // Whether the window has ended before an event that only the whole body can perform.
   bool frees_a_motion() const { return needs_whole_body_; }
+  // Whether the window has ended because faces of cracks open or close after its last event.
   bool ended_at_faces() const { return faces_move_; }
 
-  // Displacements of the whole body after so many events.
+  // Displacements of the whole body after `position` events of the window.
   coupling::Affine displacement(int position) const;
   // Residual of the whole body after the last of the events computed together, or the largest imbalance that was
-  // corrected in the window if that is larger. It stands for all of these events.
+  // corrected in the window if that is larger. This residual stands for all of these events.
   double residual() const { return balance_.residual(); }
 
  private:
@@ -82,7 +86,7 @@ class EventForecast {
   bool forecast_events(const BodyState& start);
   bool is_balanced();
   void certify(double from);
-  void keep_first(int count);  // of the events computed
+  void keep_first(int count);  // keeps the first `count` computed events
 
   LoadedBody& body_;
   coupling::EquilibriumSystem& system_;
@@ -105,8 +109,8 @@ class EventForecast {
   ComputedEvents events_;
   ForecastBalance balance_;
   std::vector<coupling::Affine> states_;
-  std::vector<DroppedDofs::State> foreseen_;  // the states, while events are computed
-  int balanced_events_ = 0;                   // of those, before forces were in balance last
+  std::vector<DroppedDofs::State> foreseen_;  // states after each event, while events are computed
+  int balanced_events_ = 0;                   // number of events up to the last check of the balance of forces
 };
 
 }  // namespace bempd::fracture

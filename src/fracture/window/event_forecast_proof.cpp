@@ -10,13 +10,13 @@ namespace bempd::fracture {
 
 using coupling::Affine;
 
-// Keeps the computed events up to the first for which it is not proven that the whole body would do the same.
+// Keeps the computed events before the first for which it is not proven that the whole body would do the same.
 void EventForecast::certify(double from) {
   const Phase phase("proof of events ahead");
   if (!events_.empty() && !lines_) keep_first(bonds_.proven_in_window(states_));
   if (events_.empty()) return;
   // Contact places of events that were not kept need no watching. Bonds of the kept events count as broken in the
-  // system here, although these are not performed yet.
+  // system here, although these events have not been performed yet.
   face_forecast_->forget_after(events_.count());
   const FaceCertificate watch(face_forecast_->constraints(), events_.list(), from, proportional_);
   const int unchanged = watch.events_before_change(states_, condensation_->dofs(), system_, outside_gaps_);
@@ -35,7 +35,7 @@ void EventForecast::keep_first(int count) {
   if (count >= events_.count()) return;
   has_ended_ = true;
   needs_whole_body_ = false;
-  most_events_ = std::max(WindowSettings::first_events, 2 * count);  // more would be in vain again
+  most_events_ = std::max(WindowSettings::first_events, 2 * count);  // more events would not be proven either
   events_.keep_first(count);
   states_.resize(count + 1);
   bonds_.keep_first(count);

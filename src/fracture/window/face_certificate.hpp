@@ -12,9 +12,10 @@ namespace bempd::fracture {
 
 struct ForecastEvent;
 
-// Proof that contact constraints stay closed or open in the states that a window has computed, or the first event after
-// which one switches. The window switches only constraints whose points it follows. Its events count as long as no
-// other constraint switches.
+// Proof that contact constraints stay closed or open in the states that a window (region around crack tips or bonds
+// close to breaking that is solved alone) has computed, or the first event after which a constraint switches. The
+// window switches only constraints whose points it follows; its events are valid as long as no other constraint
+// switches.
 class FaceCertificate {
  public:
   // Watches the given constraints in the states after 0, 1, ... events. `from` is the load factor of state 0.
@@ -22,7 +23,8 @@ class FaceCertificate {
                   double from, bool proportional);
 
   // Number of events before the first that lets an unfollowed constraint open or close, or that adds a constraint with
-  // points that are neither kept nor prescribed.
+  // points that are neither kept in the window nor prescribed. `kept` are the displacements of the degrees of freedom
+  // `dofs` in each state.
   int events_before_change(const std::vector<coupling::Affine>& kept, const std::vector<int>& dofs,
                            const coupling::EquilibriumSystem& system, const OutsideGaps& outside) const;
 
@@ -34,7 +36,7 @@ class FaceCertificate {
              const std::array<double, 2>& largest) const;
 
   std::vector<WatchedConstraint> constraints_;
-  std::vector<std::array<double, 2>> load_factors_;  // of every state
+  std::vector<std::array<double, 2>> load_factors_;  // at which each state begins and ends
 };
 
 }  // namespace bempd::fracture

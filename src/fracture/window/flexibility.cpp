@@ -100,7 +100,7 @@ void Flexibility::flush() {
 }
 
 void Flexibility::add(const Eigen::Ref<const Eigen::MatrixXd>& columns, double sign) {
-  if (columns.cols() == 0) return;  // Eigen divides by their number
+  if (columns.cols() == 0) return;  // Eigen divides by the number of columns
   matrix_.topRows(size_).selfadjointView<Eigen::Lower>().rankUpdate(columns.topRows(size_), sign);
   matrix_.bottomRows(functions_).noalias() +=
       sign * columns.bottomRows(functions_) * columns.topRows(size_).transpose();

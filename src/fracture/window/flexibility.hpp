@@ -9,15 +9,15 @@
 
 namespace bempd::fracture {
 
-// Flexibility F (displacements per force) of the whole body on the degrees of freedom that a window follows. Below it
-// are rows of functions of the displacements, treated as displacements on which no force acts.
-// Changes of rank one are collected and added many at a time: F is the stored matrix plus the pending columns times
-// their transpose, each with its sign.
+// Flexibility F (displacements per force) of the whole body on the degrees of freedom that a window (region around
+// crack tips or bonds close to breaking that is solved alone) follows. Rows below F belong to functions of the
+// displacements, which are treated like displacements on which no force acts. Changes of rank one are collected and
+// added many at a time: F is the stored matrix plus the pending columns times their transpose, each with its sign.
 class Flexibility {
  public:
   Flexibility(const coupling::Condensation& condensation, Eigen::Index functions);
 
-  Eigen::Index size() const { return size_; }  // followed
+  Eigen::Index size() const { return size_; }  // number of followed degrees of freedom
   // Sets the functions' weights on the followed degrees of freedom, one column for each function.
   void set_functions(const Eigen::MatrixXd& weights);
 
@@ -29,19 +29,19 @@ class Flexibility {
   void update_response(const Pull& pull, Eigen::Index changes_known, Eigen::Ref<Eigen::VectorXd> response) const;
 
   Eigen::Index changes() const { return pending_count_; }
-  void make_room(Eigen::Index count);  // for changes that can be taken back
+  void make_room(Eigen::Index count);  // makes room for changes that can be taken back
   // Adds a change of rank one to F: the column times its transpose, multiplied by the sign (1 or -1).
   void add_change(const Eigen::Ref<const Eigen::VectorXd>& column, double sign) {
     signs_[pending_count_] = sign;
     pending_.col(pending_count_++) = column;
   }
-  void take_back_changes(Eigen::Index count) { pending_count_ = count; }  // but for the first ones
+  void take_back_changes(Eigen::Index count) { pending_count_ = count; }  // keeps the first `count` changes
 
   Eigen::MatrixXd function_rows() const { return matrix_.bottomRows(functions_); }
   void set_function_rows(const Eigen::MatrixXd& rows) { matrix_.bottomRows(functions_) = rows; }
   void subtract_from_function(Eigen::Index function, const Eigen::Ref<const Eigen::VectorXd>& values);
 
-  // Part of F: displacements of some followed degrees of freedom due to unit forces on others.
+  // Block of F: displacements of the followed degrees of freedom `rows` due to unit forces on `columns`.
   Eigen::MatrixXd block(const std::vector<int>& rows, const std::vector<int>& columns) const;
   void keep(const std::vector<int>& followed);
 
@@ -50,9 +50,9 @@ class Flexibility {
   void add(const Eigen::Ref<const Eigen::MatrixXd>& columns, double sign);
 
   Eigen::Index size_, functions_;
-  Eigen::MatrixXd matrix_;  // lower triangle, and below it the rows of functions
+  Eigen::MatrixXd matrix_;  // lower triangle of F, and the rows of functions below it
   Eigen::MatrixXd pending_;
-  Eigen::VectorXd signs_;  // of its columns
+  Eigen::VectorXd signs_;  // of the pending columns
   Eigen::Index pending_count_ = 0;
 };
 

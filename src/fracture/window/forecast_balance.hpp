@@ -9,8 +9,9 @@
 
 namespace bempd::fracture {
 
-// Displacements of the whole body in the last state that a window has proven, and the balance of forces there. One
-// check after the last of the events computed together stands for all of them.
+// Displacements of the whole body in the last state that a window (region around crack tips or bonds close to breaking
+// that is solved alone) has proven, and the balance of forces in that state. One check after the last of the events
+// computed together stands for all of them.
 class ForecastBalance {
  public:
   explicit ForecastBalance(LoadedBody& body) : body_(body) {}
@@ -18,16 +19,16 @@ class ForecastBalance {
   const coupling::Affine& whole() const { return whole_; }
   void set_whole(coupling::Affine displacement) { whole_ = std::move(displacement); }
 
-  // Begins with events that are computed together: no imbalance has been corrected yet.
+  // Begins a series of events that are computed together: no imbalance has been corrected yet.
   void begin() { unbalanced_ = 0; }
   // Notes an imbalance of nodal forces that was found in the window, as a share of the largest force.
   void note_unbalanced(double share) { unbalanced_ = std::max(unbalanced_, share); }
-  // Scale of nodal forces just before the first of the events.
+  // Largest nodal force [N] just before the first of the events, the scale of residuals.
   double largest_force_before(double load_factor, const BodyState& start) const;
-  // Checks the balance of forces of the whole body after the last event, where `whole` are its displacements: they
-  // replace those before the first event. Returns false and keeps the old ones if the residual is too large.
+  // Checks the balance of forces of the whole body after the last event. `whole` are the displacements after it, which
+  // replace those before the first event. Returns false and keeps the old displacements if the residual is too large.
   bool holds_after(ComputedEvents& events, coupling::Affine whole);
-  // Residual after the last event, or the largest imbalance that was corrected if that is larger.
+  // Residual after the last event, or the largest imbalance that was corrected in the window if that is larger.
   double residual() const { return residual_; }
 
  private:

@@ -9,22 +9,24 @@
 
 namespace bempd::fracture {
 
-// Proof that no bond away from the crack tips would have broken by itself before the steps of lines that a window has
-// computed, or the first step before which one would. Displacements are proportional to the load factor.
+// Proof that no bond away from the crack tips would have broken by itself before the steps of crack lines (cracks that
+// grow in a lattice by steps) that a window (region around crack tips or bonds close to breaking that is solved alone)
+// has computed, or the first step before which such a bond would break. Displacements are proportional to the load
+// factor.
 class LineCertificate {
  public:
-  // Creates the proof. The terms that break from here on still have their present stages in `system`.
+  // Prepares the proof for the bonds that are intact in `system` at present, before the steps are computed.
   LineCertificate(const coupling::EquilibriumSystem& system, const coupling::Condensation& condensation,
                   const StretchRatios& ratios, const LineSteps& steps);
 
-  // Step of a crack line, which takes the window from one state (of displacements) to the next.
+  // Step of a crack line that the window has computed.
   struct Step {
     double load_factor;
-    std::vector<GrowingTip> growing;                    // tips beside which nothing breaks by itself
-    const std::vector<coupling::StageChange>* changes;  // at its end
+    std::vector<GrowingTip> growing;                    // tips near which no bond breaks by itself
+    const std::vector<coupling::StageChange>* changes;  // changes of stages at the step
   };
-  // Index of the first state in which a bond breaks by itself before the state's step is due; the number of states if
-  // none does. There is one state for each step, which ends it.
+  // Number of the first step before which a bond breaks by itself; the number of steps if there is none. `states` are
+  // the kept displacements before each step.
   int first_break(const std::vector<coupling::Affine>& states, const std::vector<Step>& steps) const;
 
  private:
@@ -34,8 +36,8 @@ class LineCertificate {
 
   const coupling::Condensation& condensation_;
   const LineSteps& steps_;
-  std::vector<int> bonds_, first_, second_;  // that can break; degrees of freedom of their ends
-  std::vector<double> cosine_, sine_;        // scaled so that ratios come out
+  std::vector<int> bonds_, first_, second_;  // bonds that can break; first degree of freedom of each end
+  std::vector<double> cosine_, sine_;        // scaled so that elongations are stretch ratios
 };
 
 }  // namespace bempd::fracture

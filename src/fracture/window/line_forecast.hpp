@@ -15,30 +15,34 @@
 
 namespace bempd::fracture {
 
-// Steps of crack lines that a window computes ahead: where the window has to be, which step comes next, and the proof
-// that nothing else breaks before it.
+// Steps of crack lines (cracks that grow in a lattice by steps) that a window (region around crack tips or bonds close
+// to breaking that is solved alone) computes ahead: chooses the place of the window and the next step, and proves that
+// nothing else breaks before the step.
 class LineForecast {
  public:
   LineForecast(LoadedBody& body, const LineSteps& lines) : body_(body), lines_(lines) {}
 
-  // Chooses a window that is large enough for the next steps of the crack tips. Returns false if there is none.
+  // Chooses a window that is large enough for the next steps of the crack tips. Returns false if there is no such
+  // window.
   bool choose_place(WindowLocator& locator, const WindowOptions& options, const BodyState& state,
                     double load_factor) const;
 
-  // Begins to compute events in a window, from these tips.
+  // Begins to compute events in a window, from the tips `tips`.
   void begin(const coupling::Condensation& condensation, const WindowSolver& window,
              const std::vector<GrowingTip>& tips);
   void end_window() noexcept { certificate_.reset(), condensation_ = nullptr, window_ = nullptr; }
-  // Next step at a load factor from `from` on, whose event is put into `foreseen`; empty if the window cannot tell it.
+  // Next step at a load factor from `from` on, whose event is put into `foreseen`; empty if the window cannot determine
+  // it.
   std::optional<LineSteps::Choice> choose(double from, Control control, ForecastEvent& foreseen) const;
-  // Moves the tip of a line after its step has been performed in the window.
+  // Moves the tip of a crack line after its step has been performed in the window.
   void complete_step(const LineSteps::Choice& line, ForecastEvent& foreseen);
-  // Takes the displacements around the tips from the window again, after they have been corrected there.
+  // Takes the displacements around the tips from the window again, after the window has corrected them.
   void note_displacement();
-  // Reaches of the tips, for which the window is needed.
+  // Reaches of the tips, which the window must continue to follow.
   std::vector<WindowNarrowing::Reach> reaches() const;
 
-  // Number of computed events before which no bond away from the tips breaks; all of them if no crack can begin.
+  // Number of computed events before which no bond away from the tips breaks; the number of all events if no crack can
+  // begin.
   int steps_as_foreseen(const std::vector<ForecastEvent>& events, const std::vector<coupling::Affine>& states) const;
 
  private:
@@ -47,10 +51,10 @@ class LineForecast {
   LoadedBody& body_;
   const LineSteps& lines_;
   const coupling::Condensation* condensation_ = nullptr;  // of the present window
-  const WindowSolver* window_ = nullptr;                  // likewise
+  const WindowSolver* window_ = nullptr;                  // present window
   std::optional<LineCertificate> certificate_;
-  std::vector<GrowingTip> tips_;  // in the state foreseen last
-  coupling::Affine near_tips_;    // displacements there, where the tips ask
+  std::vector<GrowingTip> tips_;  // after the last computed step
+  coupling::Affine near_tips_;    // displacements after that step, known around the tips
 };
 
 }  // namespace bempd::fracture

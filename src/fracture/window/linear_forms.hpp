@@ -6,8 +6,8 @@
 
 namespace bempd::fracture {
 
-// List of linear forms: the sum of weight * value[place], each over any number of places. The elongation of a bond is
-// one with four places.
+// List of linear forms, each of which is the sum of weight * value[place] over any number of places. The elongation of
+// a bond is a form with four places.
 class LinearForms {
  public:
   struct Form {

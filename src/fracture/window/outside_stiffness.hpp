@@ -8,9 +8,10 @@
 
 namespace bempd::fracture {
 
-// Stiffness of everything outside the terms of a window, on the kept degrees of freedom that it touches.
+// Stiffness of everything but the terms of a window (region around crack tips or bonds close to breaking that is solved
+// alone), on the kept degrees of freedom that it touches.
 struct OutsideStiffness {
-  std::vector<int> dofs;  // places among the kept ones
+  std::vector<int> dofs;  // places among the kept degrees of freedom
   Eigen::MatrixXd matrix;
 };
 

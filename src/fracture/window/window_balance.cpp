@@ -11,8 +11,8 @@ WindowBalance::WindowBalance(const coupling::EquilibriumSystem& system, const co
     const Pull pull = terms.pull(t);
     for (std::size_t k = 0; k < pull.size(); ++k) pulls_.add(pull.place[k], pull.weight[k]);
     pulls_.close();
-    // Terms also exert forces on kept degrees of freedom through displacements of prescribed ones; these are part of
-    // the load.
+    // Displacements of prescribed degrees of freedom also exert forces on kept ones through the terms; these forces are
+    // a part of the load.
     Eigen::RowVector2d tension = Eigen::RowVector2d::Zero();
     for (std::size_t k = 0; k < pull.size(); ++k) {
       if (pull.place[k] >= load_.rows()) tension += terms.stiffness(t) * pull.weight[k] * rows.row(pull.place[k]);

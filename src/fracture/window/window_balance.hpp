@@ -10,12 +10,13 @@
 
 namespace bempd::fracture {
 
-// Balance of forces on the kept degrees of freedom of a window. It is computed from stiffnesses and elongations,
-// because the flexibility accumulates rounding errors from change to change.
+// Balance of forces on the kept degrees of freedom of a window (region around crack tips or bonds close to breaking
+// that is solved alone). It is computed from stiffnesses and elongations, because the flexibility accumulates rounding
+// errors from change to change.
 class WindowBalance {
  public:
   WindowBalance() = default;
-  // Notes the state in which the window is opened. `rows` are the window's displacements in it.
+  // Notes the state in which the window is opened, in which `rows` are the displacements of the window.
   WindowBalance(const coupling::EquilibriumSystem& system, const coupling::Condensation& condensation,
                 const WindowTerms& terms, const coupling::Affine& rows);
 
@@ -24,12 +25,12 @@ class WindowBalance {
   void note_loss(const LinearForms& pull, double stiffness);
 
   // Imbalance of forces: loads less internal forces for the displacements `rows` of the window, with the terms in their
-  // present stages. `part`: 0 for the constant, 1 for the proportional part of the load.
+  // present stages. `part` is 0 for the constant, 1 for the proportional part of the load.
   Eigen::VectorXd unbalanced(const Eigen::VectorXd& rows, int part, const OutsideStiffness& outside) const;
 
  private:
   const coupling::EquilibriumSystem* system_ = nullptr;
-  std::vector<int> numbers_;  // of the terms in the system
+  std::vector<int> numbers_;  // numbers of the terms in the system
   LinearForms pulls_, lost_pulls_;
   std::vector<double> lost_;
   coupling::Affine load_;

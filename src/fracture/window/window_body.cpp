@@ -32,8 +32,8 @@ std::optional<BodyChange> WindowBody::change(const Event& event, std::span<const
   return change;
 }
 
-// Changes the stages of the event's terms in the system and in the window. False if that frees a part of the body or if
-// the window cannot do it.
+// Changes the stages of the event's terms in the system and in the window. False if this frees a part of the body, or
+// if the window cannot perform it.
 bool WindowBody::change_terms(const Event& event) {
   std::vector<coupling::StageChange> here;  // by places in the window
   for (const coupling::StageChange& c : event.changes) here.push_back({window_.place_of(c.term), c.stage});
@@ -53,8 +53,8 @@ std::vector<std::size_t> WindowBody::wrong_constraints(double f) const {
   return wrong;
 }
 
-// Whether a closed constraint touches what springs hold. The whole body might bar it, because the held part may become
-// larger as terms break.
+// Whether a closed constraint touches a part that springs hold. The whole body might bar such a constraint, because the
+// held part may become larger as terms break.
 bool WindowBody::presses_on_held_parts() const {
   std::vector<std::size_t> closed = face_forecast_.last();
   std::erase_if(closed, [&](std::size_t i) { return !face_forecast_.constraints()[i].closed; });
@@ -68,11 +68,11 @@ bool WindowBody::presses_on_held_parts() const {
 }
 
 // Closes and opens constraints after an event by the same Newton's method as in the whole body. False if the window
-// cannot.
+// cannot do that.
 bool WindowBody::settle_constraints(const Event& event, Outcome& outcome) {
   if (body_.faces().are_none()) return true;
   face_forecast_.follow(coupling::terms_of(event.changes), state_);
-  if (!system_.springs().empty()) return !presses_on_held_parts();  // which may bar constraints
+  if (!system_.springs().empty()) return !presses_on_held_parts();  // springs may bar constraints
   watched_before_ = face_forecast_.last();
   NewtonRounds rounds;
   for (;;) {

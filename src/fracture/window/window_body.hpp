@@ -10,8 +10,9 @@
 
 namespace bempd::fracture {
 
-// Body in a window while events are computed ahead: changes are made to the window's flexibility. It cannot perform an
-// event that frees a part or removes the last resistance to a motion. Stages of terms in the system change along.
+// Window (region around crack tips or bonds close to breaking that is solved alone) as a body that events change while
+// they are computed ahead. Changes are made to the flexibility of the window, and to the stages of terms in the system.
+// An event that frees a part of the body or removes the last resistance to a motion cannot be performed.
 class WindowBody final : public EventBody {
  public:
   // `state` is the number of the state after the next event; `face_forecast` knows the constraints in these states.
@@ -34,9 +35,9 @@ class WindowBody final : public EventBody {
   Elongation elongation(int term, double load_factor) const override;
   std::optional<BodyChange> change(const Event& event, std::span<const ChangingTerm> terms, Outcome& outcome) override;
 
-  // energy(): stored energy as a function of the load factor. switched_faces(): contact state after an event at which
-  // faces have closed or opened; empty if none has.
+  // Stored energy as a function of the load factor.
   EnergyForm energy() const { return WindowFunctions::energy(window_.rows().functions()); }
+  // Contact state after an event at which faces have closed or opened; empty if none has.
   const std::optional<FaceState>& switched_faces() const { return switched_faces_; }
 
  private:
@@ -53,7 +54,7 @@ class WindowBody final : public EventBody {
   FaceForecast& face_forecast_;
   int state_;
   const Eigen::VectorXd& displacement_;
-  std::vector<std::size_t> watched_before_;  // constraints in the forecast, before any has switched at the event
+  std::vector<std::size_t> watched_before_;  // constraints in the forecast, before the event switches any
   std::optional<FaceState> switched_faces_;
 };
 

@@ -24,7 +24,7 @@ void WindowCertificate::collect_bonds(const coupling::EquilibriumSystem& system,
   for (std::size_t b = 0; b < bonds.size(); ++b) {
     const double scale = ratios.scales().per_elongation[b];
     if (!system.stages().intact()[b] || window_.contains(static_cast<int>(b)) || scale == 0)
-      continue;  // what cannot break
+      continue;  // bonds in the window, and bonds that cannot break
     first_.push_back(2 * bonds.first[b]);
     second_.push_back(2 * bonds.second[b]);
     cosine_.push_back(ratios.scales().cosine[b]);
@@ -134,7 +134,7 @@ Eigen::MatrixXd WindowCertificate::solve(const std::vector<int>& states) {
 }
 
 // Displacements of the whole body at pairs (state, load factor). `whole` holds the solutions of the states `solved`;
-// state 0 is known without.
+// state 0 needs no solution.
 Eigen::MatrixXd WindowCertificate::values(const std::vector<std::pair<int, double>>& wanted,
                                           const std::vector<int>& solved, const Eigen::MatrixXd& whole) const {
   const int parts = proportional_ ? 1 : 2;
@@ -174,7 +174,7 @@ std::vector<int> WindowCertificate::uncertified() const {
   struct Question {
     int state;
     double limit;
-    Classes mean;  // bound of the ratios in the mean
+    Classes mean;  // largest ratios in the mean of two snapshots
   };
   std::vector<Question> questions;
   std::vector<Eigen::VectorXd> differences;
@@ -206,8 +206,8 @@ std::vector<int> WindowCertificate::uncertified() const {
   return found;
 }
 
-// States to compute for the whole body next: about three in every run of uncertified states, in the last round all of
-// them.
+// States to compute for the whole body next: about three in every run of uncertified states, in the last round all
+// uncertified states.
 std::vector<int> WindowCertificate::between_snapshots(const std::vector<int>& states, int round) const {
   if (round >= WindowSettings::most_rounds) return states;
   std::vector<int> chosen;

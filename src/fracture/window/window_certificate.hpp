@@ -11,21 +11,23 @@
 
 namespace bempd::fracture {
 
-// Proves that the events in a window are those of the whole body, because no bond outside is closer to breaking.
+// Proof that the events in a window (region around crack tips or bonds close to breaking that is solved alone) are
+// those of the whole body, because no bond outside the window is closer to breaking.
 //
-// Some states (snapshots) are computed for the whole body. Between two of them, a and b, take the mean (1 - t) a + t b
-// with 0 <= t <= 1: no bond is stretched more in it than the same mean of the largest stretches in a and b. A state
-// differs from the mean by a displacement d of the window's nodes, to which the outside responds without load.
-// The strain energy of that response is d^T S d / 2, where S is the stiffness of the outside on the window's nodes. All
-// bonds outside share it and none has a negative energy, so k e^2 <= d^T S d holds for the elongation e of each.
+// Some states (snapshots) are computed for the whole body. Let (1 - t) a + t b with 0 <= t <= 1 be a mean of two
+// snapshots a and b: no bond is stretched more in it than the same mean of the largest stretches in a and b. A state
+// between a and b differs from the mean by a displacement d of the window's nodes, to which the body outside the window
+// responds without load. The strain energy of that response is d^T S d / 2, where S is the stiffness of the outside on
+// the window's nodes. All bonds outside share this energy and none has a negative energy, so k e^2 <= d^T S d holds for
+// the elongation e of each bond.
 class WindowCertificate {
  public:
   WindowCertificate(const coupling::EquilibriumSystem& system, const coupling::Condensation& condensation,
                     const WindowSolver& window, const StretchRatios& ratios, bool proportional);
 
-  // Returns the index of the first state with a failed check, or the number of states. `states` are the kept
-  // displacements after 0, 1, ... events, `breaks` the numbers of bonds broken until each. `first` is state 0 of the
-  // whole body.
+  // Index of the first state with a failed check; the number of states if there is none. `states` are the kept
+  // displacements after 0, 1, ... events, `breaks` the numbers of bonds broken until each state. `first` are the
+  // displacements of the whole body in state 0.
   int first_violation(const std::vector<coupling::Affine>& states, const std::vector<int>& breaks,
                       const std::vector<OutsideCheck>& checks, const coupling::Affine& first);
 
@@ -33,13 +35,14 @@ class WindowCertificate {
   coupling::Affine last_displacement(int state) const;
 
  private:
-  // Classes of bonds outside the window: bonds with a similar stretch ratio per root of energy are proven together.
+  // Classes of bonds outside the window. Bonds with a similar stretch ratio per root of energy are in one class and are
+  // proven together.
   static constexpr int most_classes = WindowSettings::classes;
   using Classes = Eigen::Array<double, most_classes, 1>;
 
   struct Snapshot {
     Classes bound;                // of the stretch ratios at all load factors checked
-    std::vector<double> largest;  // per own check
+    std::vector<double> largest;  // largest stretch ratio for each check of the state
   };
 
   void collect_bonds(const coupling::EquilibriumSystem& system, const StretchRatios& ratios);
@@ -58,8 +61,8 @@ class WindowCertificate {
   const coupling::Condensation& condensation_;
   const WindowSolver& window_;
   bool proportional_;
-  std::vector<int> first_, second_;    // of bonds outside that can break
-  std::vector<double> cosine_, sine_;  // scaled so that ratios come out
+  std::vector<int> first_, second_;    // of bonds outside the window that can break
+  std::vector<double> cosine_, sine_;  // scaled so that elongations are stretch ratios
   std::vector<char> class_of_;
   Classes compliance_;  // largest stretch ratio per root of energy, of each class
   double rounding_;
@@ -67,10 +70,10 @@ class WindowCertificate {
   // Data of the present call of first_violation().
   const std::vector<coupling::Affine>* states_ = nullptr;
   const coupling::Affine* whole_first_ = nullptr;
-  std::vector<std::vector<OutsideCheck>> checks_;  // per state
-  double lowest_ = 0, highest_ = 0;                // load factors checked
+  std::vector<std::vector<OutsideCheck>> checks_;  // checks of each state
+  double lowest_ = 0, highest_ = 0;                // range of the load factors checked
   std::map<int, Snapshot> snapshots_;
-  int solved_state_ = -1;  // the last one of the question, once it is computed
+  int solved_state_ = -1;  // last state, once it is computed for the whole body
   Eigen::MatrixXd solved_;
 };
 

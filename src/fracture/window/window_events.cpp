@@ -154,7 +154,7 @@ const Event* WindowEvents::next(double, const SteppingOptions&) {
 
 Outcome WindowEvents::perform() {
   const ForecastEvent& foreseen = *forecast_.events().next();
-  if (foreseen.faces) before_forgetting_();  // faces are of the present state only
+  if (foreseen.faces) before_forgetting_();  // earlier positions have another contact state
   const Event& event = foreseen.event;
   BodyState& state = body_.state();
   Outcome outcome = foreseen.outcome;

@@ -12,37 +12,39 @@
 
 namespace bempd::fracture {
 
-// Source of events that a window has computed ahead and that are performed one by one. Meanwhile the displacements and
-// forces in the body's state are out of date; only its load factor and the stages of bonds are correct until
-// bring_up_to_date().
+// Source of events that a window (region around crack tips or bonds close to breaking that is solved alone) has
+// computed ahead and that are performed one by one. Until bring_up_to_date() the displacements and forces in the body's
+// state are out of date; only its load factor and the stages of bonds are correct.
 class WindowEvents final : public EventSource {
  public:
   // `before_forgetting` is called before positions in the window (Place) returned so far become invalid.
   WindowEvents(LoadedBody& body, std::function<void()> before_forgetting);
 
-  // Switches to growth of crack lines: events are steps of lines from now on.
+  // Switches to crack lines (cracks that grow in a lattice by steps): events are steps of crack lines from now on.
   void grow_lines(const LineSteps& lines) { forecast_.grow_lines(lines); }
 
-  // Announces, before the first solution, where initial cracks are: they have broken the bonds `cut`.
+  // Announces, before the first solution, where initial cracks are: the cracks that have broken the bonds `cut`.
   void expect_cracks(const std::vector<int>& cut) { forecast_.expect_cracks(cut); }
 
   // Opens a window around the bonds that are critical at the load factor of the next event. Returns false if no window
   // would save time.
   bool open(double load_factor, const SteppingOptions& options);
   bool is_open() const { return forecast_.is_open(); }
-  bool suits(const SteppingOptions& options) const;  // the window, once open
+  bool suits(const SteppingOptions& options) const;  // whether the open window has these options
   void close();
-  void forget();            // and where the window was; the body's state is no longer brought up to date
-  void abandon() noexcept;  // the same, but for where it was
+  void forget();            // closes the window and forgets its location; the state is not brought up to date
+  void abandon() noexcept;  // closes the window; the state is not brought up to date
 
-  // Saving and restoring the window. origin() tells how the open window has got to its present state, place_of_last()
-  // where the present window or the last one is. To restore, call remember() in the state in which the window was
-  // opened, then open_again(). This also restores the body's state; it returns false if the result differs from what
-  // was saved.
+  // Origin of the open window, which tells how it has got to its present state.
   WindowOrigin origin() const;
+  // Location of the present window or of the last one.
   WindowLocation place_of_last() const { return forecast_.place(); }
+  // Largest number of events that the next window computes at once, or that the open one began with.
   int most_events() const { return is_open() ? most_events_at_first_ : forecast_.most_events(); }
+  // Restores place_of_last() and most_events() of a saved run.
   void remember(WindowLocation place, int most_events) { forecast_.remember(std::move(place), most_events); }
+  // Opens a saved window again, after remember() in the state in which the window was opened, and takes its events
+  // again. This also restores the body's state. Returns false if the result differs from the saved one.
   bool open_again(const WindowOrigin& origin);
 
   // Next event, or null if the window has ended.
@@ -55,6 +57,7 @@ class WindowEvents final : public EventSource {
   // Whether the window has ended because faces of cracks close or open after its last event.
   bool ended_at_faces() const { return forecast_.ended_at_faces(); }
 
+  // Brings displacements and forces in the body's state up to date.
   void bring_up_to_date();
   // Brings displacements up to date for a reader only: the run continues as if they were still out of date.
   void update_for_reader();
@@ -66,11 +69,11 @@ class WindowEvents final : public EventSource {
     double load_factor, largest_force;
     bool separated;
     std::vector<GrowingTip> tips;
-    std::size_t pending_faces;  // events whose faces are pending
+    std::size_t pending_faces;  // number of events whose contact places are not added yet
   };
   Place place() const;
   BodyState state_at(const Place& place) const;
-  void return_to(Place& place) noexcept;  // for the last time
+  void return_to(Place& place) noexcept;  // returns to a position for the last time
 
  private:
   EventForecast forecast_;
@@ -81,9 +84,9 @@ class WindowEvents final : public EventSource {
   bool take_again();
 
   bool is_out_of_date_ = false;
-  bool is_updated_for_reader_ = false;  // although the run itself is behind
+  bool is_updated_for_reader_ = false;  // up to date for a reader only
   std::int64_t events_performed_ = 0;
-  WindowOrigin origin_;  // but for what changes from event to event
+  WindowOrigin origin_;  // its parts that do not change from event to event
   bool faces_have_switched_ = false;
   int most_events_at_first_ = 0;
 };

@@ -15,8 +15,9 @@ struct EnergyForm {
   double unit() const { return 0.5 * proportional; }  // of the proportional load alone
 };
 
-// Sums over the whole body that a window keeps up to date as functions of its displacements: work of the loads, energy
-// due to moving supports, and reactions.
+// Functions over the whole body that a window (region around crack tips or bonds close to breaking that is solved
+// alone) keeps up to date as functions of its displacements: work of the loads, energy due to moving supports, and
+// reactions.
 class WindowFunctions {
  public:
   using Values = Eigen::Matrix<double, Eigen::Dynamic, 2>;
@@ -26,10 +27,10 @@ class WindowFunctions {
 
   std::vector<WindowSolver::Function> list() const;
 
-  // Stored energy, from the values of these functions.
+  // Stored energy, from the values of the functions of list().
   static EnergyForm energy(const Values& values);
-  // Work of the loads when displacements jump at a constant load factor, from the values of these functions before and
-  // after.
+  // Work of the loads when displacements jump at a constant load factor, from the values of the functions of list()
+  // before and after.
   static double work(const Values& before, const Values& after, double load_factor);
   std::vector<double> reactions(const Values& values, double load_factor) const;  // x and y of every support
 

@@ -9,12 +9,13 @@
 
 namespace bempd::fracture {
 
-// Whether a system can have windows: it is symmetric, no term has a rest elongation, and wide terms (squares) break
-// only with the bonds that they follow. Others are computed on the whole body.
+// Whether a system can have windows (regions around crack tips or bonds close to breaking that are solved alone): it is
+// symmetric, no forces act at zero displacements (by rest elongations or closed exact constraints), and cell squares
+// (wide terms) break only with the bonds that they follow. Events of other systems are computed on the whole body.
 bool has_window_form(const coupling::EquilibriumSystem& system);
 
-// Finds the location of a window: zones around the bonds close to breaking, and the nodes in them, which the system is
-// told to eliminate last.
+// Finds the location of a window: zones (rectangles) around the bonds close to breaking, and the nodes in the zones,
+// which the system is told to eliminate last.
 class WindowLocator {
  public:
   WindowLocator(coupling::EquilibriumSystem& system, const StretchRatios& ratios, const std::vector<Point>& positions);
@@ -22,29 +23,33 @@ class WindowLocator {
   // Expects windows at the ends of the initial cracks that have broken the bonds `cut`. Called before the first
   // factorization.
   void expect_cracks(const std::vector<int>& cut);
+  // Returns to the location that expect_cracks() has chosen, as in a fresh run.
   void return_to_expected();
 
-  // Chooses a location around the bonds close to breaking at this load factor; the present location if it suffices.
+  // Chooses a location around the bonds close to breaking at a load factor; keeps the present location if it suffices.
   // `ahead` is the length in front of a crack tip in spacings, 0 to have it chosen. False if no window would be smaller
   // than the problem.
   bool choose(double load_factor, double tie_band, double ahead);
 
-  // Next steps of a tip of a crack line, and the bonds across them; windows are chosen in front of these.
+  // Path of the tip of a crack line (crack that grows in a lattice by steps) over its next steps, and the intact bonds
+  // across the path.
   struct PathAhead {
     Point from, direction;
     double horizon;
     std::vector<int> bonds;
   };
+  // Chooses a location around the next steps of crack tips; keeps the present location if it suffices. False if no
+  // window would be smaller than the problem.
   bool choose(const std::vector<PathAhead>& paths, double ahead);
 
   WindowLocation memory() const { return {zones_, nodes_, system_.factor().keeps_last(nodes_)}; }
   void go_back_to(WindowLocation memory);
-  void keep_location() { mark_rim(); }  // where it is, with the present terms
+  void keep_location() { mark_rim(); }  // keeps the location, with the rim that the present terms give
 
   const std::vector<Zone>& zones() const { return zones_; }
-  double spacing(int node) const { return spacing_[node]; }  // of the lattice
+  double spacing(int node) const { return spacing_[node]; }  // of the lattice at a node
 
-  // Whether none of the bonds is at the rim; bonds at the rim are left to the next window.
+  // Whether none of the bonds is at the rim of the window; bonds at the rim are left to the next window.
   bool is_far_from_rim(const std::vector<int>& bonds) const;
 
  private:
@@ -63,7 +68,7 @@ class WindowLocator {
   std::vector<double> spacing_;
   std::vector<Zone> zones_;
   std::vector<int> nodes_;            // in the zones
-  std::vector<Zone> expected_zones_;  // of initial cracks
+  std::vector<Zone> expected_zones_;  // at the ends of initial cracks
   std::vector<int> expected_nodes_;
   std::vector<char> touches_outside_, on_rim_;  // per node
 };

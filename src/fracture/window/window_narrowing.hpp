@@ -10,8 +10,8 @@
 
 namespace bempd::fracture {
 
-// Narrows a window: it stops following the nodes behind the bonds that are close to breaking, where nothing breaks any
-// more.
+// Narrowing of a window (region around crack tips or bonds close to breaking that is solved alone): the window stops
+// following the nodes behind the bonds that are close to breaking, because nothing breaks there any more.
 class WindowNarrowing {
  public:
   WindowNarrowing(const coupling::EquilibriumSystem& system, const WindowLocator& locator,
@@ -22,15 +22,17 @@ class WindowNarrowing {
         behind_hot_(WindowSettings::behind_hot +
                     (system.terms().followers.empty() ? 0 : WindowSettings::reach_of_followers)) {}
 
-  void restart();  // with a new window
-  void stop();     // until then: where displacements are put right, what is left behind stays as rounding has made it
+  void restart();  // begins with a new window
+  // Stops narrowing until restart(), because displacements are being corrected: nodes that are dropped would keep their
+  // rounding errors.
+  void stop();
 
   // Narrows the window at intervals, at the load factor of an event. `dofs` are the degrees of freedom that the
-  // window's condensation keeps.
+  // condensation of the window keeps.
   void narrow(WindowSolver& window, const std::vector<int>& dofs, double load_factor);
 
-  // Reach of a line's tip: bonds up to the distance `back` behind its place are still needed, so the window is narrowed
-  // only behind that.
+  // Reach of the tip of a crack line (crack that grows in a lattice by steps): bonds up to the distance `back` behind
+  // `place` are needed [m], so that the window is narrowed only farther behind.
   struct Reach {
     Point place;
     double back;
@@ -48,7 +50,7 @@ class WindowNarrowing {
   const WindowLocator& locator_;
   const std::vector<Point>& positions_;
   double behind_hot_;     // in lattice spacings
-  std::size_t next_ = 0;  // bonds broken then
+  std::size_t next_ = 0;  // number of broken bonds at which the window is narrowed next
 };
 
 }  // namespace bempd::fracture

@@ -6,11 +6,12 @@
 
 namespace bempd::fracture {
 
-// When the next window is tried. After one without use it is tried later, each time after twice as many events.
+// Rule for when the next window (region around crack tips that is solved alone) is tried. After a window that has saved
+// nothing, the next one is tried later, each time after twice as many events.
 class WindowPatience {
  public:
-  int events() const { return events_; }      // to come in the whole body before the next window
-  int patience() const { return patience_; }  // how many they were, doubled where a window finds nothing to do
+  int events() const { return events_; }      // events to come on the whole body before the next window
+  int patience() const { return patience_; }  // number of events to wait, doubled where a window saves nothing
   void set(int events, int patience) { events_ = events, patience_ = patience; }
 
   bool waits() const { return events_ > 0; }

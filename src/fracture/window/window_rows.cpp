@@ -76,7 +76,7 @@ void WindowRows::add_form(const Pull& pull, double scale, DroppedDofs::Forms& fo
   forms.fixed.push_back(fixed);
 }
 
-// Rows of functions and prescribed displacements all stay.
+// Rows of functions and of prescribed displacements are all kept.
 std::vector<int> WindowRows::keep(const std::vector<int>& kept_rows) {
   std::vector<int> rows = kept_rows, place(static_cast<std::size_t>(values_.rows()), -1), followed;
   for (const int r : kept_rows) followed.push_back(followed_[r]);

@@ -10,17 +10,19 @@
 
 namespace bempd::fracture {
 
-// Values that a window follows, as affine functions of the load factor, each in a row: displacements, then functions of
-// them, then prescribed displacements at the ends of bonds. A pull names rows.
+// Values that a window (region around crack tips or bonds close to breaking that is solved alone) follows, as affine
+// functions of the load factor, each in a row: displacements, then functions of the displacements, then prescribed
+// displacements at the ends of bonds. A Pull (elongation as a linear form) names rows.
 class WindowRows {
  public:
-  // All kept degrees of freedom are followed at first. Values of functions are 0 until they are set.
+  // Rows of a new window, which follows all kept degrees of freedom. Values of functions are 0 until they are set.
   WindowRows(const std::vector<int>& kept_dofs, Eigen::Index functions, const std::vector<int>& prescribed_dofs,
              const coupling::Affine& displacement);
 
-  Eigen::Index size() const { return static_cast<Eigen::Index>(followed_.size()); }  // of displacements
-  const std::vector<int>& followed() const { return followed_; }                // which of the kept ones, ascending
-  int row_of(int dof) const { return row_of_[static_cast<std::size_t>(dof)]; }  // -1: it is not followed
+  Eigen::Index size() const { return static_cast<Eigen::Index>(followed_.size()); }  // number of followed displacements
+  const std::vector<int>& followed() const { return followed_; }  // places among the kept degrees of freedom, ascending
+  // -1 if the window does not follow the degree of freedom.
+  int row_of(int dof) const { return row_of_[static_cast<std::size_t>(dof)]; }
   bool is_prescribed(int row) const { return row >= size(); }
   bool is_supported(const Pull& pull) const;
   coupling::Affine& values() { return values_; }
@@ -30,23 +32,26 @@ class WindowRows {
 
   Eigen::RowVector2d elongation(const Pull& pull) const;
   double elongation(const Pull& pull, double load_factor) const;
-  // Whether all points of a contact constraint are followed, and its gap; also for other displacements of the kept
-  // degrees of freedom.
+  // Whether the window follows all points of a contact constraint.
   bool follows(const coupling::Constraint& constraint) const;
+  // Gap of a contact constraint whose points the window follows.
   double gap(const coupling::Constraint& constraint, double load_factor) const;
+  // Gap of a contact constraint for other displacements `kept` of the kept degrees of freedom. The window must follow
+  // its points.
   double gap(const coupling::Constraint& constraint, double load_factor, const coupling::Affine& kept) const;
   double largest_displacement(double load_factor) const;
-  // Adds the scaled elongation of a pull as a form of kept displacements.
+  // Adds the elongation of a pull, times `scale`, as a form of kept displacements.
   void add_form(const Pull& pull, double scale, DroppedDofs::Forms& forms) const;
 
-  // Follows only the displacements in the rows `kept_rows`. Returns the new place of every row; -1 where it has gone.
+  // Continues with the displacements in the rows `kept_rows` only. Returns the new place of every row; -1 for rows that
+  // are gone.
   std::vector<int> keep(const std::vector<int>& kept_rows);
 
  private:
   void number_rows();
 
   const std::vector<int>& kept_dofs_;
-  Eigen::Index functions_;  // count
+  Eigen::Index functions_;  // number of functions
   std::vector<int> followed_, row_of_;
   coupling::Affine values_;
 };

@@ -15,9 +15,10 @@
 
 namespace bempd::fracture {
 
-// Equilibrium of a window: terms between kept nodes, and the flexibility F (displacements per force) of the whole body
-// there. A term with the linear form b and the elongation e may lose the stiffness k, all of it or a part. F then
-// changes by a matrix of rank one (Sherman and Morrison 1950):
+// Equilibrium of a window (region around crack tips or bonds close to breaking that is solved alone): terms between
+// kept nodes, and the flexibility F (displacements per force) of the whole body there. A term with the linear form b
+// and the elongation e may lose the stiffness k, all of it or a part. F is then changed by a matrix of rank one
+// (Sherman and Morrison 1950):
 //   w = F b,  gamma = 1 - k b.w,  F <- F + (k / gamma) w w^T,  and the displacements by (k e / gamma) w.
 //
 // Functions of the displacements are rows of F too, like displacements on which no force acts. The window can stop
@@ -49,17 +50,17 @@ class WindowSolver {
   int followed() const { return static_cast<int>(size()); }
   std::size_t breaks() const { return dropped_.breaks(); }
 
-  // Displacements of the kept degrees of freedom: displacement() at once; state() only the followed ones, which
-  // complete() completes later for many states together.
+  // Displacements of the kept degrees of freedom.
   coupling::Affine displacement() const { return complete({state()}).front(); }
+  // Displacements of the followed degrees of freedom only. complete() completes many such states together.
   DroppedDofs::State state() const;
   std::vector<coupling::Affine> complete(const std::vector<DroppedDofs::State>& states) const {
     return dropped_.complete(states, has_constant_part_);
   }
   const DroppedDofs& dropped() const { return dropped_; }
 
-  // Present values of what the window follows: displacements of its degrees of freedom, values of the functions given
-  // to the constructor (row k for function k), and gaps of constraints.
+  // Present values that the window follows: displacements of its degrees of freedom, and values of the functions given
+  // to the constructor (row k for function k). They give the gaps of constraints.
   const WindowRows& rows() const { return rows_; }
 
   bool ratio_is_known(int bond) const { return terms_.ratio_is_known(static_cast<std::size_t>(bond)); }
@@ -75,26 +76,27 @@ class WindowSolver {
   // would lose its resistance, or if a term would become stiffer.
   bool change(std::span<const coupling::StageChange> changes);
 
-  // Contact constraint that closes or opens. switch_constraints() returns false and changes nothing if some motion
-  // would lose its resistance.
+  // Contact constraint that closes or opens.
   struct Switch {
     const coupling::Constraint& constraint;
     bool closes;
   };
+  // Closes or opens constraints. Returns false and changes nothing if some motion would lose its resistance.
   bool switch_constraints(std::span<const Switch> switches);
 
-  // unbalanced(): forces on the kept degrees of freedom that rounding errors in the flexibility have left out of
-  // balance, for the terms' stages in the system. balance() corrects the displacements by the response to such forces;
-  // the values of the functions stay unchanged.
+  // Forces on the kept degrees of freedom that rounding errors in the flexibility have left out of balance, for the
+  // stages of the terms in the system.
   coupling::Affine unbalanced() const;
+  // Corrects the displacements by the response to forces as unbalanced() gives them. The values of the functions stay
+  // unchanged.
   void balance(coupling::Affine force);
 
-  // Position in the list of a term of the system; -1 if it is not watched.
+  // Position of a term of the system in the list; -1 if the window does not watch it.
   int place_of(int global_term) const { return terms_.place_of(global_term); }
 
   // Stiffness of everything that is not a bond of the window, on the kept degrees of freedom that it touches.
   const Eigen::MatrixXd& outside_stiffness() const { return outside_.matrix; }
-  const std::vector<int>& outside_dofs() const { return outside_.dofs; }  // places among the kept ones
+  const std::vector<int>& outside_dofs() const { return outside_.dofs; }  // places among the kept degrees of freedom
 
  private:
   Eigen::Index size() const { return flexibility_.size(); }
@@ -111,15 +113,15 @@ class WindowSolver {
   bool lose_one(const Loss& loss, Eigen::Ref<Eigen::VectorXd> response, Eigen::Index changes_known);
   void detach_functions(const Pull& pull, double stiffness, Eigen::Ref<Eigen::VectorXd> response);
 
-  Eigen::Index kept_;       // degrees of freedom
-  Eigen::Index functions_;  // count
+  Eigen::Index kept_;       // number of kept degrees of freedom
+  Eigen::Index functions_;  // number of functions
   WindowTerms terms_;
   WindowRows rows_;
   bool has_constant_part_;
   OutsideStiffness outside_;
   Flexibility flexibility_;
   WindowBalance balance_;
-  std::vector<Eigen::VectorXd> moved_;  // of every function, at the prescribed ends of bonds; or empty
+  std::vector<Eigen::VectorXd> moved_;  // Function::moved at the prescribed ends of bonds; or empty
   DroppedDofs dropped_;
 };
 

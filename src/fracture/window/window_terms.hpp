@@ -11,11 +11,12 @@ namespace bempd::fracture {
 // Elongation of a term as a linear form of the rows of a window.
 using Pull = LinearForms::Form;
 
-// Terms of the energy that a window watches, with their stretch ratios.
+// Terms (bonds and cell squares) that a window (region around crack tips or bonds close to breaking that is solved
+// alone) watches, with their stretch ratios.
 class WindowTerms {
  public:
-  // Takes all intact terms between kept and prescribed degrees of freedom. The row of a kept one is its position in the
-  // condensation; prescribed ones have rows from `first_prescribed` on.
+  // Takes all intact terms between kept and prescribed degrees of freedom. The row of a kept degree of freedom is its
+  // position in the condensation; prescribed ones have rows from `first_prescribed` on.
   WindowTerms(const coupling::EquilibriumSystem& system, const coupling::Condensation& condensation,
               const StretchRatios& ratios, int first_prescribed);
 
@@ -35,10 +36,10 @@ class WindowTerms {
   // Whether the window watches all bonds that a term's stretch ratio depends on; if not, the ratio is an overestimate.
   bool ratio_is_known(std::size_t term) const { return across_.empty() || across_.is_known(term); }
 
-  // Position in this list of a term of the system; -1 if it is not watched.
+  // Position of a term of the system in this list; -1 if the window does not watch it.
   int place_of(int number) const;
 
-  // Changes the stage of a term, which is named by its position in the list, also in the functions below.
+  // Changes the stage of a term. Here and in the functions below, a term is named by its position in the list.
   void enter(const coupling::StageChange& change);
   int stage(std::size_t term) const { return stages_[term]; }
   double stiffness_after(const coupling::StageChange& change) const;

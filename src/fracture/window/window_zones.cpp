@@ -30,7 +30,7 @@ std::vector<std::vector<int>> crowds(const std::vector<Point>& points, double di
   return result;
 }
 
-// Extends a zone, whose centre and axis are set, over the given points and beyond them.
+// Extends a zone, whose centre and axis are set, over some points, and beyond them by the lengths of `shape`.
 void fit(Zone& zone, const std::vector<Point>& points, double back, const ZoneShape& shape, double dx) {
   Point low = Point::Zero(), high = Point::Zero();
   for (const Point& point : points) {

@@ -8,12 +8,13 @@
 
 namespace bempd::fracture {
 
-// Zone: rectangle around bonds about to break, longer in the direction in which the next ones are expected. `low` and
-// `high` are coordinates along `axis` (0) and across it (1) from `centre`, in the model's unit of length.
+// Zone of a window: rectangle around bonds about to break, longer in the direction in which the next breaks are
+// expected. `low` and `high` are coordinates along `axis` (0) and across it (1) from `centre`, in the model's unit of
+// length.
 struct Zone {
   Point centre, axis;
   Point low, high;
-  Point inner_low, inner_high;  // bonds beyond these lie too near to the rim to break inside
+  Point inner_low, inner_high;  // bonds beyond these limits are too near to the rim to break in the window
 
   Point coordinates(const Point& p) const {
     const Point r = p - centre;
@@ -30,8 +31,8 @@ struct ZoneShape {
   double half_width = WindowSettings::half_width;
 };
 
-// Zones of the bonds `hot` (close to breaking) at a load factor, one for each crowd of them. `spacing` is the lattice
-// spacing at each node.
+// Zones of the bonds `hot` (close to breaking) at a load factor, one for each crowd (group of hot bonds). `spacing` is
+// the lattice spacing at each node.
 std::vector<Zone> zones_of(const std::vector<int>& hot, const StretchRatios& ratios, double load_factor,
                            const std::vector<char>& intact, const std::vector<Point>& positions,
                            const std::vector<double>& spacing, const ZoneShape& shape);
@@ -39,7 +40,7 @@ std::vector<Zone> zones_of(const std::vector<int>& hot, const StretchRatios& rat
 // Zone in front of a crack tip.
 Zone zone_ahead(const Point& tip, const Point& direction, double spacing, const ZoneShape& shape);
 
-// Zones in front of both ends of the initial cracks that have broken the bonds `cut`.
+// Zones in front of both ends of each initial crack; the initial cracks have broken the bonds `cut`.
 std::vector<Zone> zones_at_ends(const std::vector<int>& cut, const coupling::Terms& bonds,
                                 const std::vector<Point>& positions, const std::vector<double>& spacing,
                                 const ZoneShape& shape);
