@@ -11,8 +11,8 @@ namespace bempd::fracture {
 
 namespace {
 
-// Distance outside a facet or a bond within which the two still meet, in spacings: bonds pass through points where
-// facets join.
+// Distance beyond the ends of a facet or a bond, in spacings, within which the two still count as meeting: bonds pass
+// through points where facets join.
 constexpr double rounding = 1e-6;
 
 // Whether two segments (a, b) and (c, d) meet within `near`, ends included; parallel segments never do.

@@ -9,14 +9,14 @@ namespace bempd::fracture {
 
 namespace {
 
-// Difference of a ratio from 1 below which a bond counts as just reaching its critical stretch.
+// Difference of a stretch ratio from 1 below which a bond counts as just reaching its critical stretch.
 constexpr double excess_tolerance = 1e-12;
 
-// Smallest slope of a ratio over the load factor that counts; with a smaller one the load factor at the ratio 1 would
-// exceed the range of numbers.
+// Least slope of a stretch ratio over the load factor that counts; with a smaller slope the load factor at the ratio 1
+// would exceed the range of numbers.
 constexpr double least_slope = 1e-280;
 
-// Rounding by which the tie band is widened, so that mirrored bonds, equal up to rounding, fall on the same side of its
+// Rounding by which the band of ties is widened, so that mirrored bonds, equal up to rounding, fall on one side of its
 // limit.
 constexpr double tie_rounding = 1e-9;
 
@@ -110,8 +110,8 @@ LoadInterval AffineRatios::admissible(const std::vector<char>& intact, bool upwa
       const Span span = critical_span(b, 1);
       if (!(span.begin <= span.end)) continue;
       if (std::isinf(span.begin) && std::isinf(span.end)) return {infinity, -infinity};
-      // The load factors at which a bond is critical may lie between two ranges in which it is not; the range that the
-      // load path comes from counts.
+      // A bond may be critical between two ranges of load factors in which it is not critical; the range that the load
+      // path comes from counts.
       if (std::isinf(span.begin) || (!upwards && !std::isinf(span.end))) {
         result.lowest = std::max(result.lowest, span.end);
       } else {

@@ -76,7 +76,8 @@ double tie_limit(double band);
 // the term's damage stage.
 class StretchRatios : public AffineRatios {
  public:
-  // Puts all terms in their first stage. An infinite critical stretch marks a term that cannot break.
+  // Stretch ratios of all terms in their first damage stage. An infinite critical stretch marks a term that cannot
+  // break.
   StretchRatios(const coupling::Terms& terms, std::vector<double> critical_stretch);
 
   void enter(const std::vector<std::uint8_t>& stages);  // stages of all terms; the ratios change with the next update()

@@ -11,8 +11,8 @@
 
 namespace bempd::fracture {
 
-// Bonds among which the next break is chosen: all bonds of the body, or those that a window watches. A bond is
-// identified by its place in this list.
+// Bonds among which the next break is chosen: all bonds of the body, or those that a window (region around crack tips
+// that is solved alone) watches. A bond is identified by its place in this list.
 struct BondList {
   const AffineRatios& ratios;
   const std::vector<char>& intact;
@@ -25,7 +25,8 @@ struct BondList {
 // Load factor at which the first of the bonds becomes critical on a load path; empty if none does.
 std::optional<double> next_critical(const BondList& bonds, const LoadWay& way);
 
-// Most stretched bonds at a load factor, those within a relative band of the largest ratio; at most `limit`, 0 for all.
+// Most stretched bonds at a load factor: those whose ratio is within the relative `band` below the largest one; at most
+// `limit`, 0 for all.
 std::vector<int> most_critical(const BondList& bonds, double load_factor, double band, int limit);
 
 // Event at which the bonds `chosen` enter their next damage stage. The caller adds the followers of the bonds (cell

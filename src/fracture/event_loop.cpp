@@ -11,8 +11,8 @@ namespace bempd::fracture {
 
 namespace {
 
-// Largest number of contact events at one load factor. After each of them all faces agree with their gaps; more of them
-// mean that faces open and close without end.
+// Largest number of contact events at one load factor. All faces agree with their gaps after each event, so that more
+// events mean that faces open and close without end.
 constexpr int most_events = 1000;
 
 // Duration of an event above which the next one can be interrupted at the host's request. Keeping the body for that
@@ -197,7 +197,8 @@ std::optional<StopReason> EventLoop::reason_without_event() {
 bool EventLoop::has_come_apart(const Event* next) {
   const EvolutionState& state = body_->progress();
   if (state.separated || !is_lost(state.resistance, options_.separation_share)) return false;
-  // Bonds that exceed their critical stretch after an increment break in the next one, so separation is not judged yet.
+  // Bonds that exceed their critical stretch after an increment break in the next increment, so separation is not
+  // judged yet.
   if (options_.mode == SteppingMode::increments &&
       !body_->body()
            .response()
@@ -209,7 +210,8 @@ bool EventLoop::has_come_apart(const Event* next) {
   if (next) {
     const double direction = target_ >= state.load_factor ? 1 : -1;
     double farthest = direction * state.load_factor;
-    // The load factor may have been larger before on an equilibrium path, so the farthest one of the history counts.
+    // The load factor may have been larger before on an equilibrium path, so the farthest load factor of the history
+    // counts.
     if (options_.control == Control::path) {
       for (const HistoryEntry& line : state.history) farthest = std::max(farthest, direction * line.load_factor);
     }

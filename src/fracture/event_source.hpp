@@ -9,7 +9,7 @@
 
 namespace bempd::fracture {
 
-// Rounding error of the ratio of a term that just reaches its critical value.
+// Rounding error of the stretch ratio of a term that just reaches its critical value.
 constexpr double ratio_rounding = 1e-9;
 
 // Event of a run at one load factor: terms (bonds and cell squares) that reach their critical value together, crack

@@ -49,7 +49,7 @@ class EventSources {
 
   const LineSteps* line_steps() const { return lines_ ? &lines_->steps() : nullptr; }
 
-  // Brings displacements and forces in the body's state up to date; they are not while events come from a window.
+  // Brings displacements and forces in the body's state up to date, which they are not while events come from a window.
   void bring_up_to_date() { window_.bring_up_to_date(); }
   // Brings displacements and forces up to date for a reader only: later results do not depend on this call.
   void update_for_reader() {

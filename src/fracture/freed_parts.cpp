@@ -14,11 +14,12 @@ using coupling::HeldDirection;
 using coupling::HoldingSpring;
 using coupling::RigidMotion;
 
-// Smallest over largest resistance of a point below which its terms act along one line and do not resist a motion
-// across it.
+// Ratio of the smallest to the largest resistance of a point below which its terms act along one line and do not resist
+// a motion across that line.
 constexpr double collinearity_tolerance = 1e-10;
 
-// Work of forces on a free motion, over their size, below which they are in equilibrium without support.
+// Ratio of the work of forces on a free motion to the size of the forces, below which the forces are in equilibrium
+// without support.
 constexpr double balance_tolerance = 1e-9;
 
 // Relative difference below which components of a motion are equal, so that rounding does not decide which one is held.
@@ -143,7 +144,7 @@ void FreedPartFinder::hold_piece(const std::vector<int>& nodes, const Eigen::Vec
       if (system_.unknowns().is_unknown(2 * node + component)) holdable.push_back(direction);
     }
   }
-  // All loads count, also those that acted before the springs were added, because springs must not carry any.
+  // All loads count, also those that acted before the springs were added, because springs must not carry loads.
   const RigidMotion unsupported(positions_, nodes, held);
   if (unsupported.free_count() == 0) return;
   const bool pushed = is_pushed(unsupported, positions_, nodes, system_.load().force());

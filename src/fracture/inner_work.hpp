@@ -13,7 +13,7 @@ namespace bempd::fracture {
 // not disturb the balance of energies.
 class InnerWork {
  public:
-  // The displacements are those of `state`.
+  // Inner work of a system at the displacements of `state`.
   InnerWork(const coupling::EquilibriumSystem& system, const BodyState& state) : system_(system), state_(state) {}
 
   const Eigen::Matrix2d& form() const { return form_; }

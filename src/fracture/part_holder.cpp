@@ -16,7 +16,7 @@ using coupling::EquilibriumSystem;
 // Largest number of springs that are added one after another; bodies with a hundred initial cracks have needed ten.
 constexpr int most_holds = 64;
 
-// Resistance relative to the stiffest direction below which a motion is free up to rounding.
+// Ratio of the resistance of a motion to that of the stiffest direction, below which the motion is free up to rounding.
 constexpr double free_motion_resistance = 1e-13;
 
 // Largest elongation of a term and largest bending of a dense body in a free motion, over the largest displacement of

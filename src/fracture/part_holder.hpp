@@ -22,7 +22,7 @@ struct HeldMotions {
   std::int64_t fragments = 0;  // number of parts that lost their loads
 };
 
-// Holds parts of the body that can move freely by springs, and keeps loads and fluid off them.
+// Holder of parts of the body that can move freely: holds them by springs, and keeps loads and fluid off them.
 class PartHolder {
  public:
   PartHolder(coupling::EquilibriumSystem& system, const std::vector<Point>& positions, BodyState& state,

@@ -17,7 +17,7 @@ class RunEvents {
             RunRecords& records)
       : state_(state), body_(body), sources_(sources), inner_work_(inner_work), records_(records) {}
 
-  // Begins a part of a run in this body.
+  // Begins a part of the run in this body: applies the options, and opens a saved window again.
   void begin(const SteppingOptions& options);
 
   // Next event on the way to a target; null if there is none. last_found() is the event that next() returned last since
@@ -27,8 +27,8 @@ class RunEvents {
 
   void move_to(double load_factor);
   void perform(const Event& event);
-  // Performs an event. Returns false if no equilibrium exists after it, and the state before it is restored: the event
-  // has then not happened.
+  // Performs an event. Returns false if no equilibrium exists after the event; in that case the state before the event
+  // is restored.
   bool perform_if_possible(const Event& event);
   void perform_contact() { records_.book_contact(sources_.perform()); }
 

@@ -42,7 +42,7 @@ void RunRecords::add_extensions(const std::vector<CrackExtension>& extensions) {
 }
 
 // Excess work of an event out of equilibrium: the part of the loads' work that the bonds do not absorb. It becomes
-// kinetic energy, so it counts neither as released by breaking nor as work of a quasi-static run.
+// kinetic energy, so that it counts neither as energy released by breaking nor as work of a quasi-static run.
 double RunRecords::work_that_moves(const Event& event, const Outcome& outcome) {
   if (mode_ != SteppingMode::events || !event.is_out_of_balance()) {
     state_.work_out_of_balance = 0;
@@ -130,7 +130,7 @@ void RunRecords::note_separation(const Outcome& outcome) {
     state_.separated = true;
 }
 
-// Restores the work after it was beyond the range of numbers, as the sum of the stored and the released energy.
+// Restores the work, after it was beyond the range of numbers, as the sum of the stored and the released energy.
 void RunRecords::find_lost_work(double stored_energy) {
   const auto is_lost = [](double energy) { return !(std::abs(energy) < std::numeric_limits<double>::max()); };
   if (!is_lost(state_.work) || is_lost(stored_energy) || is_lost(state_.released_energy)) return;

@@ -11,10 +11,10 @@ namespace bempd::fracture {
 // Order in which bonds break as the load factor changes.
 enum class SteppingMode {
   // Event by event: the most stretched bonds break first, at the load factor at which they reach their critical
-  // stretch, until none exceeds it.
+  // stretch, until no bond exceeds it.
   events,
   // Fixed increments with one solution each: every bond that exceeds its critical stretch at the end of an increment
-  // breaks; bonds that this overloads break in the next one (Yang and Liu 2021, fig. 6).
+  // breaks; bonds that these breaks overload break in the next increment (Yang and Liu 2021, fig. 6).
   increments
 };
 

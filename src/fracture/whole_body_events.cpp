@@ -10,7 +10,7 @@ namespace bempd::fracture {
 
 namespace {
 
-// Share of an increment's size below which an increment that has begun counts as not begun.
+// Share of an increment's size up to which an increment that has begun counts as not begun.
 constexpr double increment_rounding = 1e-9;
 
 }  // namespace

@@ -14,8 +14,8 @@ using coupling::evaluate;
 
 namespace {
 
-// Limits on rounds. Newton's method takes 1 to 6; switching one constraint at a time may meet each constraint several
-// times.
+// Limits on the number of rounds. Newton's method takes 1 to 6 rounds; switching one constraint at a time may meet each
+// constraint several times.
 constexpr std::int64_t newton_rounds = 64, rounds_per_constraint = 16;
 
 // Number of rounds without success after which gaps are evaluated slightly farther along the load path. Faces may part
@@ -26,8 +26,8 @@ constexpr std::int64_t rounds_at_rounding = 256;
 // first and the largest one. The share grows tenfold at each attempt.
 constexpr double farther_at_first = 1e-8, farthest_ahead = 1e-6;
 
-// Constraint to be switched alone, out of those whose gaps are wrong: the first one with a penalty, else the first
-// exact one.
+// Constraint to be switched alone, out of those whose gaps are wrong: the first constraint with a penalty, else the
+// first exact constraint.
 int first_of(const std::vector<int>& wrong, const coupling::Constraints& constraints) {
   const auto has_penalty = [&](int i) { return !constraints[static_cast<std::size_t>(i)].is_exact(); };
   const auto found = std::find_if(wrong.begin(), wrong.end(), has_penalty);

@@ -21,7 +21,7 @@ constexpr double normal_reach = 3.6;
 // bonds determine no direction of the crack.
 constexpr double no_axis = 0.4;
 
-// Smallest component of a bond across the crack over its length for which the bond separates the faces.
+// Least ratio of the component of a bond across the crack to its length for which the bond separates the faces.
 constexpr double least_share_across = 0.2;
 
 std::uint64_t cell_of(const Point& p, double size, int right, int up) {
@@ -113,7 +113,8 @@ std::optional<Constraint> CrackFaces::constraint_at(int term, const Point& norma
   const Point along(terms.cosine[term], terms.sine[term]);
   const double across = std::abs(normal.dot(along));
   if (across < least_share_across) return std::nullopt;
-  // A crack breaks as many bonds between neighbours in a given length as it crosses rows and columns.
+  // Each contact place stands for this length of crack, because a crack breaks as many bonds between neighbours in a
+  // given length as it crosses rows and columns.
   const double length = 1 / (across + std::abs(cross(normal, along)));
   const int lattice = *plan_.lattices.lattice_of_neighbours(terms.first[term], terms.second[term]);
   const auto place = plan_.lattices.at(lattice, middle(term), normal, length);

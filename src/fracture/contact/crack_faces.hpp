@@ -16,7 +16,7 @@
 
 namespace bempd::fracture {
 
-// Contact as the host has chosen it, and the contact places on initial cracks.
+// Contact settings of the host, and the contact places on initial cracks.
 struct ContactPlan {
   bool faces_meet = false;
   pd::FacePlaces lattices;
@@ -29,7 +29,7 @@ struct ContactPlan {
 // exact ones.
 class CrackFaces {
  public:
-  // Creates the places on initial cracks. `cut` are the bonds that initial cracks have cut.
+  // Creates the contact places on initial cracks. `cut` are the bonds that initial cracks have cut.
   CrackFaces(coupling::EquilibriumSystem& system, const std::vector<Point>& positions, ContactPlan plan,
              const std::vector<int>& cut);
 
@@ -52,7 +52,7 @@ class CrackFaces {
     state.pending.resize(events);
   }
   // Adds the contact places of terms noted as broken, and renews the normals of open places near them. A normal is kept
-  // if the faces would overlap with the new one at this displacement.
+  // if the faces would overlap with the new normal at this displacement.
   void update(const Eigen::VectorXd& displacement, FaceState& state);
   // Rule shared by updates and forecasts: adds to `places` the contact places of terms that have broken together, and
   // renews the normals of open places near them. Returns the terms that determine normals from now on; forget_terms()

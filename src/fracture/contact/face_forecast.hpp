@@ -35,10 +35,10 @@ class FaceForecast final : public FacePlaces {
   // Forgets the states after `state`. Only constraints() may be called afterwards.
   void forget_after(int state);
 
-  // Constraints of all states, each with the range of states in which it holds. Those of the system come first, in its
-  // order.
+  // Constraints of all states, each with the range of states in which it holds. The constraints of the system come
+  // first, in the order of its list.
   const std::vector<WatchedConstraint>& constraints() const { return watched_; }
-  // Indices in constraints() of the constraints that are in force in the last state and may press.
+  // Indices in constraints() of the constraints that hold in the last state and are not barred from closing.
   std::vector<std::size_t> last() const;
   FaceState last_state() const;
 

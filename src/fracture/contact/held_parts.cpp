@@ -18,6 +18,7 @@ constexpr double least_share_moved = 1e-6;
 
 using Motions = std::vector<Eigen::VectorXd>;
 
+// Adds the rigid motions of a dense body (boundary element region) that has no support.
 void add_free_motions(const std::vector<int>& body, const std::vector<Point>& positions, Motions& motions) {
   const coupling::RigidMotion free(positions, body, {});
   for (int k = 0; k < free.free_count(); ++k) {
@@ -26,7 +27,8 @@ void add_free_motions(const std::vector<int>& body, const std::vector<Point>& po
   }
 }
 
-// Completes a motion on the nodes of a rigid body that the sparse system has eliminated, from its other nodes.
+// Completes a motion of a dense body (boundary element region), which moves as a rigid body: finds the displacements of
+// the nodes that the sparse system has eliminated from those of the other nodes.
 void complete(const coupling::EquilibriumSystem& system, const std::vector<int>& body,
               const std::vector<Point>& positions, Eigen::VectorXd& motion) {
   std::vector<int> hidden, visible;

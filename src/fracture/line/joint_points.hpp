@@ -12,7 +12,7 @@ class JointPoints {
  public:
   JointPoints(const std::vector<Point>& positions, const NearPoints& near, const pd::TipLaws& laws);
 
-  // Whether a point is so close to a border with boundary elements that its bonds do not give the stress there.
+  // Whether a point is so close to a border with boundary elements that the bonds of the point do not give its stress.
   bool are_beside(int node) const { return beside_[static_cast<std::size_t>(node)] != 0; }
 
  private:

@@ -28,7 +28,7 @@ bool LineGuard::is_guarded(int term, const GrowingTip& tip) const {
 }
 
 void LineGuard::exempt(const GrowingTip& tip, std::vector<char>& intact, std::optional<double> overloaded_at) const {
-  // Only overloaded bonds closest to an unloading tip are exempt; the overload of others has another cause.
+  // Only overloaded bonds closest to an unloading tip are exempt; the overload of farther bonds has another cause.
   const auto bears = [&](int term) {
     return overloaded_at && (!(body_.response().ratios().at(static_cast<std::size_t>(term), *overloaded_at) > 1) ||
                              (middle_of(body_.system().terms(), term, body_.positions()) - tip.place).norm() >

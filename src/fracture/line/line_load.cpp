@@ -12,7 +12,8 @@ namespace {
 
 constexpr int rounds_for_kink = 8;
 
-// Largest ratio of an intensity and a load factor that can still be multiplied and squared.
+// Largest ratio that counts as a load factor: intensities times this ratio can still be squared within the range of
+// numbers.
 constexpr double largest_ratio_of_loads = 1e150;
 
 // Kink of a tip with the stress intensity factors `of`: in the direction of maximum hoop stress, or by the law if its
@@ -27,8 +28,8 @@ bool are_proportional(const AffineIntensity& intensity, const AffineIntensity& t
   return turn_factors.one[0] == 0 && turn_factors.two[0] == 0 && intensity.one[0] == 0 && intensity.two[0] == 0;
 }
 
-// Load factor above the one at which a tip reaches its toughness, as the start of an iteration; 0 if larger loads do
-// not increase the tip's intensity.
+// Load factor above that at which a tip reaches its toughness, as the start of an iteration; 0 if larger loads do not
+// increase the intensity of the tip.
 double beyond_toughness(const AffineIntensity& intensity, const crack::GrowthLaw& law) {
   const Point slopes(intensity.one[1], intensity.two[1]);
   const double slope = (law.directions ? law.kink(slopes) : kink_of(slopes)).equivalent_factor;

@@ -33,7 +33,7 @@ struct LineLoad {
 std::optional<LineLoad> load_of_growth(const AffineIntensity& intensity, const AffineIntensity& turn_factors,
                                        LineCriterion& criterion);
 
-// Ratio of two numbers; empty if the divisor is zero, or so small that the ratio is no load factor.
+// Ratio of two numbers; empty if the divisor is zero, or so small that the ratio cannot be a load factor.
 std::optional<double> load_ratio(double dividend, double divisor);
 
 }  // namespace bempd::fracture

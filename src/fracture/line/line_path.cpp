@@ -14,8 +14,9 @@ namespace {
 // Length in spacings without bonds ahead after which a tip has arrived at an edge or a crack.
 constexpr int most_empty_steps = 2;
 
-// Length of a ligament to a free edge, in horizons (plus one spacing), up to which it breaks in one step. No stress
-// point ahead gives the load on a shorter ligament, which would carry twice the correct load (docs/directions.md).
+// Largest length of a ligament (sound material) from a tip to a free edge, in horizons (plus one spacing), that breaks
+// in one step. No stress point ahead gives the load on a shorter ligament, which would carry twice the correct load
+// (docs/directions.md).
 constexpr double shortest_ligament = 1;
 // Distance from a place on an edge, in spacings, within which boundary elements and supports make the edge count as not
 // free.
@@ -68,7 +69,7 @@ std::optional<double> LinePath::face_ahead(const Point& tip, const Point& direct
   return std::nullopt;
 }
 
-// Whether the edge at a place is free: no boundary element and no support is within `reach`.
+// Whether the edge at a place is free: no boundary element and no support lies within `reach`.
 bool LinePath::is_free(const Point& edge, double reach) const {
   for (const int node : stress_.near().about(edge, reach)) {
     if ((positions_[static_cast<std::size_t>(node)] - edge).norm() > reach) continue;

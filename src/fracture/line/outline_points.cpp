@@ -21,7 +21,8 @@ constexpr double outline_pull = 0.1;
 // components of the stress.
 constexpr double least_resistance = 1e-3;
 
-// Relative difference of a point's stiffness from that of a point deep inside up to which the two count as equal.
+// Relative difference between the stiffness of a point and that of a point deep inside, up to which the two count as
+// equal.
 constexpr double alike_inside = 1e-6;
 
 double median_of(std::vector<double> values) {
@@ -111,7 +112,8 @@ void OutlinePoints::find_stresses(const coupling::Terms& terms, const std::vecto
     if (share_[n] == 0 && (sums[n] - as_inside).norm() < alike_inside * as_inside.norm()) continue;
     const Eigen::Vector3d resistance = Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(sums[n]).eigenvalues();
     if (!(resistance[0] > least_resistance * resistance[2])) continue;
-    // Scaled by a power of two, which changes no digit: the determinant of small moments is below the range of numbers.
+    // The matrix is scaled by a power of two, which changes no digit, because the determinant of small moments is below
+    // the range of numbers.
     const double scale = std::ldexp(1.0, -std::ilogb(resistance[2]));
     stress_of_moments_[static_cast<int>(n)] = whole * (scale * sums[n]).inverse() * scale;
   }

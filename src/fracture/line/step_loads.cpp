@@ -173,16 +173,16 @@ void StepLoads::judge_fit(const std::vector<GrowingTip>& tips, const WilliamsFit
   const Eigen::Vector2d at(1, step.load_factor);
   const AffineIntensity factors = fields_.stress().corrected_factors(fit.factors(law.horizon));
   const bool is_sheared = std::abs(factors.two.dot(at)) > largest_shear * std::abs(factors.one.dot(at));
-  // The distances are reduced by rounding, so that an equal distance counts as clear in whatever direction the scene is
+  // Distances are reduced by rounding, so that an equal distance counts as clear in whatever direction the scene is
   // turned.
   const double horizon = (1 - rounding_of_places) * law.horizon, clear = clear_horizons * horizon;
   const bool beside_tip = std::ranges::any_of(tips, [&](const GrowingTip& other) {
     const double reach = other.id.crack == tip.id.crack ? shortest_crack * horizon : clear;
     return &other != &tip && (other.place - tip.place).norm() < reach;
   });
-  // An initial crack with all bonds across it cut acts longer than it is, unless the cut ends so that the effective
-  // tip lies where it was described (even_ahead). Beside an edge this affects the energy more than the fit, most of
-  // all under shear.
+  // An initial crack with all bonds across it cut acts as if it were longer, unless the cut ends so that the effective
+  // tip lies where it was described (even_ahead). Beside an edge the extra length affects the energy more than the fit,
+  // most of all under shear.
   const bool acts_longer = tip.energy_ratios.empty() && !tip.even_ahead;
   const bool is_crowded = (!acts_longer || is_sheared) && fields_.stress().is_crowded(tip, law, clear);
   const bool is_told = is_sheared ? acts_longer && is_crowded && step.residual < residual_with_shape
@@ -256,14 +256,14 @@ void StepLoads::replace(const GrowingTip& tip, const coupling::Affine& displacem
   growth->shape(shape_of(fit, fields_.stress(), law.horizon, step));
   const std::optional<LineLoad> load = growth->load(step.load_factor, way.sense(), displacement.col(0).isZero(0));
   if (!load) return;
-  // The fit gives the load of a tip whose faces are shut, which grows by shear alone: the rate behind its kink falls
-  // too fast to be extrapolated. Behind a turn a tip only seems shut, because the fit reads the field of the tip before
-  // the turn; there the energy gives the load, which is the smaller one.
+  // The fit gives the load of a tip whose faces are shut, which grows by shear alone: the energy release rate behind
+  // its kink falls too fast to be extrapolated. Behind a turn a tip only seems shut, because the fit shows the field of
+  // the tip before the turn; the energy gives the load there, which is the smaller load.
   if (step.is_shut && tip.grown == 0 && step.residual < residual_without_direction &&
       way.ahead(load->load_factor) > way.ahead(step.load_factor))
     return;
   step.load_by_trial = true, step.load_by_sums = false, step.taken_energy = growth->first_energy();
-  // A tip that is overloaded at the start of the path is due there, even if a smaller load would suffice further on.
+  // A tip that is overloaded at the start of the path grows there, even if a smaller load would suffice further on.
   const bool is_due = way.control == Control::load && way.ahead(load->load_factor) > way.ahead(way.present) &&
                       growth->opens(way.present) && growth->ratio(way.present) >= 1 + ratio_rounding;
   step.after_step = growth->ratio_after(load->load_factor) / growth->ratio(load->load_factor);

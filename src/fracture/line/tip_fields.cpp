@@ -56,7 +56,7 @@ bool TipFields::faces_press_at(const GrowingTip& tip) const {
 }
 
 // Whether a tip is shut: its fit has no opening (K_I <= 0) and its faces press on each other. A kink beside pressed
-// faces may be open; its fit then has K_I > 0.
+// faces may be open; K_I of its fit is positive in that case.
 bool TipFields::is_shut(const GrowingTip& tip, const WilliamsFit& fit) const {
   const AffineIntensity found = fit.factors(law_of(tip).horizon);
   return found.one.dot(Eigen::Vector2d(1, body_.state().load_factor)) <= 0 && faces_press_at(tip);

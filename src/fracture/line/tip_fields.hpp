@@ -57,7 +57,7 @@ class TipFields {
   // Whether the crack of a tip has begun during the run.
   bool has_begun(const GrowingTip& tip) const;
 
-  // Nodes whose displacements are needed for these tips, each once.
+  // Nodes whose displacements are needed for the fields of some tips, each once.
   std::vector<int> nodes_asked(const std::vector<GrowingTip>& tips) const;
 
  private:

@@ -122,7 +122,7 @@ Eigen::RowVector2d TipStress::tension(std::size_t term, const coupling::Affine& 
   return parts;
 }
 
-// Stress at a point in axes along a direction and to the left of it.
+// Stress at a point (xx, yy, xy), with x along a direction and y to the left of it.
 TipStress::Stress TipStress::stress(int node, const Point& direction, const pd::TipLaw& law,
                                     const coupling::Affine& displacement) const {
   const Eigen::Matrix3d* stress_of_moments = outline_.has(node) ? outline_.stress_of_moments(node) : nullptr;
@@ -172,7 +172,7 @@ GrowingTip TipStress::as_fitted(GrowingTip tip) const {
   return tip;
 }
 
-// Points for the fit are chosen around the place at which the tip acts (GrowingTip::even_ahead).
+// Points for the fit are chosen around the effective tip (GrowingTip::even_ahead).
 TipStress::Fit TipStress::fit_of(const GrowingTip& growing, const pd::TipLaw& law) const {
   const GrowingTip tip = as_fitted(growing);
   const TipSight sight = sight_of(tip, law);
@@ -194,8 +194,9 @@ TipStress::Fit TipStress::fit_of(const GrowingTip& growing, const pd::TipLaw& la
   return fit;
 }
 
-// An edge behind the tip, as at the mouth of its crack, disturbs the energy of a step more than the fit. A border with
-// boundary elements of the same material is no edge: the field of the tip goes on behind it.
+// Edges behind the tip do not count: an edge behind it, as at the mouth of its crack, disturbs the energy of a step
+// more than the fit. A border with boundary elements of the same material is no edge, because the field of the tip goes
+// on behind it.
 bool TipStress::is_crowded(const GrowingTip& tip, const pd::TipLaw& law, double reach) const {
   return is_beside_face(tip, law, reach) || std::ranges::any_of(near_.about(tip.place, reach), [&](int node) {
            const Point step = positions_[static_cast<std::size_t>(node)] - tip.place;
@@ -204,7 +205,7 @@ bool TipStress::is_crowded(const GrowingTip& tip, const pd::TipLaw& law, double 
          });
 }
 
-// Only the modulus tells materials apart here: another fracture energy leaves the field around a tip as it is.
+// Only the modulus distinguishes materials here: another fracture energy does not change the field around a tip.
 bool TipStress::meets_other_material(const GrowingTip& tip, const pd::TipLaw& law, double reach) const {
   return std::ranges::any_of(near_.about(tip.place, reach), [&](int node) {
     const auto n = static_cast<std::size_t>(node);

@@ -43,8 +43,8 @@ class TipStress {
   AffineIntensity closely_ahead_of(const GrowingTip& tip, const pd::TipLaw& law, const coupling::Affine& displacement,
                                    const Eigen::RowVector2d& pressure) const;
 
-  // Nodes on whose displacements fitted() depends, or also closely_ahead_of() if `closely_ahead`; some of them more
-  // than once.
+  // Nodes on whose displacements fitted() depends, and also those of closely_ahead_of() if `closely_ahead`; some nodes
+  // are added more than once.
   void add_nodes_asked(const GrowingTip& tip, const pd::TipLaw& law, bool closely_ahead, std::vector<int>& nodes) const;
 
   // Unit vector perpendicular to the largest principal stress at a bond, where the stress is the mean of that of the
@@ -90,7 +90,7 @@ class TipStress {
   std::vector<StressPoint> stress_points(const GrowingTip& tip, const pd::TipLaw& law, const Reach& reach,
                                          double least_cosine, const TipSight& sight) const;
 
-  // Calls visit(term) for the intact terms at a node, on which its stress depends.
+  // Calls visit(term) for the intact terms at a node, on which the stress of the node depends.
   template <class Visit>
   void for_each_term(int node, const Visit& visit) const {
     for (const linalg::Adjacency* list : {&bonds_at_, &wide_at_})

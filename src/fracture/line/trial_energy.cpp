@@ -13,8 +13,8 @@ namespace {
 // Pivot of 1 - k^1/2 F k^1/2 below which rounding decides whether the body resists all motions.
 constexpr double smallest_trial_pivot = 1e-7;
 
-// Largest number of flexibilities kept for reuse: about as many paths and directions are tried between two changes of
-// the matrix.
+// Largest number of flexibilities kept for reuse: about as many trial paths and directions are tried between two
+// changes of the matrix.
 constexpr std::size_t most_answers_kept = 32;
 
 }  // namespace

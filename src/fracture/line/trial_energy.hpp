@@ -32,8 +32,8 @@ class TrialBody {
   TrialBody& operator=(const TrialBody&) = delete;
   virtual ~TrialBody() = default;
 
-  // Flexibility F = B^T K^-1 B along some intact terms (coupling/term_flexibility.hpp); empty if a part of the body
-  // could move freely.
+  // Flexibility F = B^T K^-1 B along some intact terms (coupling/term_flexibility.hpp): their elongations due to unit
+  // forces in them. Empty if a part of the body could move freely.
   virtual std::optional<Eigen::MatrixXd> flexibility(std::span<const int> terms) = 0;
   virtual std::optional<TipFactors> factors_around(const GrowingTip& tip, const coupling::Affine& displacement) = 0;
 };
@@ -73,7 +73,7 @@ class WholeBodyTrials final : public TrialBody {
 // of the first n squares. The formula holds for dead loads and for supports alike.
 class TrialEnergy {
  public:
-  // `elongation` holds the elastic elongations, constant and proportional part.
+  // Energy for terms with the given stiffnesses, flexibility and elastic elongations (constant and proportional part).
   TrialEnergy(const Eigen::VectorXd& stiffness, const Eigen::MatrixXd& flexibility, const coupling::Affine& elongation);
 
   // Number of first terms that can be removed before some motion meets no resistance.

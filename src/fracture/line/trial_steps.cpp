@@ -79,8 +79,8 @@ std::vector<CutStiffness::Bond> CutStiffness::family_of(const coupling::Terms& t
     auto& [vector, stiffness] = bond;
     const auto middle = stiffness.begin() + static_cast<std::ptrdiff_t>(stiffness.size() / 2);
     std::nth_element(stiffness.begin(), middle, stiffness.end());
-    // Equal bond vectors to which rounding has given different keys share their weight: each counts by the share of
-    // points at which it was found.
+    // Rounding may give equal bond vectors different keys. Each key gets the share of the stiffness that is the share
+    // of points at which it was found.
     family.push_back({vector, *middle * static_cast<double>(stiffness.size()) / static_cast<double>(points.size())});
   }
   return family;
@@ -163,8 +163,9 @@ bool TrialGrowth::opens(double load_factor) const {
   return opening_.head(terms).dot(energy_.elongations_without(terms, load_factor)) > 0;
 }
 
-// The root is found by the secant method; without constant loads the ratio is proportional to the load factor. The
-// points of the last secant nearly coincide, so rounding dominates its slope: that at the root is computed anew.
+// Load factor at which ratio() is one, by the secant method; without constant loads the ratio is proportional to the
+// load factor. The points of the last secant nearly coincide, so that rounding dominates its slope; the slope at the
+// root is computed anew.
 std::optional<LineLoad> TrialGrowth::load(double nearby, double sense, bool proportional) const {
   LineLoad found;
   if (nearby == 0 || !(mean_ratio(nearby) > least_ratio) || !opens(nearby)) return std::nullopt;
@@ -195,7 +196,8 @@ std::optional<LineLoad> TrialGrowth::load(double nearby, double sense, bool prop
 TrialSteps::TrialSteps(const coupling::EquilibriumSystem& system, const pd::TipLaws& laws, const LinePath& path)
     : system_(system), path_(path), cut_(system.terms(), laws) {}
 
-// The first step of an initial crack cuts bonds that the crack has weakened.
+// Crack length and energy for which a bond counts. The first step of an initial crack cuts bonds that the crack has
+// weakened.
 CutStiffness::Counted TrialSteps::counted(const GrowingTip& tip, int bond, const Point& normal) const {
   const auto b = static_cast<std::size_t>(bond);
   const double present = system_.stages().stiffness()[b];

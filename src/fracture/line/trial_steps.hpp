@@ -12,8 +12,8 @@
 namespace bempd::fracture {
 
 // Stiffness that a crack cuts, as a measure of its length. A straight crack in an infinite lattice cuts a certain
-// stiffness for each length, so the stiffness that a step cuts gives its effective length. The number of bonds cut
-// varies a lot from one spacing to the next.
+// stiffness for each length, so that the stiffness that a step cuts gives the effective length of the step. The number
+// of bonds cut varies a lot from one spacing to the next.
 class CutStiffness {
  public:
   CutStiffness(const coupling::Terms& terms, const pd::TipLaws& laws);

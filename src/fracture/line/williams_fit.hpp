@@ -24,7 +24,7 @@ class WilliamsFit {
   // Adds the stress of a point at a distance (in horizons) from the tip and an angle from the tip's direction.
   void add(double distance, double angle, const Stress& stress);
 
-  // Stress intensity factors from the first `terms` terms of the series, at most those that were fitted.
+  // Stress intensity factors from the first `terms` terms of the series, or from all fitted terms if these are fewer.
   AffineIntensity factors(double horizon, int terms = most_terms) const;
 
   // T-stress: the stress along the tip's direction that is independent of the distance, constant and proportional part.
@@ -55,7 +55,7 @@ class WilliamsFit {
 class KinkShape {
  public:
   KinkShape() = default;
-  // `factors` and `t_stress` are those of the tip before it turns by `angle`.
+  // Shape of a kink by which a tip turns by `angle`. `factors` and `t_stress` are those of the tip before the turn.
   KinkShape(const AffineIntensity& factors, const Eigen::RowVector2d& t_stress, double angle)
       : factors_(factors), t_stress_(t_stress), angle_(angle) {}
 

@@ -16,7 +16,7 @@ struct OutsideCheck {
   double load_factor;
   double limit;
 
-  // Limit less a margin for rounding, because the window and the whole body solve different forms of the equations.
+  // Limit less a margin for rounding, because window and whole body solve different forms of the equations.
   double limit_less_rounding() const { return limit * (1 - WindowSettings::comparison_margin); }
 };
 
@@ -54,7 +54,7 @@ class DroppedDofs {
   std::size_t narrowings() const { return levels_.size(); }
   std::size_t breaks() const { return lost_.size(); }
 
-  // Displacements of the given states, completed by the dropped degrees of freedom.
+  // Displacements of the given states, completed by those of the dropped degrees of freedom.
   std::vector<coupling::Affine> complete(const std::vector<State>& states, bool has_constant_part) const;
 
   // Replaces forces on dropped degrees of freedom by their effect on the followed ones. `answer` gains the

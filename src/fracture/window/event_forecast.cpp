@@ -187,8 +187,8 @@ bool EventForecast::forecast_next(double from, const BodyState& start) {
   return true;
 }
 
-// Checks the balance of forces in windows with squares of cells, and corrects it. Squares may be many times as stiff as
-// bonds and then have larger rounding errors. Returns false if the errors are too large.
+// Checks the balance of forces in windows with cell squares, and corrects it. Cell squares may be many times as stiff
+// as bonds and have larger rounding errors in that case. Returns false if the errors are too large.
 bool EventForecast::is_balanced() {
   const auto count = events_.count();
   if (system_.terms().followers.empty() || count == balanced_events_) return true;

@@ -52,7 +52,7 @@ class EventForecast {
   int most_events() const { return most_events_; }
   void remember(WindowLocation place, int most_events);
 
-  // Events computed, and how many of them have been taken.
+  // Events that the window has computed, and how many of them the run has taken.
   ComputedEvents& events() { return events_; }
   const ComputedEvents& events() const { return events_; }
 

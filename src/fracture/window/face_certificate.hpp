@@ -29,9 +29,9 @@ class FaceCertificate {
                            const coupling::EquilibriumSystem& system, const OutsideGaps& outside) const;
 
  private:
-  // Whether a constraint keeps its initial status in a state, from the load factor of the event that led to it to that
-  // of the next event. `gap` and `rate` give its gap as an affine function, `largest` the largest displacements of both
-  // parts.
+  // Whether a constraint keeps its status in a state, from the load factor of the event that led to the state up to
+  // that of the next event. `gap` and `rate` give the gap as an affine function, `largest` has the largest
+  // displacements of the constant and the proportional part.
   bool holds(const WatchedConstraint& one, int state, double gap, double rate,
              const std::array<double, 2>& largest) const;
 

@@ -15,8 +15,8 @@ namespace bempd::fracture {
 // An event that frees a part of the body or removes the last resistance to a motion cannot be performed.
 class WindowBody final : public EventBody {
  public:
-  // `state` is the number of the state after the next event; `face_forecast` knows the constraints in these states.
-  // `displacement` is any displacement of the body, at which freed parts would be held.
+  // Window in the state `state` (number of events), to which the next event leads; `face_forecast` knows the
+  // constraints in all states. `displacement` is any displacement of the body, at which freed parts would be held.
   WindowBody(LoadedBody& body, WindowSolver& window, const WindowFunctions& functions, FaceForecast& face_forecast,
              int state, const Eigen::VectorXd& displacement)
       : body_(body),

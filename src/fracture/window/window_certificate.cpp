@@ -258,7 +258,7 @@ int WindowCertificate::first_violation(const std::vector<Affine>& states, const 
   int end = static_cast<int>(states.size());
   for (int round = 0; !wanted.empty(); ++round) {
     compute_snapshots(wanted);
-    // Results after the first violation are not needed.
+    // States after the first violation need no results.
     for (auto s = snapshots_.begin(); s != snapshots_.end() && s->first < end; ++s) {
       if (is_exceeded(s->first)) end = s->first;
     }

@@ -10,7 +10,8 @@ namespace bempd::fracture {
 
 namespace {
 
-// Adds the time of its scope to a sum of seconds, without the time that the system's own counters contain.
+// Stopwatch that adds the time of its scope to a sum of seconds, without the time that the system's own counters
+// contain.
 class WindowWatch {
  public:
   WindowWatch(double& seconds, const coupling::SolverCounters& counters)
@@ -57,8 +58,8 @@ bool WindowEvents::open(double load_factor, const SteppingOptions& options) {
     most_events_at_first_ = most_events;
     return true;
   } catch (const Error& error) {
-    // A fresh factorization may fail when the body is close to a mechanism; the next break is then found in the whole
-    // body.
+    // A fresh factorization may fail when the body is close to a mechanism; the whole body finds the next break in that
+    // case.
     if (error.failure() != Failure::unsolvable) throw;
     return false;
   }
@@ -140,8 +141,8 @@ const Event* WindowEvents::next(double, const SteppingOptions&) {
   const WindowWatch watch(body_.response().seconds_search(), body_.system().counters());
   if (forecast_.must_compute()) {
     before_forgetting_();
-    // Displacements brought up to date only for a reader have other rounding errors than those that the events computed
-    // next give for this state.
+    // Displacements that were brought up to date for a reader only have other rounding errors than those that the next
+    // computed events give for this state.
     is_out_of_date_ = is_out_of_date_ || is_updated_for_reader_;
     is_updated_for_reader_ = false;
     const BodyState& state = body_.state();

@@ -17,7 +17,8 @@ namespace bempd::fracture {
 // state are out of date; only its load factor and the stages of bonds are correct.
 class WindowEvents final : public EventSource {
  public:
-  // `before_forgetting` is called before positions in the window (Place) returned so far become invalid.
+  // Window of a body. `before_forgetting` is called before the positions in the window (Place) that it has returned
+  // become invalid.
   WindowEvents(LoadedBody& body, std::function<void()> before_forgetting);
 
   // Switches to crack lines (cracks that grow in a lattice by steps): events are steps of crack lines from now on.
@@ -47,12 +48,13 @@ class WindowEvents final : public EventSource {
   // again. This also restores the body's state. Returns false if the result differs from the saved one.
   bool open_again(const WindowOrigin& origin);
 
-  // Next event, or null if the window has ended.
+  // Next event that the window has computed; null if the window has ended.
   const Event* next(double target, const SteppingOptions& options) override;
   Outcome perform() override;
 
   std::int64_t events_performed() const { return events_performed_; }  // since the window was opened
-  // Whether the window has ended before an event that only the whole body can perform.
+  // Whether the window has ended before an event that only the whole body can perform, or because faces of cracks open
+  // or close after its last event.
   bool needs_whole_body() const { return forecast_.needs_whole_body(); }
   // Whether the window has ended because faces of cracks close or open after its last event.
   bool ended_at_faces() const { return forecast_.ended_at_faces(); }
@@ -62,7 +64,7 @@ class WindowEvents final : public EventSource {
   // Brings displacements up to date for a reader only: the run continues as if they were still out of date.
   void update_for_reader();
 
-  // Position of the body among the events of the window, to which it can return.
+  // Position of the body among the events of the window, to which the body can return.
   struct Place {
     int position;
     std::int64_t events_performed;

@@ -9,7 +9,7 @@ namespace {
 constexpr Eigen::Index loads = 0, supports = 2, first_reaction = 4;
 
 // Function of the window's displacements: the work of the body's forces on the support displacements `moved`. Tied
-// nodes follow their masters.
+// nodes move as the nodes to which they are tied.
 WindowSolver::Function force_of_supports(const coupling::EquilibriumSystem& system, Eigen::VectorXd moved) {
   system.ties().expand(moved);
   Eigen::VectorXd weights = system.response().internal_force(moved);

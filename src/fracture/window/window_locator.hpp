@@ -20,7 +20,7 @@ class WindowLocator {
  public:
   WindowLocator(coupling::EquilibriumSystem& system, const StretchRatios& ratios, const std::vector<Point>& positions);
 
-  // Expects windows at the ends of the initial cracks that have broken the bonds `cut`. Called before the first
+  // Chooses windows at the ends of the initial cracks that have broken the bonds `cut`. Called before the first
   // factorization.
   void expect_cracks(const std::vector<int>& cut);
   // Returns to the location that expect_cracks() has chosen, as in a fresh run.

@@ -25,8 +25,8 @@ namespace bempd::fracture {
 // following displacements where nothing breaks any more; they are completed afterwards.
 class WindowSolver {
  public:
-  // Function of all displacements: u -> x^T K u, where x is nonzero on prescribed degrees of freedom only (energies and
-  // reactions), or u -> f^T u for loads f.
+  // Function of all displacements u: x^T K u, where x is nonzero on prescribed degrees of freedom only (energies and
+  // reactions), or f^T u for loads f.
   struct Function {
     Eigen::VectorXd weights;  // of degrees of freedom
     Eigen::VectorXd moved;    // x, or empty
@@ -45,7 +45,8 @@ class WindowSolver {
   const std::vector<char>& intact() const { return terms_.intact(); }
   const AffineRatios& ratios() const { return terms_.ratios(); }
 
-  // Stops following the displacements of the marked kept degrees of freedom, and watching bonds that end on them.
+  // Stops following the displacements of the kept degrees of freedom with the flag `leaves`, and stops watching bonds
+  // that end on them.
   void narrow(const std::vector<char>& leaves);
   int followed() const { return static_cast<int>(size()); }
   std::size_t breaks() const { return dropped_.breaks(); }
@@ -72,8 +73,8 @@ class WindowSolver {
     return terms_.stiffness(static_cast<std::size_t>(change.term)) - terms_.stiffness_after(change);
   }
 
-  // Changes the stages of terms, named by their positions in the list. Returns false and changes nothing if some motion
-  // would lose its resistance, or if a term would become stiffer.
+  // Changes the damage stages of terms, named by their positions in the list of bonds(). Returns false and changes
+  // nothing if some motion would lose its resistance, or if a term would become stiffer.
   bool change(std::span<const coupling::StageChange> changes);
 
   // Contact constraint that closes or opens.

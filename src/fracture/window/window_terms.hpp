@@ -33,7 +33,8 @@ class WindowTerms {
   double stiffness(std::size_t term) const { return stiffness_[term]; }
   double ratio_per_elongation(std::size_t term) const { return scales_.per_elongation[term]; }
 
-  // Whether the window watches all bonds that a term's stretch ratio depends on; if not, the ratio is an overestimate.
+  // Whether the window watches all bonds on which the stretch ratio of a term depends; if not, the ratio is an
+  // overestimate.
   bool ratio_is_known(std::size_t term) const { return across_.empty() || across_.is_known(term); }
 
   // Position of a term of the system in this list; -1 if the window does not watch it.

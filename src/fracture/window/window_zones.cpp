@@ -41,7 +41,7 @@ void fit(Zone& zone, const std::vector<Point>& points, double back, const ZoneSh
   zone.low = {low.x() - back * dx, std::min(-shape.half_width * dx, low.y() - WindowSettings::beside_hot * dx)};
   zone.high = {high.x() + shape.ahead * dx,
                std::max(shape.half_width * dx, high.y() + WindowSettings::beside_hot * dx)};
-  // A node on the rim counts as inside, so the zone is enlarged by rounding.
+  // Nodes on the rim count as inside, so the zone is enlarged by rounding.
   zone.low.array() -= rounding_of_rims * dx, zone.high.array() += rounding_of_rims * dx;
   // No break is expected behind the tip, so no rim is needed there.
   zone.inner_low = zone.low + Point(back == shape.back ? 0 : WindowSettings::front_rim * dx, 0);

@@ -24,7 +24,7 @@ struct Zone {
   bool is_inner(const Point& p) const;
 };
 
-// Size of a zone in lattice spacings: ahead of its bonds, behind them, and to each side.
+// Size of a zone in lattice spacings: length ahead of its bonds, length behind them, and half of its width.
 struct ZoneShape {
   double ahead;
   double back = WindowSettings::back;
@@ -37,7 +37,7 @@ std::vector<Zone> zones_of(const std::vector<int>& hot, const StretchRatios& rat
                            const std::vector<char>& intact, const std::vector<Point>& positions,
                            const std::vector<double>& spacing, const ZoneShape& shape);
 
-// Zone in front of a crack tip.
+// Zone of a window in front of a crack tip.
 Zone zone_ahead(const Point& tip, const Point& direction, double spacing, const ZoneShape& shape);
 
 // Zones in front of both ends of each initial crack; the initial cracks have broken the bonds `cut`.
