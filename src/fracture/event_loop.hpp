@@ -37,8 +37,8 @@ class EventLoop {
             const OnEnd& on_end)
       : body_(&body), target_(target), goal_(goal), options_(options), on_event_(on_event), on_end_(on_end) {}
 
-  // Runs to the target or goal. If the run fails, the body with which it began is as it was before; so it is if the
-  // host asks for the end before the first equilibrium is found (EventGivenUp is thrown).
+  // Runs to the target or goal. If the run fails, or if the host asks for the end before the first equilibrium is found
+  // (EventGivenUp is thrown), the body with which the run began is as it was before.
   StopReason run();
 
  private:

@@ -64,7 +64,7 @@ struct BodyState {
 struct Resistance {
   double present = 0;  // after the last event [N]
   double peak = 0;     // the largest that was borne in equilibrium just before an event [N]
-  // Share of the stiffness that is left: product of each event's resistance after it over that before.
+  // Share of the stiffness that is left: product over all events of the resistance after an event over that before.
   double stiffness = 1;
 };
 

@@ -30,18 +30,18 @@ class ReturnPoint {
   // been performed.
   void replace_place(const BodyState& state);
 
-  // Returns to the marked state and drops the mark. If the result's `is_in_window` is set, the open window stays valid.
-  // Otherwise only the body's state is restored, all other data may be half changed, and `continuation` has the run's
-  // data at the beginning of the call.
+  // Result of go_back(). If `is_in_window` is set, the open window stays valid. Otherwise only the body's state is
+  // restored, all other data may be half changed, and `continuation` has the run's data at the beginning of the call.
   struct Back {
     bool is_in_window;
     std::optional<Continuation> continuation;
   };
+  // Returns to the marked state and drops the mark.
   Back go_back() noexcept;
 
  private:
-  // Marked state of the body. While a window is open, `place` (a position among its events) stands for the state, which
-  // is large.
+  // Marked state of the body. While a window is open, `place` (a position among its events) is stored instead of
+  // `state`, which is large.
   struct Mark {
     BodyState state;
     std::optional<WindowEvents::Place> place;

@@ -32,12 +32,12 @@ class RunEvents {
   bool perform_if_possible(const Event& event);
   void perform_contact() { records_.book_contact(sources_.perform()); }
 
-  // Body before an event, to which give_up() returns it. before() is empty while events come from a window; such events
-  // are too short to be given up.
+  // Body and records before an event, to which give_up() returns.
   struct Before {
     BodyState body;
     RunRecords::Start start;
   };
+  // Body before the next event; empty while events come from a window, which are too short to be given up.
   std::optional<Before> before();
   void give_up(Before before);
   // Returns to the start of a call that has failed.

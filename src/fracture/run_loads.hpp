@@ -36,24 +36,24 @@ class RunLoads {
   SavedLoads present();
   void restore(SavedLoads loads) noexcept;
 
-  // Changes the rest lengths of terms and operators (heat, swelling). The change of the stored energy at unchanged
-  // displacements counts as work; find_equilibrium() has to follow. Returns what restore_rest_lengths() needs to undo
-  // the change.
+  // Data with which restore_rest_lengths() undoes heat().
   struct Heat {
     coupling::Rests rests;
     Eigen::VectorXd total_force;
     double work;
   };
+  // Changes the rest lengths of terms and operators (heat, swelling). The change of the stored energy at unchanged
+  // displacements counts as work; find_equilibrium() has to follow.
   Heat heat(coupling::Rests rests);
   void restore_rest_lengths(Heat heat) noexcept;
 
-  // Changes the gaps of contact constraints due to loads inside operators (body forces, tractions on cracks). The
-  // change of the stored energy at unchanged displacements counts as work; set() or take_over() has to follow. Returns
-  // what unload_faces() needs to undo the change.
+  // Data with which unload_faces() undoes load_faces().
   struct FaceLoads {
     coupling::Affine offsets;
     double work;
   };
+  // Changes the gaps of contact constraints due to loads inside operators (body forces, tractions on cracks). The
+  // change of the stored energy at unchanged displacements counts as work; set() or take_over() has to follow.
   FaceLoads load_faces(coupling::Affine offsets);
   void unload_faces(FaceLoads loads) noexcept;
 

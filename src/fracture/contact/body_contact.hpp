@@ -16,13 +16,14 @@ class BodyContact {
               CrackFaces& faces, BodyResponse& response, PartHolder& holder)
       : system_(system), positions_(positions), state_(state), faces_(faces), response_(response), holder_(holder) {}
 
-  // Opens and closes constraints, with a solution after each round, until all agree with their gaps at the present load
-  // factor. Where a gap is zero, its sign just ahead in `direction` decides. A part that only closed faces held is held
-  // by springs when the faces open.
+  // Result of settle().
   struct Settled {
     std::int64_t switched = 0, fragments = 0;  // numbers of constraints, and of parts that lost loads which push them
     std::vector<int> held;                     // nodes of parts that could move freely
   };
+  // Opens and closes constraints, with a solution after each round, until all agree with their gaps at the present load
+  // factor. Where a gap is zero, its sign just ahead in `direction` decides. A part that only closed faces held is held
+  // by springs when the faces open.
   Settled settle(double direction);
   // Load factor up to which constraints are settled in a direction: the present load factor, or one slightly farther if
   // the constraints could be settled only there.

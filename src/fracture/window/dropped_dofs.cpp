@@ -67,10 +67,10 @@ std::vector<Affine> DroppedDofs::complete(const std::vector<State>& states, bool
   return result;
 }
 
-// Transfers forces on the degrees of freedom l that were dropped to those, f, that were followed at that time. Let F0
-// be the flexibility at that time, F the present one, and P = sum of k b b^T over the terms that have lost stiffness
-// since. Only displacements f enter P, so F = F0 + F P F0. With y = F0_fl r_l, a force r_l therefore causes the
-// displacements
+// Transfers forces on the dropped degrees of freedom (index l) to those that were followed when they were dropped
+// (index f). Let F0 be the flexibility at that time, F the present one, and P = sum of k b b^T over the terms that have
+// lost stiffness since. P acts on degrees of freedom f only, so F = F0 + F P F0. With y = F0_fl r_l, a force r_l
+// therefore causes the displacements
 //   F_fl r_l = y + F_ff P y.
 void DroppedDofs::transfer_forces(Affine& force, Affine& answer) const {
   for (const Level& level : levels_) {
