@@ -35,7 +35,7 @@ class BodyLoads {
 
   void set(const coupling::Affine& force, const coupling::Affine& prescribed, const CrackPressures& pressures);
   ActingLoads acting() const;
-  void restore(ActingLoads loads) noexcept;  // apply() has to follow
+  void restore(ActingLoads loads) noexcept;  // the caller calls apply() next
   void drop(const std::vector<int>& nodes);  // removes the loads of these nodes for good
   void apply();                              // gives the present loads to the system
 

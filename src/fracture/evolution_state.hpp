@@ -44,13 +44,13 @@ using CrackExtension = crack::Extension;
 // State of the body at a load factor.
 struct BodyState {
   double load_factor = 0;
-  bool in_equilibrium = false;  // false before the first solution and after the host changed loads
+  bool in_equilibrium = false;  // false before the first solution, and after the host has changed loads
   bool separated = false;
   double first_unit_energy = -1;       // energy of the proportional load alone when it was given; < 0: not known yet
   double largest_force = 0;            // largest internal nodal force so far [N], by which residuals are measured
   coupling::Affine displacement;       // row 2 * node + component
-  Eigen::VectorXd total_displacement;  // at load_factor
-  Eigen::VectorXd total_force;         // internal nodal forces at load_factor
+  Eigen::VectorXd total_displacement;  // at the load factor
+  Eigen::VectorXd total_force;         // internal nodal forces at the load factor
   std::vector<std::uint8_t> stages;    // damage stage of every term
   std::vector<coupling::HoldingSpring> springs;  // springs that hold freed parts
   std::vector<char> unloaded;                    // flags of nodes whose loads have gone with a piece that came free
@@ -62,8 +62,8 @@ struct BodyState {
 // Resistance: the force that the body carries, as the pull in a tensile test. It is half the sum of the magnitudes of
 // all support forces and nodal loads.
 struct Resistance {
-  double present = 0;  // after the last event [N]
-  double peak = 0;     // the largest that was borne in equilibrium just before an event [N]
+  double present = 0;  // resistance after the last event [N]
+  double peak = 0;     // largest resistance in equilibrium just before an event [N]
   // Share of the stiffness that is left: product over all events of the resistance after an event over that before.
   double stiffness = 1;
 };

@@ -19,7 +19,7 @@ class InnerWork {
   const Eigen::Matrix2d& form() const { return form_; }
   void set_form(const Eigen::Matrix2d& form) { form_ = form; }
 
-  double at(double load_factor) const;  // [J]
+  double at(double load_factor) const;  // inner work [J]
   // Least scale of the energies that at() returns [J]. Where the constant and the proportional part of the loads
   // cancel, at() is accurate only to a share of the energies of these parts.
   double least_scale(double load_factor) const;

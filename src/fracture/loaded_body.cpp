@@ -51,7 +51,7 @@ LoadedBody::FirstEquilibrium LoadedBody::find_equilibrium(bool tells_work) {
   const Eigen::VectorXd before = state_.total_displacement;
   const double unbalanced_before = loads_.unbalanced_share();
   double stored_before = 0;
-  if (tells_work) {  // loads on closed faces may have changed since the forces of the state were evaluated
+  if (tells_work) {  // loads on closed faces may have changed since the state's forces were computed
     stored_before = system_.response().has_offsets() ? system_.response().energy(before, state_.load_factor)
                                                      : response_.stored_energy();
   }

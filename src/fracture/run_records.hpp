@@ -35,7 +35,7 @@ class RunRecords {
 
   // Adds the work of loads and supports while the load factor moves without an event.
   void add_work(double work);
-  double work() const;  // of loads and supports so far [J]
+  double work() const;  // work of loads and supports so far [J]
   // Updates the largest work so far, the scale of energy errors.
   void measure_work();
 

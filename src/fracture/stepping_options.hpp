@@ -22,7 +22,7 @@ using crack::Control;
 
 struct SteppingOptions {
   SteppingMode mode = SteppingMode::events;
-  double increment = 1;          // of the load factor
+  double increment = 1;          // size of an increment of the load factor
   double tie_band = 1e-3;        // relative difference of stretch ratios up to which bonds break together
   int max_breaks_per_solve = 0;  // 0: no limit
   std::int64_t max_events = 10'000'000;

@@ -21,9 +21,9 @@ class SupportForces {
 
   const coupling::SupportDofs& dofs() const { return dofs_; }
   Eigen::Vector2d reaction(std::size_t support) const;
-  double reaction_moment(std::size_t support, const Point& about) const;  // [N m]
+  double reaction_moment(std::size_t support, const Point& about) const;  // moment about a place [N m]
   double reaction_at(int dof) const;      // reaction at a degree of freedom that is held [N]
-  std::vector<double> reactions() const;  // x and y of every support
+  std::vector<double> reactions() const;  // x and y of every support [N]
   // Prescribed displacement at the present load factor, x and y of each support: the mean over its nodes, NaN for a
   // component that is not prescribed.
   std::vector<double> displacements() const;

@@ -45,7 +45,7 @@ void FaceForecast::add(const GrownFace& face, coupling::Constraint constraint) {
 
 void FaceForecast::renew(std::size_t place, const GrownFace& face, coupling::Constraint constraint) {
   WatchedConstraint& before = watched_[latest_[place]];
-  if (before.until == 0) return;  // barred
+  if (before.until == 0) return;  // a barred constraint gets no other normal
   before.until = state_;
   grown_[place - faces_.first_grown()] = face;
   latest_[place] = watched_.size();

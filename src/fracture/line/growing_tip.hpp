@@ -20,7 +20,7 @@ struct GrowingTip {
   // Distance from `place` to the effective tip ahead of it [m], where a crack would end that cuts as much stiffness out
   // of evenly spread bonds. Known for initial cracks with a placed cut until they grow; else empty.
   std::optional<double> even_ahead{};
-  double grown = 0;  // length by which it has grown [m]
+  double grown = 0;  // length by which the tip has grown [m]
 
   // Place of the effective tip.
   Point acts_at() const { return place + even_ahead.value_or(0) * direction; }

@@ -62,8 +62,8 @@ class LineEvents final : public EventSource {
   WholeBodyEvents& whole_body_;
   LineSteps steps_;
   WholeBodyTrials trials_;
-  std::optional<LineStep> step_;  // the step of a tip, if event_ is one
-  std::optional<Birth> birth_;    // the crack that begins, if event_ is one
+  std::optional<LineStep> step_;  // step of a tip, if the next event is one
+  std::optional<Birth> birth_;    // beginning of a crack, if the next event is one
   Event event_;
   int ties_ = 0;  // other tips or places that would have grown at the same load factor
 };

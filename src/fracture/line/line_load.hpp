@@ -13,7 +13,7 @@ namespace bempd::fracture {
 // they always rise.
 struct LineCriterion {
   crack::GrowthLaw law;
-  double correction;   // by which the intensity is multiplied before it is compared with the toughness
+  double correction;   // factor on the intensity before it is compared with the toughness
   double present = 0;  // present load factor
   Control control = Control::load;
 };

@@ -51,7 +51,7 @@ class LineSteps {
   static std::vector<crack::Candidate> candidates(const std::vector<LineStep>& steps, const LoadWay& way);
   // Tip that grows first on a load path (crack/order.hpp), used for the whole body and in windows alike.
   struct Choice {
-    std::vector<LineStep> steps;    // of all tips that could grow
+    std::vector<LineStep> steps;    // steps of all tips that could grow
     std::optional<LineStep> first;  // empty if no tip grows
     double load_factor;             // of the event; if no tip grows, the end of the load path
     int ties = 0;                   // other tips that would have grown at the same load factor

@@ -128,7 +128,7 @@ TipStress::Stress TipStress::stress(int node, const Point& direction, const pd::
   const Eigen::Matrix3d* stress_of_moments = outline_.has(node) ? outline_.stress_of_moments(node) : nullptr;
   if (!stress_of_moments) return stress_times_volume(node, direction, displacement) / volume_of(node, law);
   const double c = direction.x(), s = direction.y();
-  Eigen::Matrix3d turn;  // of (xx, yy, xy) into those axes
+  Eigen::Matrix3d turn;  // turns (xx, yy, xy) into the axes along and across `direction`
   turn << c * c, s * s, 2 * c * s, s * s, c * c, -2 * c * s, -c * s, c * s, c * c - s * s;
   return turn * *stress_of_moments * stress_times_volume(node, {1, 0}, displacement);
 }
@@ -220,7 +220,7 @@ bool TipStress::meets_other_material(const GrowingTip& tip, const pd::TipLaw& la
 // below 1/4) is not counted, because it disturbs the fit less.
 bool TipStress::lacks_points(const GrowingTip& tip, const pd::TipLaw& law) const {
   const double reach = away_from_surfaces * law.horizon;
-  std::array<Eigen::AlignedBox2d, 2> sides;  // of the crack: the border's nodes there, ahead and across
+  std::array<Eigen::AlignedBox2d, 2> sides;  // nodes of the border to the right and left of the crack: ahead and across
   for (const int node : near_.about(tip.place, reach)) {
     const Point step = positions_[static_cast<std::size_t>(node)] - tip.place;
     if (!laws_.is_joined(node) || step.norm() >= reach) continue;

@@ -31,7 +31,7 @@ class CutStiffness {
 
  private:
   struct Bond {
-    Point vector;  // between its points
+    Point vector;  // between the points of the bond
     double stiffness;
   };
   static std::vector<Bond> family_of(const coupling::Terms& terms, const std::vector<double>& whole,

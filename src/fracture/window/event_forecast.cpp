@@ -161,7 +161,7 @@ bool EventForecast::forecast_next(double from, const BodyState& start) {
   if (!locator_.is_far_from_rim(coupling::terms_of(foreseen.event.changes))) return false;
   foreseen.event.changes = system_.stages().with_followers(std::move(foreseen.event.changes));
   for (const coupling::StageChange& c : foreseen.event.changes) {
-    if (window_->place_of(c.term) < 0) return false;  // a follower that reaches out of the window
+    if (window_->place_of(c.term) < 0) return false;  // a follower reaches out of the window
     foreseen.back.push_back({c.term, system_.stages().numbers()[c.term]});
   }
   foreseen.largest_force =

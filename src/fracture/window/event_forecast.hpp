@@ -104,7 +104,7 @@ class EventForecast {
   bool proportional_ = false;
   bool has_ended_ = false;
   bool needs_whole_body_ = false, faces_move_ = false;
-  int most_events_;  // to compute at once
+  int most_events_;  // largest number to compute at once
 
   ComputedEvents events_;
   ForecastBalance balance_;

@@ -46,7 +46,7 @@ int FaceCertificate::events_before_change(const std::vector<coupling::Affine>& k
       last = std::min(last, std::max(one.since - 1, 0));
     }
   }
-  std::array<Eigen::MatrixXd, 2> gaps;  // outside, of some states from `first` on
+  std::array<Eigen::MatrixXd, 2> gaps;  // of constraints outside the window, in some states from `first` on
   int first = 0;
   for (int state = 0; state <= last; ++state) {
     const coupling::Affine& u = kept[state];

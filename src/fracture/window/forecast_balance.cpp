@@ -15,7 +15,7 @@ double ForecastBalance::largest_force_before(double load_factor, const BodyState
 }
 
 bool ForecastBalance::holds_after(ComputedEvents& events, Affine whole) {
-  Affine before = std::exchange(whole_, std::move(whole));  // in state 0
+  Affine before = std::exchange(whole_, std::move(whole));  // displacements before the first event
   ForecastEvent& last = events.last();
   const double f = last.event.load_factor;
   const Eigen::VectorXd force = internal_force_after(events.list());

@@ -35,7 +35,7 @@ std::optional<BodyChange> WindowBody::change(const Event& event, std::span<const
 // Changes the stages of the event's terms in the system and in the window. False if this frees a part of the body, or
 // if the window cannot perform it.
 bool WindowBody::change_terms(const Event& event) {
-  std::vector<coupling::StageChange> here;  // by places in the window
+  std::vector<coupling::StageChange> here;  // with places in the window as numbers of terms
   for (const coupling::StageChange& c : event.changes) here.push_back({window_.place_of(c.term), c.stage});
   system_.stages().enter(event.changes);
   const std::vector<int> broken = system_.terms().broken_by(event.changes);

@@ -41,7 +41,7 @@ class WindowCertificate {
   using Classes = Eigen::Array<double, most_classes, 1>;
 
   struct Snapshot {
-    Classes bound;                // of the stretch ratios at all load factors checked
+    Classes bound;                // largest stretch ratios at all load factors checked
     std::vector<double> largest;  // largest stretch ratio for each check of the state
   };
 

@@ -12,7 +12,7 @@ namespace bempd::fracture {
 struct EnergyForm {
   double constant = 0, mixed = 0, proportional = 0;
   double at(double f) const { return 0.5 * (constant + 2 * f * mixed + f * f * proportional); }
-  double unit() const { return 0.5 * proportional; }  // of the proportional load alone
+  double unit() const { return 0.5 * proportional; }  // energy of the proportional load alone
 };
 
 // Functions over the whole body that a window (region around crack tips or bonds close to breaking that is solved
@@ -32,7 +32,7 @@ class WindowFunctions {
   // Work of the loads when displacements jump at a constant load factor, from the values of the functions of list()
   // before and after.
   static double work(const Values& before, const Values& after, double load_factor);
-  std::vector<double> reactions(const Values& values, double load_factor) const;  // x and y of every support
+  std::vector<double> reactions(const Values& values, double load_factor) const;  // x and y of every support [N]
 
  private:
   const coupling::EquilibriumSystem& system_;

@@ -67,10 +67,10 @@ class WindowLocator {
   const std::vector<Point>& positions_;
   std::vector<double> spacing_;
   std::vector<Zone> zones_;
-  std::vector<int> nodes_;            // in the zones
+  std::vector<int> nodes_;            // nodes in the zones
   std::vector<Zone> expected_zones_;  // at the ends of initial cracks
   std::vector<int> expected_nodes_;
-  std::vector<char> touches_outside_, on_rim_;  // per node
+  std::vector<char> touches_outside_, on_rim_;  // flags of nodes
 };
 
 }  // namespace bempd::fracture

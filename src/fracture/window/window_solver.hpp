@@ -28,7 +28,7 @@ class WindowSolver {
   // Function of all displacements u: x^T K u, where x is nonzero on prescribed degrees of freedom only (energies and
   // reactions), or f^T u for loads f.
   struct Function {
-    Eigen::VectorXd weights;  // of degrees of freedom
+    Eigen::VectorXd weights;  // f or K x, by degrees of freedom
     Eigen::VectorXd moved;    // x, or empty
   };
 

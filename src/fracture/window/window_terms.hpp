@@ -26,7 +26,7 @@ class WindowTerms {
   bool contained(int number) const { return contained_[number] != 0; }
 
   std::size_t size() const { return numbers_.size(); }
-  const std::vector<int>& numbers() const { return numbers_; }  // in the system, ascending
+  const std::vector<int>& numbers() const { return numbers_; }  // numbers in the system, ascending
   const std::vector<char>& intact() const { return intact_; }
   const AffineRatios& ratios() const { return ratios_; }
   Pull pull(std::size_t term) const { return pulls_[term]; }

@@ -9,7 +9,7 @@ namespace bempd::fracture {
 
 namespace {
 
-constexpr double rounding_of_rims = 1e-6;  // in spacings
+constexpr double rounding_of_rims = 1e-6;  // in lattice spacings
 
 // Groups of points: each point is within `distance` of another point of its group.
 std::vector<std::vector<int>> crowds(const std::vector<Point>& points, double distance) {
