@@ -695,8 +695,9 @@ BEMPD_API bempd_status bempd_add_bem_disc(bempd_model* model, int32_t material, 
  * square lattice; constant stress is exact there, too. Corners of a body need 60 degrees, better 65, parts of it about
  * three spacings of width, radii a spacing, the horizon three spacings: bempd_prepare() says where no network of bonds
  * exists. Elements of BEM regions follow the points on common edges, unless bempd_set_edge_mesh() is called for a
- * straight edge. Such regions of one material, spacing, horizon and angle are one body where they touch, without points
- * on common edges, unless supports need them; others of the same spacing share points there, without bonds across.
+ * straight edge. Such regions, and others that touch them, of one material, spacing, horizon and angle are one body,
+ * without points on common edges, unless supports need them; others of the same spacing share points there, without
+ * bonds across.
  * @param[in] model the model @param[in] material id of a material with a Poisson's ratio from -0.2 to 0.49
  * @param[in] vertex_count number of vertices, >= 3
  * @param[in] vertices shape [vertex_count][2], counter-clockwise [m]

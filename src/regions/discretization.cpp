@@ -6,6 +6,7 @@
 #include "error.hpp"
 #include "geometry/gaps.hpp"
 #include "regions/interfaces.hpp"
+#include "regions/outlined/common_bodies.hpp"
 #include "regions/scheme.hpp"
 #include "stopwatch.hpp"
 
@@ -100,11 +101,13 @@ RegionStatistics Discretization::statistics() const {
   return sum;
 }
 
-Discretization discretize(const scene::Scene& scene, const scene::Options& options, const Discretization* before) {
+namespace {
+
+// Arranges the regions of a scene, as `before` if that is not null: its outlines are the same.
+Discretization arranged(const scene::Scene& scene, const Discretization* before) {
   Discretization d;
-  const Box box = scene.bounding_box();
-  d.tolerance = geometric_tolerance(box);
-  if (before) {  // outlines are the same
+  d.tolerance = geometric_tolerance(scene.bounding_box());
+  if (before) {
     d.arrangement = before->arrangement;
     if (!before->gap.empty()) d.warnings.push_back(d.gap = before->gap);
   } else {
@@ -114,18 +117,12 @@ Discretization discretize(const scene::Scene& scene, const scene::Options& optio
     number_by_ids(d.arrangement, scene);
     warn_of_gaps(scene, outlines, d);
   }
-  const std::unique_ptr<Scheme> scheme = make_scheme(options);
-  const Preparation preparation{scene,
-                                options,
-                                *scheme,
-                                d.arrangement,
-                                d.tolerance,
-                                d.regions,
-                                d.cracks,
-                                before ? &before->regions : nullptr,
-                                before ? &before->cracks : nullptr};
-  require_compatible(preparation);
+  return d;
+}
 
+// Discretizes an arranged scene.
+void build(Discretization& d, const Preparation& preparation) {
+  const scene::Scene& scene = preparation.scene;
   for (int id : scene.region_ids()) {
     d.regions.push_back(scene.region(id).build(id, preparation));
     d.regions.back()->vary_toughness({scene.region(id).fracture_energies(), scene.material_of(id).fracture_energy});
@@ -136,7 +133,7 @@ Discretization discretize(const scene::Scene& scene, const scene::Options& optio
     const Stopwatch watch(region->seconds_preparing);
     region->mesh(preparation);
   }
-  NodeRegistry registry(box.min(), 10 * d.tolerance);
+  NodeRegistry registry(scene.bounding_box().min(), 10 * d.tolerance);
   Contributions contributions{registry, d.bonds, d.critical_stretch, d.warnings};
   for (const auto& region : d.regions) {
     check_cancelled();
@@ -148,7 +145,42 @@ Discretization discretize(const scene::Scene& scene, const scene::Options& optio
       for (const LeadingElements& leading : borders->leading_elements()) follow(d, leading, region->id());
   }
   d.positions = registry.positions();
+}
+
+// Discretizes the scene. Where `may_leave_rows`, lattice regions leave their rows to be one body with neighbours;
+// throws CannotLeaveRows if there is no such body.
+Discretization discretize(const scene::Scene& scene, const scene::Options& options, const Discretization* before,
+                          bool may_leave_rows) {
+  Discretization d = arranged(scene, before);
+  const std::unique_ptr<Scheme> scheme = make_scheme(options);
+  const Preparation preparation{scene,
+                                options,
+                                *scheme,
+                                d.arrangement,
+                                d.tolerance,
+                                d.regions,
+                                d.cracks,
+                                d.off_rows,
+                                before ? &before->regions : nullptr,
+                                before ? &before->cracks : nullptr};
+  require_compatible(preparation);
+  if (before) {
+    d.off_rows = before->off_rows;
+  } else if (may_leave_rows) {
+    d.off_rows = regions_leaving_rows(preparation);
+  }
+  build(d, preparation);
   return d;
+}
+
+}  // namespace
+
+Discretization discretize(const scene::Scene& scene, const scene::Options& options, const Discretization* before) {
+  try {
+    return discretize(scene, options, before, true);
+  } catch (const CannotLeaveRows&) {
+    return discretize(scene, options, before, false);
+  }
 }
 
 }  // namespace bempd::regions

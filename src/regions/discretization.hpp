@@ -25,6 +25,7 @@ struct Discretization {
   std::vector<std::string> warnings;
   std::string gap;  // sentence about the narrowest gap between regions that nearly touch; empty if there is none
   std::vector<PartedCrack> cracks;  // divided into parts by the regions through which they run
+  std::vector<int> off_rows;        // ids of regions that left their lattice rows (Preparation::off_rows)
 
   const Region& region(int id) const;  // with an id that the scene has
   std::vector<coupling::DenseOperator> dense_operators() const;

@@ -1,8 +1,10 @@
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -28,9 +30,18 @@ struct Preparation {
   double tolerance;                                     // distance below which places count as the same [m]
   const std::vector<std::unique_ptr<Region>>& regions;  // all of them, by ascending id
   const std::vector<PartedCrack>& cracks;               // divided into parts once all regions exist
+  // Ids (ascending) of regions whose outlines follow lattice rows, and which leave these rows because they are one body
+  // with a region of another outline: like that region they have material points on their outlines.
+  const std::vector<int>& off_rows;
   // Regions of the same scene with shorter cracks, whose unchanged operators are reused; null if there are none.
   const std::vector<std::unique_ptr<Region>>* before;
   const std::vector<PartedCrack>* cracks_before;  // the cracks before they grew; null if there are none
+
+  bool leaves_rows(int region) const { return std::binary_search(off_rows.begin(), off_rows.end(), region); }
+  // Grid of the nodes of a region (id) as it is built; null for a region without one.
+  std::optional<scene::NodeGrid> node_grid(int region) const {
+    return leaves_rows(region) ? std::nullopt : scene.region(region).node_grid();
+  }
 };
 
 // Lists of the scene to which regions add their nodes, terms and warnings.

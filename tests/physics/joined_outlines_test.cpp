@@ -32,6 +32,10 @@ struct Body {
   std::vector<Part> parts;
   Outline whole;  // of one region, with vertices where common edges end
   Vector low, high;
+  const char* points = "always";  // parts and whole that have points on their outlines (test.outline_points)
+  // Share of the energy of all bonds that break up to which loads of a crack are compared: then rounding decides when
+  // the last bonds of a hinge are left.
+  double compared = 0.8;
 };
 
 const Body slanted{
@@ -70,8 +74,23 @@ const Body three_at_an_edge{"three at an edge",
                             {0, 0},
                             {22, 14}};
 
+// Parts whose outlines follow lattice rows, beside and below a part with a slanted edge.
+const Body beside_rows{"beside rows",
+                       {{rectangle(0, 0, 8, 14), {}, {1, 3, 4}}, {{{8, 0}, {22, 0}, {26, 14}, {8, 14}}, {}, {1, 2, 3}}},
+                       {{0, 0}, {8, 0}, {22, 0}, {26, 14}, {8, 14}, {0, 14}},
+                       {0, 0},
+                       {22, 14},
+                       "slanted",
+                       0.3};
+const Body above_rows{"above rows",
+                      {{rectangle(0, 0, 22, 6), {}, {1, 2, 4}}, {{{0, 6}, {22, 6}, {26, 14}, {0, 14}}, {}, {2, 3, 4}}},
+                      {{0, 0}, {22, 0}, {22, 6}, {26, 14}, {0, 14}, {0, 6}},
+                      {0, 0},
+                      {22, 14},
+                      "slanted"};
+
 std::vector<Body> bodies() {
-  return {slanted, with_arc(0.2), with_arc(-0.2), around_disc, three_inside, three_at_an_edge};
+  return {slanted, with_arc(0.2), with_arc(-0.2), around_disc, three_inside, three_at_an_edge, beside_rows, above_rows};
 }
 
 std::vector<int32_t> add(Model& model, int32_t material, const std::vector<Part>& parts, int horizon_ratio,
@@ -108,7 +127,7 @@ TEST(JoinedOutlines, pass_constant_stress) {
     for (const Body& body : bodies()) {
       const Uniform uniform{.ratio = ratio};
       Model model;
-      const auto regions = add(model, model.add(material(1, ratio)), body.parts, 4);
+      const auto regions = add(model, model.add(material(1, ratio)), body.parts, 4, body.points);
       for (std::size_t k = 0; k < regions.size(); ++k) {
         const Outline& loop = body.parts[k].outline;
         for (const int32_t edge : body.parts[k].free_edges) {
@@ -154,7 +173,7 @@ struct Pulled {
   Pulled(const Body& body, bool divided, const char* rule, double ratio = 1.0 / 3) {
     model.set_text("crack.rule", rule);
     const std::vector<Part> parts = divided ? body.parts : one_part(body);
-    regions = add(model, model.add(material(1, ratio, BEMPD_PLANE_STRESS, 1, 1e-3)), parts, 3);
+    regions = add(model, model.add(material(1, ratio, BEMPD_PLANE_STRESS, 1, 1e-3)), parts, 3, body.points);
     for (std::size_t k = 0; k < parts.size(); ++k) {
       const Outline& loop = parts[k].outline;
       for (const int32_t edge : parts[k].free_edges) {
@@ -209,12 +228,11 @@ TEST(JoinedOutlines, are_one_region) {
 
 TEST(JoinedOutlines, cracks_cross_common_edges_as_in_one_region) {
   for (const char* rule : {"line", "bond"}) {
-    for (const Body& body : {slanted, with_arc(0.2), around_disc, three_inside}) {
+    for (const Body& body : {slanted, with_arc(0.2), around_disc, three_inside, beside_rows, above_rows}) {
       Pulled one(body, false, rule), divided(body, true, rule);
       one.model.run(100), divided.model.run(100);
       const auto wanted = one.model.history(), found = divided.model.history();
-      // Rounding decides when the last bonds of a hinge are left.
-      const double most = 0.8 * wanted.back().bond_energy;
+      const double most = body.compared * wanted.back().bond_energy;
       double difference = 0;
       for (std::size_t i = 0; i < wanted.size() && wanted[i].bond_energy < most; ++i) {
         ASSERT_LT(i, found.size()) << body.name;
@@ -230,10 +248,10 @@ TEST(JoinedOutlines, cracks_cross_common_edges_as_in_one_region) {
 
 // The weight of one of two regions is that of its area, though the common edge passes through cells.
 TEST(JoinedOutlines, body_forces_act_on_the_area_of_a_region) {
-  for (const Body& body : {slanted, with_arc(0.2), around_disc}) {
+  for (const Body& body : {slanted, with_arc(0.2), around_disc, beside_rows}) {
     for (std::size_t k = 0; k < 2; ++k) {
       Model model;
-      const auto regions = add(model, model.add(material(1, 1.0 / 3)), body.parts, 3);
+      const auto regions = add(model, model.add(material(1, 1.0 / 3)), body.parts, 3, body.points);
       model.check(bempd_add_body_force(model.get(), regions[k], BEMPD_Y, 1, 0, nullptr));
       const int32_t support = model.fix(regions[0], 1, BEMPD_BOTH);
       model.step(1);
@@ -281,6 +299,27 @@ TEST(JoinedOutlines, supports_on_common_edges_have_points) {
     model.fix_point({4, 0}, BEMPD_BOTH);
     model.fix_point({8, 0}, BEMPD_Y);
   }));
+}
+
+// A part on lattice rows keeps them where a support needs points on the common edge, and where one body would have no
+// network of bonds: a leg of one spacing has none off its rows.
+TEST(JoinedOutlines, parts_keep_their_rows_where_they_need_them) {
+  const auto nodes_on_edge = [](const Outline& rows, bool supported) {
+    Model model;
+    const auto regions =
+        add(model, model.add(material(1, 1.0 / 3)), {{rows}, beside_rows.parts[1]}, 3, beside_rows.points);
+    model.fix(regions[1], 1, BEMPD_BOTH);
+    if (supported) model.fix(regions[0], 2, BEMPD_X);
+    model.traction(regions[1], 3, 0, 1, BEMPD_X, 0, 1e-3);
+    model.step(1);
+    int64_t nodes = 0, element = 0;
+    model.check(bempd_edge_size(model.get(), regions[0], 2, &nodes, &element));
+    return nodes;
+  };
+  EXPECT_LT(nodes_on_edge(rectangle(0, 0, 8, 14), false), 3);
+  EXPECT_EQ(nodes_on_edge(rectangle(0, 0, 8, 14), true), 15);
+  const Outline with_leg{{-8, 0}, {8, 0}, {8, 14}, {0, 14}, {0, 1}, {-8, 1}};
+  EXPECT_EQ(nodes_on_edge(with_leg, false), 15);
 }
 
 // Regions of two materials, horizons or directions of the lattice share the points of the common edge.

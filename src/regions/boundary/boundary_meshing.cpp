@@ -40,7 +40,7 @@ OutlinedRegion* outlined_at(const Preparation& p, const Contact& contact) {
 
 Border border_of(const Preparation& p, const Contact* contact) {
   if (!contact) return Border::free;
-  const bool has_places = p.scene.region(contact->other_region + 1).node_grid() || outlined_at(p, *contact);
+  const bool has_places = p.node_grid(contact->other_region + 1) || outlined_at(p, *contact);
   return has_places ? Border::grid : Border::elements;
 }
 

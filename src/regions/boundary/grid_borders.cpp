@@ -20,7 +20,7 @@ bool is_mouth(const std::vector<Point>& mouths, const Point& x, double tolerance
 void require_grid_ends(const Preparation& p, const Contact& contact, const Arc& piece,
                        const std::vector<Point>& mouths) {
   const scene::Region& other = p.scene.region(contact.other_region + 1);
-  const scene::NodeGrid grid = *other.node_grid();
+  const scene::NodeGrid grid = *p.node_grid(contact.other_region + 1);
   for (const Point& end : {piece.start, piece.end}) {
     if (is_mouth(mouths, end, p.tolerance)) continue;
     const Point scaled = (end - grid.origin) / grid.spacing;
@@ -35,7 +35,7 @@ void require_grid_ends(const Preparation& p, const Contact& contact, const Arc& 
 
 std::vector<double> grid_stations(const Preparation& p, const Contact& contact, const Arc& piece, int step,
                                   const std::vector<Point>& mouths) {
-  const double spacing = p.scene.region(contact.other_region + 1).node_grid()->spacing;
+  const double spacing = p.node_grid(contact.other_region + 1)->spacing;
   const double lead = is_mouth(mouths, piece.start, p.tolerance) ? 0.5 : 0;
   const double trail = is_mouth(mouths, piece.end, p.tolerance) ? 0.5 : 0;
   const int count = static_cast<int>(std::lround(piece.length() / spacing - lead - trail));

@@ -9,28 +9,41 @@
 
 namespace bempd::regions {
 
+// Ids of the regions that are reached from one over common edges of two regions that `are_one` accepts, itself
+// included; ascending.
+template <class Predicate>
+std::vector<int> regions_touching(int region, const Arrangement& arrangement, const Predicate& are_one) {
+  const std::vector<Contact>& contacts = arrangement.contacts;
+  const auto before = [](const Contact& contact, int number) { return contact.region < number; };
+  std::vector<int> waiting{region};
+  std::set<int> found{region};
+  while (!waiting.empty()) {
+    const int at = waiting.back(), number = at - 1;
+    waiting.pop_back();
+    auto contact = std::lower_bound(contacts.begin(), contacts.end(), number, before);
+    for (; contact != contacts.end() && contact->region == number; ++contact) {
+      const int other = contact->other_region + 1;
+      if (are_one(at, other) && found.insert(other).second) waiting.push_back(other);
+    }
+  }
+  return {found.begin(), found.end()};
+}
+
 // Regions of the class `Kind` that form one lattice with a region: those that touch the region, directly or through
 // other such regions, and the region itself; by ascending id.
 template <class Kind>
-std::vector<Kind*> touching_that_act_as_one(Kind& region, const Preparation& preparation) {
-  const auto& contacts = preparation.arrangement.contacts;
-  const auto region_of = [&](int id) {
+std::vector<Kind*> touching_that_act_as_one(const Kind& region, const Preparation& preparation) {
+  const auto of_kind = [&](int id) {
     const auto reaches = [](const std::unique_ptr<Region>& one, int wanted) { return one->id() < wanted; };
-    return std::lower_bound(preparation.regions.begin(), preparation.regions.end(), id, reaches)->get();
+    return dynamic_cast<Kind*>(
+        std::lower_bound(preparation.regions.begin(), preparation.regions.end(), id, reaches)->get());
   };
-  std::vector<Kind*> found{&region};
-  std::set<int> ids{region.id()};
-  const auto before = [](const Contact& contact, int number) { return contact.region < number; };
-  for (std::size_t k = 0; k < found.size(); ++k) {
-    Kind& at = *found[k];
-    const int number = at.id() - 1;
-    auto contact = std::lower_bound(contacts.begin(), contacts.end(), number, before);
-    for (; contact != contacts.end() && contact->region == number; ++contact) {
-      auto* other = dynamic_cast<Kind*>(region_of(contact->other_region + 1));
-      if (other && at.acts_as_one_with(*other) && ids.insert(other->id()).second) found.push_back(other);
-    }
-  }
-  std::sort(found.begin(), found.end(), [](const auto* a, const auto* b) { return a->id() < b->id(); });
+  const auto are_one = [&](int first, int second) {
+    const Kind* other = of_kind(second);
+    return other && of_kind(first)->acts_as_one_with(*other);
+  };
+  std::vector<Kind*> found;
+  for (const int id : regions_touching(region.id(), preparation.arrangement, are_one)) found.push_back(of_kind(id));
   return found;
 }
 

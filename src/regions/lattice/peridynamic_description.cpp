@@ -118,6 +118,11 @@ std::optional<LatticeOutline> PeridynamicDescription::lattice_along(const Outlin
   return std::nullopt;
 }
 
+bool PeridynamicDescription::has_lattice_of(const PeridynamicDescription& other) const {
+  return std::abs(spacing_ / other.spacing_ - 1) < 1e-9 && horizon_ratio_ == other.horizon_ratio_ &&
+         choice_.angle == other.choice_.angle && material() == other.material();
+}
+
 void PeridynamicDescription::set_outline(Outline changed) {
   lattice_ = lattice_along(changed);
   take_outline(std::move(changed));
@@ -145,8 +150,8 @@ void PeridynamicDescription::identify(Hash& hash) const {
 
 std::unique_ptr<regions::Region> PeridynamicDescription::build(int id, const Preparation& preparation) const {
   const scene::Material& own = preparation.scene.material(material());
-  return lattice_ ? preparation.scheme.lattice_region(id, *this, own)
-                  : preparation.scheme.outlined_region(id, *this, own);
+  return lattice_ && !preparation.leaves_rows(id) ? preparation.scheme.lattice_region(id, *this, own)
+                                                  : preparation.scheme.outlined_region(id, *this, own);
 }
 
 int add_peridynamic_region(scene::Scene& scene, int material, const std::vector<Point>& vertices, double spacing,

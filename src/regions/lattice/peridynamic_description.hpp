@@ -30,6 +30,8 @@ class PeridynamicDescription : public scene::Region {
   const PointChoice& choice() const { return choice_; }
   // Outline in cells of the lattice; empty if points lie on the outline.
   const std::optional<LatticeOutline>& lattice() const { return lattice_; }
+  // Whether two regions have one lattice, so that they are one body where they touch along an edge.
+  bool has_lattice_of(const PeridynamicDescription& other) const;
 
   const char* adjective() const override { return "peridynamic"; }
   void set_outline(Outline outline) override;

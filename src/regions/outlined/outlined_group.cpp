@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "pd/outlined/cell_patches.hpp"
-#include "regions/lattice/acting_as_one.hpp"
 #include "regions/outlined/outlined_region.hpp"
 
 namespace bempd::regions {
@@ -14,24 +13,6 @@ std::vector<int> ids_of(const std::vector<OutlinedRegion*>& regions) {
   std::vector<int> ids;
   for (const OutlinedRegion* region : regions) ids.push_back(region->id());
   return ids;
-}
-
-// Whether a support or a load acts along a common edge of two of the regions (ids, ascending).
-bool needs_points_inside(const std::vector<int>& regions, const Preparation& p) {
-  for (const Contact& c : p.arrangement.contacts) {
-    const auto has = [&](int region) { return std::binary_search(regions.begin(), regions.end(), region + 1); };
-    if (!has(c.region) || !has(c.other_region)) continue;
-    const int region = c.region + 1, edge = c.edge + 1;
-    for (const auto* conditions : {&p.scene.supports(), &p.scene.loads()}) {
-      for (const scene::Condition& condition : *conditions) {
-        if (condition.removed() || condition.place->edge() != std::pair(region, edge)) continue;
-        if (condition.place->covers(region, edge, 0.5 * (c.from + c.to))) return true;
-        for (const double f : condition.place->breaks_on(p.scene, region, edge, p.tolerance))
-          if (c.from < f && f < c.to) return true;
-      }
-    }
-  }
-  return false;
 }
 
 // Places of supports and loads at points of the regions, in grid coordinates of the first one.
@@ -57,12 +38,6 @@ bool are_among(const std::vector<Point>& places, const std::vector<Point>& point
 }
 
 }  // namespace
-
-std::vector<OutlinedRegion*> regions_acting_as_one(OutlinedRegion& region, const Preparation& preparation) {
-  std::vector<OutlinedRegion*> found = touching_that_act_as_one(region, preparation);
-  if (found.size() > 1 && needs_points_inside(ids_of(found), preparation)) return {&region};
-  return found;
-}
 
 bool OutlinedGroup::join(const std::shared_ptr<OutlinedGroup>& group, const Preparation& preparation) {
   Box box;

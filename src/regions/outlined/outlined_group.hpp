@@ -12,10 +12,6 @@ namespace bempd::regions {
 
 class OutlinedRegion;
 
-// Regions that form one lattice with a region, touching it directly or through others, itself included; by ascending
-// id. It is alone if a support or a load acts along a common edge of them: only the outline of a body has points.
-std::vector<OutlinedRegion*> regions_acting_as_one(OutlinedRegion& region, const Preparation& preparation);
-
 // Group of regions with any outline that touch and form one lattice: points and bonds are those of one body with the
 // outline around all of them. A region has the points of all cells of the body that it has a share of.
 class OutlinedGroup {

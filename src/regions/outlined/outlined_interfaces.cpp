@@ -14,7 +14,7 @@ void OutlinedRegion::require_common_points(const Preparation& preparation, const
   if (!points || outline().is_around(other)) return;
   require(std::abs(points->spacing() / spacing() - 1) < 1e-9, "peridynamic regions ", id(), " and ", other,
           " touch, but their spacings are ", spacing(), " and ", points->spacing(), "; give them the same one");
-  const auto grid = points->node_grid();
+  const auto grid = preparation.node_grid(other);
   const Edge edge = preparation.scene.region(id()).edge(contact.edge + 1);
   for (const Point& end : {edge.at(contact.from), edge.at(contact.to)}) {
     const Point scaled = grid ? Point((end - grid->origin) / grid->spacing) : Point::Zero();

@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "error.hpp"
+#include "regions/outlined/common_bodies.hpp"
 #include "regions/outlined/outlined_group.hpp"
 
 namespace bempd::regions {
@@ -43,7 +44,10 @@ void OutlinedRegion::divide(const Preparation& preparation) {
   if (outline().is_divided()) return;
   const auto group = std::make_shared<OutlinedGroup>(regions_acting_as_one(*this, preparation));
   if (group->members().size() > 1 && OutlinedGroup::join(group, preparation)) return;
-  for (OutlinedRegion* member : group->members()) member->part_.outline->divide(preparation);
+  for (OutlinedRegion* member : group->members()) {
+    if (preparation.leaves_rows(member->id())) throw CannotLeaveRows();
+    member->part_.outline->divide(preparation);
+  }
 }
 
 void OutlinedRegion::mesh(const Preparation& preparation) {

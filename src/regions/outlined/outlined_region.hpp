@@ -66,7 +66,7 @@ class OutlinedRegion final : public BondedRegion {
   class CellEvaluator;
 
   // Divides the outline, or that of the group, unless that is done: neighbours may ask for points before the region is
-  // meshed.
+  // meshed. Throws CannotLeaveRows.
   void divide(const Preparation& preparation);
   void build_alone(const Preparation& preparation, Contributions& contributions);
   void require_common_points(const Preparation& preparation, const Contact& contact) const;

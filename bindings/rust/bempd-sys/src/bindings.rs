@@ -806,10 +806,10 @@ extern "C" {
     /// exact there, too. Corners of a body need 60 degrees, better 65, parts of it about three
     /// spacings of width, radii a spacing, the horizon three spacings: bempd_prepare() says where
     /// no network of bonds exists. Elements of BEM regions follow the points on common edges,
-    /// unless bempd_set_edge_mesh() is called for a straight edge. Such regions of one material,
-    /// spacing, horizon and angle are one body where they touch, without points on common edges,
-    /// unless supports need them; others of the same spacing share points there, without bonds
-    /// across.
+    /// unless bempd_set_edge_mesh() is called for a straight edge. Such regions, and others that
+    /// touch them, of one material, spacing, horizon and angle are one body, without points on
+    /// common edges, unless supports need them; others of the same spacing share points there,
+    /// without bonds across.
     ///
     /// * model \[in\]: the model
     /// * material \[in\]: id of a material with a Poisson's ratio from -0.2 to 0.49

@@ -1,0 +1,63 @@
+#include "regions/outlined/common_bodies.hpp"
+
+#include <algorithm>
+
+#include "regions/lattice/acting_as_one.hpp"
+#include "regions/outlined/outlined_region.hpp"
+
+namespace bempd::regions {
+
+namespace {
+
+// Whether a support or a load acts along a common edge of two of the regions (ids, ascending).
+bool needs_points_inside(const std::vector<int>& regions, const Preparation& p) {
+  for (const Contact& c : p.arrangement.contacts) {
+    const auto has = [&](int region) { return std::binary_search(regions.begin(), regions.end(), region + 1); };
+    if (!has(c.region) || !has(c.other_region)) continue;
+    const int region = c.region + 1, edge = c.edge + 1;
+    for (const auto* conditions : {&p.scene.supports(), &p.scene.loads()}) {
+      for (const scene::Condition& condition : *conditions) {
+        if (condition.removed() || condition.place->edge() != std::pair(region, edge)) continue;
+        if (condition.place->covers(region, edge, 0.5 * (c.from + c.to))) return true;
+        for (const double f : condition.place->breaks_on(p.scene, region, edge, p.tolerance))
+          if (c.from < f && f < c.to) return true;
+      }
+    }
+  }
+  return false;
+}
+
+const PeridynamicDescription* description_of(const Preparation& p, int region) {
+  return dynamic_cast<const PeridynamicDescription*>(&p.scene.region(region));
+}
+
+}  // namespace
+
+std::vector<OutlinedRegion*> regions_acting_as_one(OutlinedRegion& region, const Preparation& preparation) {
+  std::vector<OutlinedRegion*> found = touching_that_act_as_one(region, preparation);
+  std::vector<int> ids;
+  for (const OutlinedRegion* one : found) ids.push_back(one->id());
+  if (found.size() > 1 && needs_points_inside(ids, preparation)) return {&region};
+  return found;
+}
+
+std::vector<int> regions_leaving_rows(const Preparation& preparation) {
+  const auto have_one_lattice = [&](int first, int second) {
+    const auto *one = description_of(preparation, first), *other = description_of(preparation, second);
+    return one && other && one->has_lattice_of(*other);
+  };
+  const auto is_on_rows = [&](int region) { return description_of(preparation, region)->lattice().has_value(); };
+  std::vector<int> leaving;
+  for (const int id : preparation.scene.region_ids()) {
+    // Each body is found from one of its regions whose outline follows no lattice rows.
+    if (!description_of(preparation, id) || is_on_rows(id)) continue;
+    const std::vector<int> body = regions_touching(id, preparation.arrangement, have_one_lattice);
+    if (needs_points_inside(body, preparation)) continue;
+    std::copy_if(body.begin(), body.end(), std::back_inserter(leaving), is_on_rows);
+  }
+  std::sort(leaving.begin(), leaving.end());
+  leaving.erase(std::unique(leaving.begin(), leaving.end()), leaving.end());
+  return leaving;
+}
+
+}  // namespace bempd::regions
