@@ -113,7 +113,7 @@ PeridynamicDescription::PeridynamicDescription(int material_id, const scene::Mat
       lattice_(lattice_along(this->outline())) {}
 
 std::optional<LatticeOutline> PeridynamicDescription::lattice_along(const Outline& outline) const {
-  if (choice_.is_plain() && is_rectilinear(outline)) return require_lattice(outline, spacing_);
+  if (choice_.is_default() && is_rectilinear(outline)) return require_lattice(outline, spacing_);
   require_horizon(horizon_ratio_);
   return std::nullopt;
 }
@@ -143,7 +143,7 @@ void PeridynamicDescription::identify(Hash& hash) const {
   Region::identify(hash);
   hash.add(horizon_ratio_);
   hash.add(spacing_);
-  if (choice_.is_plain()) return;
+  if (choice_.is_default()) return;
   hash.add(choice_.on_outline ? 1 : 0);
   hash.add(choice_.angle);
 }

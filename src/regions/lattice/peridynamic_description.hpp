@@ -13,7 +13,7 @@ struct PointChoice {
   bool on_outline = false;  // whether points lie on the outline even if it follows lattice rows
   double angle = 0;         // of the lattice's rows [rad]
 
-  bool is_plain() const { return !on_outline && angle == 0; }
+  bool is_default() const { return !on_outline && angle == 0; }
 };
 
 // Peridynamic region as the host described it: an outline of any shape, the spacing of its points, and a horizon. If

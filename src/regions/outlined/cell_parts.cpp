@@ -12,7 +12,7 @@ namespace bempd::regions {
 
 namespace {
 
-constexpr double flat = 1e-5;              // distance of chords from their arc, in spacings
+constexpr double chord_deviation = 1e-5;   // distance of chords from their arc, in spacings
 constexpr double negligible_share = 1e-9;  // of a cell's area
 constexpr double on_edge = 1e-9;           // in spacings
 
@@ -47,14 +47,14 @@ double area_within(const std::vector<Point>& convex, std::vector<Point> polygon)
 }
 
 // Region of the body: its edges, and polygons close to its loops.
-class Shape {
+class RegionShape {
  public:
-  explicit Shape(const std::vector<std::vector<Arc>>& loops) : edges_(edges(loops)) {
+  explicit RegionShape(const std::vector<std::vector<Arc>>& loops) : edges_(edges(loops)) {
     for (const std::vector<Arc>& loop : loops) {
       polygons_.emplace_back();
       for (const Arc& arc : loop) {
         const double radius = arc.straight() ? 0 : arc.length() / std::abs(arc.sweep);
-        const double count = arc.straight() ? 1 : std::ceil(arc.length() / std::sqrt(8 * flat * radius));
+        const double count = arc.straight() ? 1 : std::ceil(arc.length() / std::sqrt(8 * chord_deviation * radius));
         for (int k = 0; k < count; ++k) polygons_.back().push_back(arc.at(k / count));
       }
     }
@@ -113,7 +113,7 @@ std::vector<char> cells_near(const std::vector<Arc>& arcs, const std::vector<Poi
 std::vector<std::vector<CellPart>> parts_of_cells(const std::vector<Point>& points, const pd::FillingCells& cells,
                                                   const std::vector<std::vector<std::vector<Arc>>>& regions,
                                                   const std::vector<Arc>& common_edges) {
-  const std::vector<Shape> shapes(regions.begin(), regions.end());
+  const std::vector<RegionShape> shapes(regions.begin(), regions.end());
   const std::vector<char> is_near = cells_near(common_edges, points, cells);
   std::vector<std::vector<CellPart>> parts(regions.size());
   for (std::size_t c = 0; c < cells.size(); ++c) {
@@ -123,14 +123,14 @@ std::vector<std::vector<CellPart>> parts_of_cells(const std::vector<Point>& poin
       Point middle = Point::Zero();
       for (const Point& corner : corners) middle += corner / static_cast<double>(corners.size());
       const auto found =
-          std::find_if(shapes.begin(), shapes.end(), [&](const Shape& shape) { return shape.has(middle); });
+          std::find_if(shapes.begin(), shapes.end(), [&](const RegionShape& shape) { return shape.has(middle); });
       if (found != shapes.end()) {
         parts[static_cast<std::size_t>(found - shapes.begin())].push_back({cell, 1});
         continue;
       }
     }
     std::vector<double> areas;
-    for (const Shape& shape : shapes) areas.push_back(shape.area_in(corners));
+    for (const RegionShape& shape : shapes) areas.push_back(shape.area_in(corners));
     const double least = negligible_share * area_of(corners);
     std::replace_if(
         areas.begin(), areas.end(), [&](double area) { return area < least; }, 0.0);

@@ -10,7 +10,7 @@ namespace bempd::regions {
 namespace {
 
 // Whether a support or a load acts along a common edge of two of the regions (ids, ascending).
-bool needs_points_inside(const std::vector<int>& regions, const Preparation& p) {
+bool has_condition_on_common_edge(const std::vector<int>& regions, const Preparation& p) {
   for (const Contact& c : p.arrangement.contacts) {
     const auto has = [&](int region) { return std::binary_search(regions.begin(), regions.end(), region + 1); };
     if (!has(c.region) || !has(c.other_region)) continue;
@@ -37,7 +37,7 @@ std::vector<OutlinedRegion*> regions_acting_as_one(OutlinedRegion& region, const
   std::vector<OutlinedRegion*> found = touching_that_act_as_one(region, preparation);
   std::vector<int> ids;
   for (const OutlinedRegion* one : found) ids.push_back(one->id());
-  if (found.size() > 1 && needs_points_inside(ids, preparation)) return {&region};
+  if (found.size() > 1 && has_condition_on_common_edge(ids, preparation)) return {&region};
   return found;
 }
 
@@ -52,7 +52,7 @@ std::vector<int> regions_leaving_rows(const Preparation& preparation) {
     // Each body is found from one of its regions whose outline follows no lattice rows.
     if (!description_of(preparation, id) || is_on_rows(id)) continue;
     const std::vector<int> body = regions_touching(id, preparation.arrangement, have_one_lattice);
-    if (needs_points_inside(body, preparation)) continue;
+    if (has_condition_on_common_edge(body, preparation)) continue;
     std::copy_if(body.begin(), body.end(), std::back_inserter(leaving), is_on_rows);
   }
   std::sort(leaving.begin(), leaving.end());

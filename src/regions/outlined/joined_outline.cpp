@@ -30,7 +30,7 @@ class JoinedBorder {
 
   // Joins the ends of parts at common edges to the starts of others there; returns false if that is not possible in one
   // way only.
-  bool close() {
+  bool join_ends() {
     std::vector<char> has_before(parts_.size(), 0);
     for (const int next : next_)
       if (next != no_part) has_before[next] = 1;
@@ -90,7 +90,7 @@ class JoinedBorder {
 
 std::vector<std::vector<BorderPart>> loops_around(const std::vector<int>& regions, const Preparation& preparation) {
   JoinedBorder border(regions, preparation);
-  if (!border.close()) return {};
+  if (!border.join_ends()) return {};
   return border.loops();
 }
 

@@ -49,7 +49,7 @@ bool OutlinedGroup::join(const std::shared_ptr<OutlinedGroup>& group, const Prep
   for (OutlinedRegion* member : group->members_) member->move_origin(box.min());
   const double spacing = group->members_.front()->spacing();
   if (box.volume() <= OutlinedRegion::most_places * spacing * spacing && group->build(preparation) &&
-      group->share_out(preparation)) {
+      group->divide_among_members(preparation)) {
     for (std::size_t m = 0; m < origins.size(); ++m) {
       const Part& part = group->parts_[m];
       pd::OutlinedBody own;
@@ -84,11 +84,11 @@ bool OutlinedGroup::build(const Preparation& preparation) {
   if (!body_.is_exact() || !are_among(needed, body_.points, same)) return false;
   if (!pd::is_bond_based(leader.elasticity())) stencils_ = pd::cell_stencils(body_);
   nodes_.assign(body_.points.size(), SharedPoints::nobody);
-  return make_material(stencils_);
+  return reproduce_material(stencils_);
 }
 
 // Gives each member its part of the body. Returns false if a member lacks a point of its own edges.
-bool OutlinedGroup::share_out(const Preparation& preparation) {
+bool OutlinedGroup::divide_among_members(const Preparation& preparation) {
   const OutlinedRegion& leader = *members_.front();
   const auto to_grid = [&](const Arc& arc) {
     return Arc{leader.to_grid(arc.start), leader.to_grid(arc.end), arc.sweep};
@@ -179,7 +179,7 @@ void OutlinedGroup::add_bonds(const Preparation& preparation, const Contribution
     std::vector<int> own_squares;
     pd::CellStencils own = stencils_of(m, squares, bonds, own_squares);
     bonds.give(static_cast<int>(m), std::move(own_squares));
-    members_[m]->take(std::move(own));
+    members_[m]->set_stencils(std::move(own));
   }
 }
 

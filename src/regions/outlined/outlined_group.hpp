@@ -39,7 +39,7 @@ class OutlinedGroup {
   };
 
   bool build(const Preparation& preparation);
-  bool share_out(const Preparation& preparation);
+  bool divide_among_members(const Preparation& preparation);
   Part part_of(const std::vector<CellPart>& cells) const;
   pd::CellStencils stencils_of(std::size_t member, const std::vector<int>& squares, SharedBonds& bonds,
                                std::vector<int>& own_squares) const;

@@ -36,7 +36,8 @@ void OutlinedRegion::follow(const LeadingElements& leading, int leader, coupling
   const Point &start = leading.places.front(), &end = leading.places.back();
   std::vector<int> points;
   for (int i = 0; i < outline().chords().count(); ++i)
-    if (own(i) >= 0 && distance(Segment{start, end}, position(own(i))) < 1e-6 * spacing()) points.push_back(own(i));
+    if (point_at_node(i) >= 0 && distance(Segment{start, end}, position(point_at_node(i))) < 1e-6 * spacing())
+      points.push_back(point_at_node(i));
   const auto along = [&](int i) { return (position(i) - start).dot(end - start); };
   std::sort(points.begin(), points.end(), [&](int i, int j) { return along(i) < along(j); });
   // An interface that ends at the mouth of a crack reaches half a chord beyond its last point.

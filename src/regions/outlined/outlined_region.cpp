@@ -73,9 +73,9 @@ void OutlinedRegion::join(std::shared_ptr<OutlinedGroup> group, Part part, pd::O
   points_ = body_.points;
 }
 
-void OutlinedRegion::take(pd::CellStencils stencils) {
+void OutlinedRegion::set_stencils(pd::CellStencils stencils) {
   body_.points.insert(body_.points.end(), bonds_.far_points.begin(), bonds_.far_points.end());
-  squares_.take(std::move(stencils));
+  squares_.set_stencils(std::move(stencils));
 }
 
 // Position of the lattice inside the outline. A lattice point lies at the lower left corner, unless another position
@@ -132,8 +132,8 @@ void OutlinedRegion::build_alone(const Preparation& preparation, Contributions& 
                             : contributions.registry.add(position(i)));
   }
   if (!pd::is_bond_based(elasticity())) {
-    squares_.take(pd::cell_stencils(body_));
-    require(make_material(squares_.stencils()), "region ", id(),
+    squares_.set_stencils(pd::cell_stencils(body_));
+    require(reproduce_material(squares_.stencils()), "region ", id(),
             " has an outline beside which no cells were found that ", "make Poisson's ratio ",
             elasticity().poisson_ratio, "; try a smaller spacing, or ",
             elasticity().state == PlaneState::stress ? "1/3" : "1/4", ", which bonds alone make");
@@ -181,7 +181,7 @@ std::vector<PlacedNode> OutlinedRegion::nodes_on(const EdgeSpan& span, double to
   std::vector<PlacedNode> found;
   const auto add = [&](int node, double at) {
     if (at < span.from - slack || at > span.to + slack) return;
-    found.push_back({nodes_[own(node)], std::clamp((at - span.from) / (span.to - span.from), 0.0, 1.0)});
+    found.push_back({nodes_[point_at_node(node)], std::clamp((at - span.from) / (span.to - span.from), 0.0, 1.0)});
   };
   for (const pd::Chord& chord : outline().chords_on(id(), span.edge)) {
     if (found.empty()) add(chord.first, outline().fraction(chord, 0));
@@ -207,8 +207,8 @@ void OutlinedRegion::add_traction(const EdgeSpan& span, const std::function<Poin
     for (int g = 0; g < 4; ++g) {
       const double at = from + abscissa[g] * (to - from), part = halves ? 0.5 : (at - begin) / (end - begin);
       const Point f = gauss_weight[g] * (to - from) * length * traction(span.geometry.at(at));
-      nodal.segment<2>(2 * own(chord.first)) += (1 - part) * body_.factors[chord.first] * f;
-      nodal.segment<2>(2 * own(chord.second)) += part * body_.factors[chord.second] * f;
+      nodal.segment<2>(2 * point_at_node(chord.first)) += (1 - part) * body_.factors[chord.first] * f;
+      nodal.segment<2>(2 * point_at_node(chord.second)) += part * body_.factors[chord.second] * f;
     }
   }
   scatter(elasticity().thickness * nodal, force);

@@ -60,7 +60,7 @@ class OutlinedRegion final : public BondedRegion {
     std::vector<double> shares;               // of the points' areas, which lie in the region
   };
   void join(std::shared_ptr<OutlinedGroup> group, Part part, pd::OutlinedBody body);
-  void take(pd::CellStencils stencils);
+  void set_stencils(pd::CellStencils stencils);
 
  private:
   class CellEvaluator;
@@ -71,7 +71,7 @@ class OutlinedRegion final : public BondedRegion {
   void build_alone(const Preparation& preparation, Contributions& contributions);
   void require_common_points(const Preparation& preparation, const Contact& contact) const;
   const DividedOutline& outline() const { return *part_.outline; }
-  int own(int node_of_outline) const {
+  int point_at_node(int node_of_outline) const {
     return part_.own_number.empty() ? node_of_outline : part_.own_number[static_cast<std::size_t>(node_of_outline)];
   }
 

@@ -19,7 +19,7 @@ std::array<double, 4> weights_in(const std::vector<Point>& points, const std::ar
 }
 
 // Distance of a place from a cell in grid units, an estimate; not positive inside the cell.
-double excess(const std::vector<Point>& points, const std::array<int, 4>& cell, const Point& place) {
+double distance_outside(const std::vector<Point>& points, const std::array<int, 4>& cell, const Point& place) {
   double most = -std::numeric_limits<double>::infinity();
   const int count = pd::is_triangle(cell) ? 3 : 4;
   for (int k = 0; k < count; ++k) {
@@ -75,7 +75,7 @@ class OutlinedRegion::CellEvaluator final : public Evaluator {
     for (double reach = 1e-6; !(least < reach); reach *= 100) {
       const Point margin = Point::Constant(reach);
       near_.any_near(Box(p - margin, p + margin), [&](int c) {
-        const double off = excess(region_.points_, region_.body_.cells[static_cast<std::size_t>(c)], p);
+        const double off = distance_outside(region_.points_, region_.body_.cells[static_cast<std::size_t>(c)], p);
         if (off < least) least = off, best = c;
         return off <= 0;
       });

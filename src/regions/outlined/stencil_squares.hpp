@@ -18,7 +18,7 @@ std::vector<int> add_squares(const pd::CellStencils& stencils, const PlaneElasti
                              const Contributions& contributions);
 
 // Whether the squares of the patches of a body make its material.
-inline bool make_material(const pd::CellStencils& stencils) { return stencils.max_residual < 1e-11; }
+inline bool reproduce_material(const pd::CellStencils& stencils) { return stencils.max_residual < 1e-11; }
 
 // Squares of the patches of cells at the points of a region with any outline; none where bonds alone make the material.
 class StencilSquares final : public RegionSquares {
@@ -28,7 +28,7 @@ class StencilSquares final : public RegionSquares {
       : elasticity_(elasticity), spacing_(spacing), body_(body), bonds_(bonds) {}
 
   const pd::CellStencils& stencils() const { return stencils_; }
-  void take(pd::CellStencils stencils) { stencils_ = std::move(stencils); }
+  void set_stencils(pd::CellStencils stencils) { stencils_ = std::move(stencils); }
 
   // The stress-free displacement of a linear strain, e = e0 + a x + b y, is (e0 x + a (x^2 - y^2) / 2 + b x y,
   // e0 y + a x y + b (y^2 - x^2) / 2); the rest elongations are those of it.
