@@ -54,7 +54,7 @@ const std::unique_ptr<Region>& region_of(const Discretization& d, int id) {
   return *std::lower_bound(d.regions.begin(), d.regions.end(), id, reaches);
 }
 
-// Ties nodes of a region to the elements of the region `leader`.
+// Ties nodes of the region `leading.follower` to elements of the region `leader`.
 void follow(Discretization& d, const LeadingElements& leading, int leader) {
   const PointBorders* follower = region_of(d, leading.follower)->point_borders();
   if (!follower)
@@ -103,7 +103,8 @@ RegionStatistics Discretization::statistics() const {
 
 namespace {
 
-// Arranges the regions of a scene, as `before` if that is not null: its outlines are the same.
+// Finds the common edges of the regions of a scene. The arrangement is copied from `before` if that is not null,
+// because both scenes have the same outlines.
 Discretization arranged(const scene::Scene& scene, const Discretization* before) {
   Discretization d;
   d.tolerance = geometric_tolerance(scene.bounding_box());
@@ -120,7 +121,7 @@ Discretization arranged(const scene::Scene& scene, const Discretization* before)
   return d;
 }
 
-// Discretizes an arranged scene.
+// Builds the regions of a scene, and their nodes, bonds and ties.
 void build(Discretization& d, const Preparation& preparation) {
   const scene::Scene& scene = preparation.scene;
   for (int id : scene.region_ids()) {
@@ -147,8 +148,8 @@ void build(Discretization& d, const Preparation& preparation) {
   d.positions = registry.positions();
 }
 
-// Discretizes the scene. Where `may_leave_rows`, lattice regions leave their rows to be one body with neighbours;
-// throws CannotLeaveRows if there is no such body.
+// Discretizes the scene. If `may_leave_rows` is set, lattice regions get material points on their outlines where this
+// makes them one body with neighbours. Throws CannotLeaveRows if there is no such body.
 Discretization discretize(const scene::Scene& scene, const scene::Options& options, const Discretization* before,
                           bool may_leave_rows) {
   Discretization d = arranged(scene, before);

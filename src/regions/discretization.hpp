@@ -14,18 +14,19 @@
 
 namespace bempd::regions {
 
+// Scene in discretized form: regions with their nodes, and the energy terms and ties between nodes.
 struct Discretization {
   double tolerance;  // distance below which places count as the same [m]
   Arrangement arrangement;
   std::vector<Point> positions;                  // places of the scene's nodes [m]
   std::vector<std::unique_ptr<Region>> regions;  // by ascending id
   coupling::Terms bonds;                         // energy terms: bonds and cell squares
-  coupling::NodeTies ties;               // of nodes that follow the elements beyond interfaces that do not match
-  std::vector<double> critical_stretch;  // of each term of `bonds`
+  coupling::NodeTies ties;  // ties of nodes on interfaces to elements of a neighbour that do not match them
+  std::vector<double> critical_stretch;  // critical stretch of each term of `bonds`
   std::vector<std::string> warnings;
   std::string gap;  // sentence about the narrowest gap between regions that nearly touch; empty if there is none
   std::vector<PartedCrack> cracks;  // divided into parts by the regions through which they run
-  std::vector<int> off_rows;        // ids of regions that left their lattice rows (Preparation::off_rows)
+  std::vector<int> off_rows;        // Preparation::off_rows
 
   const Region& region(int id) const;  // with an id that the scene has
   std::vector<coupling::DenseOperator> dense_operators() const;

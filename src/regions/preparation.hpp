@@ -30,35 +30,35 @@ struct Preparation {
   double tolerance;                                     // distance below which places count as the same [m]
   const std::vector<std::unique_ptr<Region>>& regions;  // all of them, by ascending id
   const std::vector<PartedCrack>& cracks;               // divided into parts once all regions exist
-  // Ids (ascending) of regions whose outlines follow lattice rows, and which leave these rows because they are one body
-  // with a region of another outline: like that region they have material points on their outlines.
+  // Ids (ascending) of regions whose outlines follow lattice rows, but whose material points lie on their outlines,
+  // because they are one body with a region whose outline follows no lattice rows.
   const std::vector<int>& off_rows;
   // Regions of the same scene with shorter cracks, whose unchanged operators are reused; null if there are none.
   const std::vector<std::unique_ptr<Region>>* before;
   const std::vector<PartedCrack>* cracks_before;  // the cracks before they grew; null if there are none
 
   bool leaves_rows(int region) const { return std::binary_search(off_rows.begin(), off_rows.end(), region); }
-  // Grid of the nodes of a region (id) as it is built; null for a region without one.
+  // Grid of the nodes of a region (id) as it is built; empty if the nodes lie on no grid.
   std::optional<scene::NodeGrid> node_grid(int region) const {
     return leaves_rows(region) ? std::nullopt : scene.region(region).node_grid();
   }
 };
 
-// Lists of the scene to which regions add their nodes, terms and warnings.
+// Lists of the scene to which regions add their nodes, energy terms and warnings.
 struct Contributions {
   NodeRegistry& registry;
   coupling::Terms& terms;
-  std::vector<double>& critical_stretch;  // per term
+  std::vector<double>& critical_stretch;  // of each term
   std::vector<std::string>& warnings;
 
   // Breaking behaviour of a region's bonds: critical stretch, bond law, and contraction.
   struct Breaking {
     double limit;        // stretch
-    int law;             // of `terms`
+    int law;             // number of the bond law in `terms`
     double contraction;  // Poisson's ratio for the effect of compression across a bond; 0: not corrected
 
     // Breaking behaviour of a bond between two points. `energy_shares` has the fracture energy at each point, relative
-    // to that of the material; if empty, it is the material's everywhere.
+    // to that of the material; if the list is empty, the fracture energy is the material's everywhere.
     Breaking between(const std::vector<double>& energy_shares, int first, int second) const {
       if (energy_shares.empty()) return *this;
       const double at_first = energy_shares[static_cast<std::size_t>(first)];

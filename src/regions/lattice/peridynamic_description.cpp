@@ -14,13 +14,13 @@ namespace bempd::regions {
 
 namespace {
 
-// Largest number of bonds in a region: they are numbered by int.
+// Largest number of bonds in a region, because int numbers them.
 constexpr double most_bonds = std::numeric_limits<int>::max();
 
-// Memory estimate for each bond, by the lists that exist at the same time [B]: measured as 142 to 150 with 1.4 and 5.9
-// million bonds.
+// Memory per bond, for all lists that exist at the same time [B]. Measured were 142 to 150 with 1.4 and 5.9 million
+// bonds.
 constexpr double bytes_per_bond = 140;
-// Memory estimate for each square of a cell [B].
+// Memory per cell square (energy term of a lattice cell that corrects Poisson's ratio) [B].
 constexpr double bytes_per_square = 320;
 
 double cells_of(const Outline& outline, double spacing) { return area(outline) / (spacing * spacing); }
@@ -29,8 +29,9 @@ double bonds_of(const Outline& outline, double spacing, int horizon_ratio) {
   return cells_of(outline, spacing) * static_cast<double>(pd::bond_family(horizon_ratio).size());
 }
 
-// Range of Poisson's ratio for regions with squares of cells. Below it bonds become soft compared with the squares, and
-// cracks start too early. Above it hydrostatic tension hardly stretches bonds (docs/materials.md).
+// Range of Poisson's ratio in peridynamic regions. Below the smallest ratio, bonds would be so much softer than cell
+// squares that cracks start too early. Above the largest ratio, hydrostatic tension hardly stretches bonds
+// (docs/materials.md).
 constexpr double least_ratio = -0.2, largest_ratio = 0.49;
 
 std::string list_of(const std::vector<double>& values) {

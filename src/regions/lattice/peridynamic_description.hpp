@@ -10,14 +10,15 @@ namespace bempd::regions {
 
 // Choices of the host for the material points of a region.
 struct PointChoice {
-  bool on_outline = false;  // whether points lie on the outline even if it follows lattice rows
+  bool on_outline = false;  // whether points lie on the outline even if the outline follows lattice rows
   double angle = 0;         // of the lattice's rows [rad]
 
   bool is_default() const { return !on_outline && angle == 0; }
 };
 
-// Peridynamic region as the host described it: an outline of any shape, the spacing of its points, and a horizon. If
-// all edges are parallel to the axes, points are the corners of lattice cells; else points lie on the outline too.
+// Peridynamic region as the host described it: an outline of any shape, the spacing of material points, and a horizon.
+// If all edges are parallel to the axes and the host has chosen nothing else, points are the corners of lattice cells;
+// otherwise points lie on the outline too.
 class PeridynamicDescription : public scene::Region {
  public:
   // Checks the description. Throws Error (argument) for an outline along the axes that is not a multiple of the
@@ -28,9 +29,10 @@ class PeridynamicDescription : public scene::Region {
   double spacing() const { return spacing_; }
   int horizon_ratio() const { return horizon_ratio_; }
   const PointChoice& choice() const { return choice_; }
-  // Outline in cells of the lattice; empty if points lie on the outline.
+  // Outline in whole cells of the lattice; empty if points lie on the outline.
   const std::optional<LatticeOutline>& lattice() const { return lattice_; }
-  // Whether two regions have one lattice, so that they are one body where they touch along an edge.
+  // Whether material, spacing, horizon and angle of two regions are equal, so that the regions are one body where they
+  // touch along an edge.
   bool has_lattice_of(const PeridynamicDescription& other) const;
 
   const char* adjective() const override { return "peridynamic"; }

@@ -13,8 +13,8 @@ namespace bempd::regions {
 namespace {
 
 constexpr double chord_deviation = 1e-5;   // distance of chords from their arc, in spacings
-constexpr double negligible_share = 1e-9;  // of a cell's area
-constexpr double on_edge = 1e-9;           // in spacings
+constexpr double negligible_share = 1e-9;  // share of a cell's area
+constexpr double on_edge = 1e-9;           // tolerance of places on edges, in spacings
 
 std::vector<Point> corners_of(const std::vector<Point>& points, const std::array<int, 4>& cell) {
   std::vector<Point> corners;
@@ -29,8 +29,9 @@ double area_of(const std::vector<Point>& polygon) {
   return 0.5 * twice;
 }
 
-// Signed area of a polygon inside a convex one (Sutherland and Hodgman, Comm. ACM 17, 1974). Where the polygon is not
-// convex, its clipped parts are joined along the sides of the other, by lines that enclose no area.
+// Signed area of the part of `polygon` inside the polygon `convex` (Sutherland and Hodgman, Comm. ACM 17, 1974). If
+// `polygon` is not convex, clipping may leave several parts, joined by lines along sides of `convex`; these lines
+// enclose no area.
 double area_within(const std::vector<Point>& convex, std::vector<Point> polygon) {
   for (std::size_t side = 0; side < convex.size() && !polygon.empty(); ++side) {
     const Point &a = convex[side], along = convex[(side + 1) % convex.size()] - a;
@@ -46,7 +47,7 @@ double area_within(const std::vector<Point>& convex, std::vector<Point> polygon)
   return area_of(polygon);
 }
 
-// Region of the body: its edges, and polygons close to its loops.
+// Shape of a region of the body: its edges, and polygons that approximate its loops.
 class RegionShape {
  public:
   explicit RegionShape(const std::vector<std::vector<Arc>>& loops) : edges_(edges(loops)) {

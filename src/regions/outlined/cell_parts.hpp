@@ -13,8 +13,9 @@ struct CellPart {
   double share;
 };
 
-// Shares out the cells of a body among its regions, given by the loops around each of them. Cells that a common edge of
-// two regions crosses belong to both. Shares of a cell add up to 1. All lengths are in spacings.
+// Divides the cells of a body (several regions with one lattice) among its regions. `regions` has the loops around each
+// region. A cell that a common edge of two regions crosses is part of both regions, with shares of its area that add up
+// to 1. All lengths are in spacings.
 std::vector<std::vector<CellPart>> parts_of_cells(const std::vector<Point>& points, const pd::FillingCells& cells,
                                                   const std::vector<std::vector<std::vector<Arc>>>& regions,
                                                   const std::vector<Arc>& common_edges);

@@ -8,14 +8,18 @@ namespace bempd::regions {
 
 class OutlinedRegion;
 
-// Regions that form one lattice with a region, touching it directly or through others, itself included; by ascending
-// id. It is alone if a support or a load acts along a common edge of them: only the outline of a body has points.
+// Regions that are one body with `region` (they have one lattice, and bonds cross their common edges): those that touch
+// the region, directly or through other such regions, and the region itself; by ascending id. If a support or a load
+// acts along a common edge of these regions, only `region` is returned, because one body has no material points along
+// edges inside it.
 std::vector<OutlinedRegion*> regions_acting_as_one(OutlinedRegion& region, const Preparation& preparation);
 
-// Ids (ascending) of the regions that have to leave their lattice rows to be one body with a region of another outline.
+// Ids (ascending) of regions whose outlines follow lattice rows, and which get material points on their outlines
+// instead, because they are one body with a region whose outline follows no lattice rows.
 std::vector<int> regions_leaving_rows(const Preparation& preparation);
 
-// Exception: regions that were to leave their lattice rows have no network of bonds together with their neighbours.
+// Exception: regions that were to get material points on their outlines (regions_leaving_rows()) cannot be one body
+// with their neighbours. discretize() catches it and keeps the lattice rows.
 struct CannotLeaveRows {};
 
 }  // namespace bempd::regions

@@ -19,8 +19,8 @@ double degrees(double angle) { return angle * 180 / std::numbers::pi; }
 
 }  // namespace
 
-// Fractions at which pieces of a part of an edge end: the ends of interfaces, and other required places where there is
-// room for chords.
+// Fractions of the edge, within `part`, at which pieces of the outline end: the ends of interfaces, and places that
+// supports, loads and cracks need, where the pieces on both sides have room for a chord.
 std::vector<double> DividedOutline::stations_on(const Preparation& preparation, const BorderPart& part) const {
   const Edge edge = preparation.scene.region(part.region).edge(part.edge);
   const double length = edge.length() / grid_.spacing(), room = shortest_piece / length;
@@ -35,8 +35,8 @@ std::vector<double> DividedOutline::stations_on(const Preparation& preparation, 
       wanted.insert(wanted.end(), breaks.begin(), breaks.end());
     }
   }
-  // A crack's mouth has to lie in the middle of a chord of the outline, so two places half a spacing beside it are
-  // required.
+  // The mouth of a crack (where the crack meets an edge) has to lie in the middle of a chord, so chords have to end
+  // half a spacing to either side of the mouth.
   for (const scene::Crack& crack : preparation.scene.cracks()) {
     for (const Point& p : crack.given()) {
       if (distance(edge, p) > 8 * preparation.tolerance) continue;

@@ -9,6 +9,7 @@ namespace {
 
 constexpr int no_part = -1;
 
+// Parts of edges around several regions that are one body, and their order along the loops.
 class JoinedBorder {
  public:
   JoinedBorder(const std::vector<int>& regions, const Preparation& preparation) : preparation_(preparation) {
@@ -28,8 +29,8 @@ class JoinedBorder {
     }
   }
 
-  // Joins the ends of parts at common edges to the starts of others there; returns false if that is not possible in one
-  // way only.
+  // Finds for each part that ends at a common edge the part that begins at the same place. Returns false if no part or
+  // several parts begin there.
   bool join_ends() {
     std::vector<char> has_before(parts_.size(), 0);
     for (const int next : next_)
@@ -83,7 +84,7 @@ class JoinedBorder {
 
   const Preparation& preparation_;
   std::vector<BorderPart> parts_;
-  std::vector<int> next_;  // of each part
+  std::vector<int> next_;  // number of the part behind each part in its loop, or no_part
 };
 
 }  // namespace

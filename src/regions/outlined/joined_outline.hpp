@@ -12,8 +12,9 @@ struct BorderPart {
   double from, to;
 };
 
-// Loops around the body that some regions (ids, ascending) form together, with the body on the left: the parts of their
-// edges that are no common edges of two of them. Empty if these do not close in one way only.
+// Loops around the body that the regions (ids, ascending) form together, with the body on their left. Loops consist of
+// those parts of edges that are not common to two of the regions. The result is empty unless the parts form loops in
+// exactly one way.
 std::vector<std::vector<BorderPart>> loops_around(const std::vector<int>& regions, const Preparation& preparation);
 
 }  // namespace bempd::regions

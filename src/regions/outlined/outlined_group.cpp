@@ -15,7 +15,7 @@ std::vector<int> ids_of(const std::vector<OutlinedRegion*>& regions) {
   return ids;
 }
 
-// Places of supports and loads at points of the regions, in grid coordinates of the first one.
+// Places at which a support or a load acts on a single point of the regions, in grid coordinates of the first region.
 std::vector<Point> points_of_conditions(const std::vector<OutlinedRegion*>& regions, const Preparation& p) {
   std::vector<Point> places;
   for (const auto* conditions : {&p.scene.supports(), &p.scene.loads()}) {
@@ -30,7 +30,7 @@ std::vector<Point> points_of_conditions(const std::vector<OutlinedRegion*>& regi
   return places;
 }
 
-// Whether all places are among some points.
+// Whether each of `places` is one of `points`, up to the tolerance.
 bool are_among(const std::vector<Point>& places, const std::vector<Point>& points, double tolerance) {
   return std::all_of(places.begin(), places.end(), [&](const Point& place) {
     return std::any_of(points.begin(), points.end(), [&](const Point& p) { return (p - place).norm() <= tolerance; });
@@ -58,7 +58,7 @@ bool OutlinedGroup::join(const std::shared_ptr<OutlinedGroup>& group, const Prep
         own.points.push_back(group->body_.points[point]);
         own.areas.push_back(group->body_.areas[point]);
       }
-      group->members_[m]->join(group, {group->outline_, part.own_number, part.shares}, std::move(own));
+      group->members_[m]->join(group, {group->outline_, part.own_number, part.areas}, std::move(own));
     }
     return true;
   }
@@ -66,7 +66,8 @@ bool OutlinedGroup::join(const std::shared_ptr<OutlinedGroup>& group, const Prep
   return false;
 }
 
-// Builds the body. Returns false if there is no network of bonds for it.
+// Builds the body inside the common outline. Returns false if there is no network of bonds for the body, or if the body
+// lacks a point at which a support or a load acts.
 bool OutlinedGroup::build(const Preparation& preparation) {
   const OutlinedRegion& leader = *members_.front();
   outline_ = std::make_shared<DividedOutline>(ids_of(members_), leader);
@@ -140,11 +141,11 @@ OutlinedGroup::Part OutlinedGroup::part_of(const std::vector<CellPart>& cells) c
     part.own_number[point] = static_cast<int>(part.points.size());
     part.points.push_back(static_cast<int>(point));
   }
-  part.shares.assign(part.points.size(), 0.0);
+  part.areas.assign(part.points.size(), 0.0);
   for (const CellPart& one : cells) {
     std::array<int, 4>& cell = part.cells.emplace_back(body_.cells[one.cell]);
     const double of_corner = one.share * pd::area_of_corner(body_.points, cell);
-    for (int k = 0; k < pd::corner_count(cell); ++k) part.shares[part.own_number[cell[k]]] += of_corner;
+    for (int k = 0; k < pd::corner_count(cell); ++k) part.areas[part.own_number[cell[k]]] += of_corner;
     for (int& corner : cell) corner = part.own_number[corner];
   }
   return part;
@@ -183,7 +184,8 @@ void OutlinedGroup::add_bonds(const Preparation& preparation, const Contribution
   }
 }
 
-// Stencils of the patches at the points of a member, and the first square of each.
+// Gradient stencils of the patches (groups of cells) that have points of a member. `own_squares` gets the number of the
+// first cell square (energy term) of each of these patches.
 pd::CellStencils OutlinedGroup::stencils_of(std::size_t member, const std::vector<int>& squares, SharedBonds& bonds,
                                             std::vector<int>& own_squares) const {
   pd::CellStencils own;

@@ -78,8 +78,8 @@ void OutlinedRegion::set_stencils(pd::CellStencils stencils) {
   squares_.set_stencils(std::move(stencils));
 }
 
-// Position of the lattice inside the outline. A lattice point lies at the lower left corner, unless another position
-// keeps the points farther from cracks.
+// Position of the lattice inside the outline. A lattice point lies at the lower left corner of the rectangle around the
+// body, unless another position keeps the lattice points farther from cracks.
 pd::LatticePlace OutlinedRegion::place_of_lattice(const Preparation& preparation) const {
   constexpr int steps = 8;
   const Eigen::Matrix2d turn(Eigen::Rotation2Dd(choice_.angle));
@@ -149,9 +149,10 @@ std::optional<LatticeGrid> OutlinedRegion::lattice_grid() const {
   return LatticeGrid{from_grid(body_.place.origin), spacing(), horizon_ratio() * spacing(), choice_.angle};
 }
 
-// Adds the bonds that a crack cuts. If the crack begins at a material point (at a corner, or between two pieces of a
-// round edge), it is moved to the right of it. If it ends on a round hole it is lengthened, because bonds between
-// neighbouring points on the hole run outside the body and would not be cut.
+// Adds the bonds that a crack cuts. An end of the crack that lies on a node of the outline (at a corner, or between two
+// pieces of a round edge) is moved outwards and to its right, looking into the body. An end elsewhere on a round edge
+// is moved outwards, because bonds between neighbouring points of a round hole run outside the body and would not be
+// cut.
 void OutlinedRegion::cut(const scene::Crack& crack, int number, std::vector<int>& bonds,
                          std::vector<std::string>& warnings) const {
   constexpr double on_point = 1e-8, on_arc = 1e-6, aside = 1e-3, beyond_arc = 0.5;  // in spacings

@@ -13,8 +13,8 @@ namespace bempd::regions {
 
 class OutlinedGroup;
 
-// Peridynamic region with any outline: material points on equal chords along its edges and, inside, on a lattice.
-// Uniform stress is in balance with the tractions on the chords, which coincide with straight edges.
+// Peridynamic region with an outline of any shape. Material points are the ends of equal chords along the edges and,
+// inside, points of a lattice. Under a constant stress the bonds are in balance with its tractions on the chords.
 class OutlinedRegion final : public BondedRegion {
  public:
   OutlinedRegion(int id, const PeridynamicDescription& described, const scene::Material& material);
@@ -36,7 +36,7 @@ class OutlinedRegion final : public BondedRegion {
     return pd::FaceLattice{from_grid(body_.place.origin), spacing(), choice_.angle};
   }
 
-  std::vector<double> cell_shares() const override { return part_.shares.empty() ? body_.areas : part_.shares; }
+  std::vector<double> cell_shares() const override { return part_.areas.empty() ? body_.areas : part_.areas; }
   const RegionSquares* squares() const override { return &squares_; }
   bool shares_bonds_with(const BondedRegion& other) const override;
 
@@ -47,17 +47,17 @@ class OutlinedRegion final : public BondedRegion {
 
   // --- Functions for the group of regions that are one body
 
-  static constexpr double most_places = 1e8;  // of a lattice in the rectangle around a body
+  static constexpr double most_places = 1e8;  // largest number of lattice points in the rectangle around a body
 
   // Whether two regions are one body where they touch along an edge: material, spacing, horizon and angle are equal.
   bool acts_as_one_with(const OutlinedRegion& other) const;
   pd::LatticePlace place_of_lattice(const Preparation& preparation) const;
   void move_origin(const Point& origin) { origin_ = origin; }
-  // The region's part of a body of several: its points (those of others at which its bonds end follow) and cells.
+  // Part of the region in the body that it forms with its neighbours.
   struct Part {
-    std::shared_ptr<DividedOutline> outline;  // of the body
-    std::vector<int> own_number;              // of the body's points; -1 for points of others
-    std::vector<double> shares;               // of the points' areas, which lie in the region
+    std::shared_ptr<DividedOutline> outline;  // outline of the body
+    std::vector<int> own_number;  // the region's number of each point of the body; -1: the region lacks the point
+    std::vector<double> areas;    // area of each point of the region that lies in the region, in squared spacings
   };
   void join(std::shared_ptr<OutlinedGroup> group, Part part, pd::OutlinedBody body);
   void set_stencils(pd::CellStencils stencils);
@@ -65,20 +65,21 @@ class OutlinedRegion final : public BondedRegion {
  private:
   class CellEvaluator;
 
-  // Divides the outline, or that of the group, unless that is done: neighbours may ask for points before the region is
-  // meshed. Throws CannotLeaveRows.
+  // Divides the outline of the region, or of its group, into chords, unless that is done: neighbours may ask for points
+  // before mesh() of this region is called. Throws CannotLeaveRows.
   void divide(const Preparation& preparation);
   void build_alone(const Preparation& preparation, Contributions& contributions);
   void require_common_points(const Preparation& preparation, const Contact& contact) const;
   const DividedOutline& outline() const { return *part_.outline; }
+  // Number of the region's point at a node of the outline; -1 if the region lacks the point.
   int point_at_node(int node_of_outline) const {
     return part_.own_number.empty() ? node_of_outline : part_.own_number[static_cast<std::size_t>(node_of_outline)];
   }
 
   PointChoice choice_;
-  Part part_;  // all of the body if the region is alone
+  Part part_;  // without own numbers and areas if the region is a body of its own
   pd::OutlinedBody body_;
-  std::shared_ptr<OutlinedGroup> group_;  // null if the region is alone, or once its bonds exist
+  std::shared_ptr<OutlinedGroup> group_;  // null if the region is a body of its own, and after the bonds are built
   StencilSquares squares_;
 };
 

@@ -18,7 +18,7 @@ std::array<double, 4> weights_in(const std::vector<Point>& points, const std::ar
   return {(1 - x) * (1 - y), x * (1 - y), x * y, (1 - x) * y};
 }
 
-// Distance of a place from a cell in grid units, an estimate; not positive inside the cell.
+// Estimate of the distance of a place from a cell, in grid units; not positive inside the cell.
 double distance_outside(const std::vector<Point>& points, const std::array<int, 4>& cell, const Point& place) {
   double most = -std::numeric_limits<double>::infinity();
   const int count = pd::is_triangle(cell) ? 3 : 4;
@@ -37,8 +37,8 @@ Cells OutlinedRegion::cells() const {
   return cells;
 }
 
-// Evaluates places by interpolation: bilinear in lattice cells, linear in the triangles around them. Between a round
-// edge and its chord the triangle at the chord is extrapolated.
+// Evaluates fields at places by interpolation: bilinear in lattice cells, linear in the triangles around them. Between
+// a round edge and its chord the triangle at the chord is extrapolated.
 class OutlinedRegion::CellEvaluator final : public Evaluator {
  public:
   CellEvaluator(const OutlinedRegion& region, const FieldsOfRegion& fields, bool with_stress)

@@ -10,8 +10,8 @@ namespace bempd::regions {
 
 namespace {
 
-// Mean stress (xx, yy, xy) over a patch of cells due to a unit force in a square, for unit spacing and thickness. `at`
-// are the patch's points, `area` its area.
+// Mean stress (xx, yy, xy) over a patch of cells due to a unit force in a cell square, for unit spacing and thickness.
+// `at` has the patch's points, `area` is the patch's area.
 Eigen::Vector3d unit_stress_of(const pd::StencilSquare& square, std::span<const int> at, double area,
                                const std::vector<Point>& points) {
   Eigen::Matrix2d moment = Eigen::Matrix2d::Zero();
