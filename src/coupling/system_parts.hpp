@@ -17,7 +17,8 @@
 namespace bempd::coupling {
 
 // Range of the stiffnesses of single degrees of freedom [N/m] in a body, with the virgin stiffness of all energy terms.
-// `smallest` is that of the softest degree of freedom, or the largest in the softest operator if that is smaller.
+// `smallest` is the least positive stiffness of all degrees of freedom. If the largest diagonal entry of some dense
+// operator is even smaller, `smallest` is this entry.
 struct StiffnessRange {
   StiffnessRange(int node_count, const std::vector<DenseOperator>& operators, const Terms& terms);
   double ratio() const { return largest > 0 ? smallest / largest : 1; }

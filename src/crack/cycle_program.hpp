@@ -6,7 +6,7 @@
 
 namespace bempd::crack {
 
-// Block of load cycles between a high and a low load. Loads are numbers: indices of a tip's list of factors by load.
+// Block of load cycles between a high and a low load. Both loads are given as indices of a list of loads.
 struct Block {
   std::size_t high = 0, low = 0;
   double cycles = 0;

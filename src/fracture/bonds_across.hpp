@@ -23,8 +23,8 @@ struct AffineRelief {
 // stress across it is C11 (b + nu a), where nu = C12 / C11 is Poisson's ratio in the plane. The part of the bond's
 // strain due to that stress is -nu / (1 - nu^2) (b + nu a), by Hooke's law. b is the stretch of a bond of the same
 // length at right angles. If neither end has such a bond, b is estimated from two other bonds at an end and the bond
-// itself, exactly for every constant strain. The mean of all estimates by intact bonds counts. A bond has no relief if
-// its law does not count it, or if it has no estimate.
+// itself, exactly for every constant strain. The mean of all estimates by intact bonds counts. The relief is zero for
+// bonds whose law takes no account of compression, and for bonds without an estimate.
 class BondsAcross {
  public:
   BondsAcross() = default;

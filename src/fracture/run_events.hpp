@@ -9,7 +9,7 @@
 
 namespace bempd::fracture {
 
-// Events of a run in one body: finds the next event, performs and books it, and takes back an event that cannot be
+// Events of a run in one body: finds the next event, performs and records it, and takes back an event that cannot be
 // completed.
 class RunEvents {
  public:

@@ -18,7 +18,7 @@ class Model;
 enum class CrackTreatment { automatic = 1, elements = 2, lattice = 3, frozen = 4 };
 
 // Treatments of the cracks of bodies, and the lattice patches that follow from the treatments. A patch is a lattice
-// inside a body, made of square blocks of cells around cracks. Patches are in the scene from the time when it is
+// inside a body, made of square blocks of cells around cracks. The scene has its patches from the time when it is
 // planned or prepared until the host changes it.
 class CrackTreatments {
  public:

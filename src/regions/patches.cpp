@@ -188,8 +188,8 @@ class GrowingPatch {
     return std::ranges::any_of(wanted, [&](const Block& b) { return !own().blocks.contains(b) && may_add(b); });
   }
 
-  // All patches after this patch has got those of the `wanted` blocks that it may have. Empty if the patch gets none,
-  // or does not have all `needed` blocks then.
+  // All patches, after those of the `wanted` blocks have been added to this patch that walls and other patches allow.
+  // Empty if no block is added, if the patch would fall into parts, or if it would lack some of the `needed` blocks.
   std::optional<std::vector<Patch>> with_added(const Blocks& wanted, const Blocks& needed) const {
     Blocks blocks = own().blocks;
     for (const Block& block : wanted)

@@ -17,7 +17,7 @@ using regions::Field;
 using regions::FieldValues;
 using regions::SnapshotBlock;
 
-// Numbers of parts, behind those of regions.
+// Numbers of the parts of a snapshot other than regions; larger numbers are shown later.
 constexpr int number_of_inside = 50, number_of_cracks = 100, number_of_tips = 101;
 
 VtuGrid grid_of_regions() {

@@ -11,7 +11,7 @@
 namespace bempd::fracture {
 
 // Growth of crack lines (cracks that grow in a lattice by steps) by steps that have been performed: moves tips, ends
-// them at edges and faces, and remembers the energy of each step, by which the loads of the next ones are corrected.
+// them at edges and faces, and remembers the energy of each step, which corrects the loads of later steps.
 class LineGrowth {
  public:
   LineGrowth(const std::vector<Point>& positions, const TipFields& fields, const LinePath& path)

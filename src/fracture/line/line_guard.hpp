@@ -8,7 +8,8 @@
 
 namespace bempd::fracture {
 
-// Guard of the terms (bonds and cell squares) near the tips of crack lines, which do not break by themselves.
+// Guard around the tips of crack lines (cracks that grow in a lattice by steps): terms (bonds and cell squares) near a
+// tip do not break by themselves.
 class LineGuard {
  public:
   LineGuard(LoadedBody& body, const TipFields& fields, const LinePath& path)

@@ -234,8 +234,9 @@ bool StepLoads::take_factors(const GrowingTip& tip, const coupling::Affine& disp
   return true;
 }
 
-// Replaces the load by the fit by that of sums around the tip, or of a trial step's energy. Cracks under fluid pressure
-// get no load by a trial step, because fluid would follow into the step, which the energy does not contain.
+// Replaces the load that follows from the fit by the load from path-independent sums around the tip, or from the energy
+// of a trial step. Cracks under fluid pressure get no load by a trial step, because fluid would follow into the step,
+// and the energy does not contain its work.
 void StepLoads::replace(const GrowingTip& tip, const coupling::Affine& displacement, const LoadWay& way,
                         TrialBody& body, LineStep& step) const {
   const bool around = step.asks_for_sums && take_factors(tip, displacement, way, body, step);

@@ -18,8 +18,8 @@ class CutStiffness {
  public:
   CutStiffness(const coupling::Terms& terms, const pd::TipLaws& laws);
 
-  // Crack length [m] and fracture energy [J] for which a cut bond counts, on a crack with the unit normal `normal`:
-  // half of both by the lattice at each end of the bond.
+  // Crack length [m] that the cut of one bond stands for on a crack with the unit normal `normal`, and the fracture
+  // energy [J] of this length. The lattices at the two ends of the bond determine half of each.
   struct Counted {
     double length = 0, energy = 0;
   };

@@ -30,14 +30,14 @@ struct WindowOptions {
 };
 
 // Origin of an open window: the data with which it was opened, and the calls in which it computed events ahead. The
-// stages of the terms when it was opened are those in the system's factor.
+// system's factor belongs to the damage stages that the terms had when the window was opened.
 struct WindowOrigin {
   WindowOptions options;
   double load_factor = 0;
   coupling::Affine displacement{0, 2};
   std::vector<GrowingTip> tips;    // tips of crack lines when the window was opened
   std::optional<FaceState> faces;  // contact state when it was opened, if the window has closed or opened places since
-  // Call in which the window computed events ahead, and the state from which it did.
+  // Call in which the window computed events ahead, and the state of the body from which these events were computed.
   struct Computation {
     std::int64_t after = 0;  // number of the window's events performed before
     double load_factor = 0, largest_force = 0;

@@ -16,8 +16,8 @@ DraftBonds draft_outlined_bonds(const Chords& chords, const OutlinedPoints& poin
 
 // Layer of bonds at the outline whose stiffness may differ from the bulk stiffness: bonds with one end less deep than
 // `depth` and the other end less deep than `deepest`. Bonds of the layer that are shorter than `reach` are free, which
-// means that balance_layer() may change them. Points deeper than the longest bond plus the gap at the outline have no
-// missing moments.
+// means that balance_layer() may change them. Points deeper than the longest bond plus the gap at the outline need no
+// balancing (they have no missing_moments()).
 struct Layer {
   double depth, deepest, reach;
 };

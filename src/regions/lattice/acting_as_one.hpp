@@ -9,8 +9,8 @@
 
 namespace bempd::regions {
 
-// Ids of the regions that are reached from one over common edges of two regions that `are_one` accepts, itself
-// included; ascending.
+// Ids (ascending) of the regions that can be reached from `region` across common edges, and of `region` itself. Each
+// common edge that is crossed has to belong to two regions for which are_one(id, id) holds.
 template <class Predicate>
 std::vector<int> regions_touching(int region, const Arrangement& arrangement, const Predicate& are_one) {
   const std::vector<Contact>& contacts = arrangement.contacts;

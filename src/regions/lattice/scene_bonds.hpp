@@ -11,8 +11,8 @@
 namespace bempd::regions {
 
 // Bonds at the points of a region, including bonds to other regions of its body, and their numbers in the scene. The
-// region's own bonds are consecutive in the scene: `listed` bonds from the number `first` on. They are the bonds
-// between two of its points, except bonds of which an earlier region of the same body also has both ends.
+// region's own bonds are consecutive in the scene: `listed` bonds from the number `first` on. These are the bonds
+// between two points of the region, except bonds of which an earlier region of the same body also has both ends.
 struct SceneBonds {
   std::shared_ptr<const pd::Network> network;  // shared by regions that are alike
   std::size_t first = 0, listed = 0;           // first own bond, and number of own bonds
