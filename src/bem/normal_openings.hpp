@@ -34,7 +34,7 @@ class NormalOpenings {
  private:
   struct Place {
     int node;                   // opening node; -1 where the crack cuts the body and faces are parts of the boundary
-    Point normal;               // to the left of the crack
+    Point normal;               // unit normal to the left of the crack
     int left = -1, right = -1;  // boundary nodes of the two faces if `node` is -1
     bool at_joint = false;
   };

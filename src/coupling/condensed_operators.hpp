@@ -79,7 +79,7 @@ class CondensedOperators {
   std::vector<DenseOperator> pending_;  // operators until they are condensed
   std::vector<OperatorSchurComplement> list_;
   Condensed condensed_ = Condensed::nothing;
-  KnownSchurComplements known_;  // for condense(); empty afterwards
+  KnownSchurComplements known_;  // Schur complements for condense(); empty afterwards
   Affine load_, gap_offsets_{0, 2};
   bool have_rest_[2] = {false, false};
   double rest_motion_[2] = {0, 0};

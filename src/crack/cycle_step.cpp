@@ -82,7 +82,7 @@ double TipOnStep::critical_at(double grown) const {
   return between(critical[part], critical[part + 1], at - static_cast<double>(part));
 }
 
-// Curvature from the previous step; 0 if that step is unknown, or the tip grew by most of its crack's part in it.
+// Curvature from the previous step; 0 if that step is unknown or was longer than 0.7 of the tip's part of the crack.
 double TipOnStep::bend(std::size_t level) const {
   const double start = own_length(), longest = 0.7 * start;
   const bool is_known = !past.empty() && past[level].equivalent * before[level].equivalent > 0;

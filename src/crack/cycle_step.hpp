@@ -29,7 +29,7 @@ struct TipOnStep {
   double growth = 0;        // growth of this tip in the step [m]
   double crack_growth = 0;  // growth of the crack at both ends in the step [m]
   Point from{0, 0}, to{0, 0};
-  std::vector<LevelFactors> before, after;  // by load; empty `after`: unknown, taken as `before`
+  std::vector<LevelFactors> before, after;  // factors by load; empty `after`: unknown, taken as `before`
 
   // Stress intensity factors at which the tip breaks, at equally spaced places of the step from its beginning to its
   // end; infinite: unknown.

@@ -23,8 +23,8 @@ struct Growth {
 // Relation of the nodes and terms (bonds and cell squares) of the body in which a run continues to those of the body
 // before it.
 struct FormerBody {
-  std::vector<int> node;      // by present node: node of the body before at the same place, or a close one
-  std::vector<int> node_now;  // by node of the body before: present node at the same place, or a close one; -1: none
+  std::vector<int> node;      // node of the body before for each present node: at the same place or close
+  std::vector<int> node_now;  // present node for each node of the body before; -1: none
   // Present numbers of terms by their numbers in the body before; empty: all terms keep their numbers. The map has all
   // terms that have changed their stage, except terms of lattices that boundary elements have replaced.
   std::optional<std::unordered_map<int, int>> terms;

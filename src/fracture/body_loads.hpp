@@ -55,8 +55,8 @@ class BodyLoads {
   coupling::EquilibriumSystem& system_;
   const std::vector<Point>& positions_;
   BodyState& state_;
-  coupling::Affine force_, prescribed_;  // as the host gave them
-  CrackPressures pressures_;             // as the host gave them
+  coupling::Affine force_, prescribed_;  // loads as the host gave them
+  CrackPressures pressures_;             // pressures as the host gave them
   CrackFluid fluid_;
   std::vector<int> loaded_nodes_;
 };

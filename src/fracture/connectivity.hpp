@@ -26,7 +26,7 @@ class Connectivity {
 
  private:
   const coupling::EquilibriumSystem& system_;
-  mutable std::vector<int> visited_;  // by node: number of the last search that visited it
+  mutable std::vector<int> visited_;  // number of the last search that visited each node
   mutable int search_ = 0;
   linalg::Adjacency terms_at_;  // terms at every node
 };

@@ -27,7 +27,7 @@ struct Event {
 
   // Whether the event is a contact event: crack faces close or open, and nothing breaks.
   bool is_contact = false;
-  bool goes_down = false;  // of a contact event: the load factor falls on the way to it
+  bool goes_down = false;  // whether the load factor falls on the way to a contact event
 
   crack::TipId tip{};       // tip that grows at the event; crack 0: none
   double taken_energy = 0;  // largest energy that the growing tip takes [J]; 0: not known, the ratio decides
@@ -52,15 +52,15 @@ struct LostBalance {
 struct Outcome {
   std::int64_t broken = 0;    // terms that break
   std::int64_t switches = 0;  // places of faces that have closed or opened
-  double work_before = 0;     // of the loads on the way to the event [J]
-  double work = 0;            // of the loads at the event [J]
+  double work_before = 0;     // work of the loads on the way to the event [J]
+  double work = 0;            // work of the loads at the event [J]
   double released_energy = 0;
   double bond_energy = 0;           // part of the released energy that the terms take, each just at its critical value
   double stored_energy_before = 0;  // just before the event
   double within_before = 0;         // InnerWork::at() the event, just before it
   double stored_energy = 0;         // just after the event
   double critical_stored_energy = 0;  // after the event, at its critical load factor
-  double unit_energy = 0;             // of the proportional load alone, after the event
+  double unit_energy = 0;             // elastic energy of the proportional load alone, after the event [J]
   double residual = 0;
   double energy_scale = 0;  // least scale of energy errors (balance.hpp)
   std::int64_t fragments = 0;

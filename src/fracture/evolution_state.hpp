@@ -17,7 +17,8 @@ struct HistoryEntry {
   std::int64_t event = 0;
   std::int64_t total_broken_bonds = 0;
   double load_factor = 0;
-  // Largest stretch over critical stretch, or of a tip intensity over toughness, just before the event.
+  // Largest ratio just before the event: stretch over critical stretch of a bond, or equivalent stress intensity factor
+  // over toughness of a tip.
   double stretch_ratio = 0;
   double stored_energy = 0;
   double released_energy = 0;
@@ -30,7 +31,7 @@ struct HistoryEntry {
   // Stored energy after the event at the critical load factor [J]; at the end of a step the stored energy.
   double critical_stored_energy = 0;
   double bond_energy = 0;  // energy released so far, had each event happened at its critical load factor [J]
-  // Values just before the event; at the end of a step the values there.
+  // Values just before the event; in the entry at the end of a step, the values at the end of the step.
   double load_factor_before = 0;
   double stored_energy_before = 0;
   double work_before = 0;
@@ -54,7 +55,7 @@ struct BodyState {
   std::vector<std::uint8_t> stages;    // damage stage of every term
   std::vector<coupling::HoldingSpring> springs;  // springs that hold freed parts
   std::vector<char> unloaded;                    // flags of nodes whose loads have gone with a piece that came free
-  std::vector<GrowingTip> tips;                  // of crack lines (cracks that grow in a lattice by steps)
+  std::vector<GrowingTip> tips;                  // tips of crack lines (cracks that grow in a lattice by steps)
   FaceState faces;                               // contact state of crack faces
   std::vector<crack::TipId> stopped;             // tips in boundary elements that cannot grow
 };

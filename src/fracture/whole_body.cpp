@@ -49,9 +49,9 @@ bool WholeBody::loses_resistance(std::span<const ChangingTerm> terms) const {
 }
 
 // Energies [J] that constraints have released by opening or closing at the event: the sum for constraints with a
-// penalty, then, if an exact constraint has a multiplier, the sum for exact constraints. The formula for exact
-// constraints is the limit of the other one for large penalties; their gaps are those that the displacements would
-// leave without multipliers.
+// penalty and, if an exact constraint has a multiplier, the sum for exact constraints. The formula for exact
+// constraints is the limit of the formula for penalties as penalties grow. The gaps in the formula for exact
+// constraints are the gaps that the displacements would leave without multipliers.
 std::vector<double> WholeBody::released_by_constraints(const Eigen::VectorXd& before) const {
   const coupling::Constraints& constraints = system_.constraints();
   const Eigen::VectorXd& after = body_.state().total_displacement;

@@ -17,7 +17,7 @@ struct CutBody {
 
   std::vector<SubdomainLoops> parts;
   std::vector<Point> positions;  // positions of the body's nodes, then of nodes on cuts
-  std::vector<Stations> made;    // those of the given cuts that were made
+  std::vector<Stations> made;    // given cuts that were made
   std::set<int> left_out;        // nodes at the ends of given cuts that were not made
   int panels;                    // number of panels, with one for each cut
 

@@ -13,7 +13,7 @@ namespace bempd {
 // Straight cut through the material between two nodes of a subdomain's boundary, with the ends of its elements.
 struct MaterialCut {
   int from, to;       // nodes at both ends
-  Stations stations;  // from the place of `from` to that of `to`
+  Stations stations;  // ends of elements, from the place of `from` to that of `to`
 };
 
 // Whether a cut keeps its distance from all cracks, and its elements are short enough for cracks near the cut.

@@ -20,7 +20,7 @@ class Model;
 struct MeshCost {
   int halvings = 0;  // number of times that the elements of bodies are halved
   double elements = 0, unknowns = 0;
-  double seconds = 0, bytes = 0;  // of preparing the scene and its first solution [s], [bytes]
+  double seconds = 0, bytes = 0;  // time [s] and memory [bytes] for preparing the scene and its first solution
   std::int64_t material_points = 0, bonds = 0;
 };
 

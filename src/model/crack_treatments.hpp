@@ -70,7 +70,7 @@ class CrackTreatments {
   void require_elements() const;
 
   Model& model_;
-  std::map<int, CrackTreatment> treatments_;  // by crack id; without automatic treatments
+  std::map<int, CrackTreatment> treatments_;  // treatments by crack id, except automatic ones
   std::map<int, regions::BodyLattice> lattices_;
   Laid patches_;
   std::vector<regions::LatticeCrack> lattice_cracks_;  // cracks for which the patches were laid

@@ -29,8 +29,8 @@ class EdgeResults {
 
  private:
   std::vector<Point> traction_forces(int region, int edge, const std::vector<int>& nodes);
-  std::map<int, double> forces_of_supports(int region, int edge);   // by degrees of freedom
-  std::map<int, Point> forces_of_neighbours(int region, int edge);  // by nodes
+  std::map<int, double> forces_of_supports(int region, int edge);   // forces by degree of freedom
+  std::map<int, Point> forces_of_neighbours(int region, int edge);  // forces by node
   Eigen::VectorXd forces_from_outside(const std::vector<int>& body);
 
   Model& model_;

@@ -94,8 +94,8 @@ Grown ElementCarrier::longer(const std::vector<scene::Crack>& before, const Grow
   }
 }
 
-// Lets the tip of `step` grow, together with the tips that tie with it. If that is impossible, the tips that cannot
-// grow even alone are stopped, or the tip of `step` if each of them could.
+// Lets the tip of `step` grow, together with the tips that tie with it. If they cannot grow together, those tips are
+// stopped that could not even grow alone. If each of the tips could grow alone, the tip of `step` is stopped.
 crack::Advance ElementCarrier::advance(const crack::Step& step) {
   check_cancelled();
   update();

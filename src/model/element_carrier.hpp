@@ -71,8 +71,8 @@ class ElementCarrier final : public fracture::BodyCarrier {
   Model& model_;
   const scene::SceneValues* on_way_;
   bool grows_;
-  std::vector<scene::Crack> cracks_;      // of the scene when the carrier was made
-  std::vector<regions::Patch> patches_;   // of the scene when the carrier was made
+  std::vector<scene::Crack> cracks_;      // cracks of the scene when the carrier was made
+  std::vector<regions::Patch> patches_;   // patches of the scene when the carrier was made
   std::unique_ptr<PreparedScene> start_;  // scene when the carrier was made; null: no crack has grown yet
   TimeSpent spent_;
   std::size_t extensions_seen_;

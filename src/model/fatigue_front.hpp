@@ -52,7 +52,7 @@ class FrontReader {
   Model& model_;
   CrackLengthening& lengthening_;
   const LoadLevels& levels_;
-  std::map<int, std::unique_ptr<crack::RateLaw>> laws_;  // by material
+  std::map<int, std::unique_ptr<crack::RateLaw>> laws_;  // growth laws by id of the material
 };
 
 const FrontTip* tip_in(const Front& front, const crack::TipId& tip);

@@ -29,7 +29,7 @@ class LoadCases {
   // Results of the body in equilibrium under a combination of load cases.
   struct Solved {
     std::vector<regions::TipValues> tips;
-    std::vector<Eigen::Vector2d> reactions;  // of each support [N]
+    std::vector<Eigen::Vector2d> reactions;  // reaction of each support [N]
     std::int64_t pressed = 0;                // number of places at which crack faces press on each other
   };
   // Results under a combination. `factors` belong to the first cases, in the order of their ids; the other cases do not
@@ -45,7 +45,7 @@ class LoadCases {
  private:
   struct Case {
     std::set<int> loads, supports;
-    scene::SceneValues values;  // of all loads and supports when the case was added
+    scene::SceneValues values;  // values of all loads and supports when the case was added
   };
 
   scene::SceneValues combined(const std::vector<double>& factors) const;

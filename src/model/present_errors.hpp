@@ -15,7 +15,7 @@ struct ErrorSources {
   // Relative difference of the next load factor of growth between the growth criteria.
   double model = 0;
   bool has_lattices = false;
-  double halving_seconds = 0, halving_bytes = 0;  // for preparing the scene with halved elements
+  double halving_seconds = 0, halving_bytes = 0;  // time [s] and memory for preparing with halved elements
 };
 
 // Errors at the present loads and cracks. For these the scene is solved with its elements merged in pairs and fours, or

@@ -18,7 +18,8 @@ namespace bempd::model {
 enum class Acting : std::uint8_t {
   values,   // the values that the host has set
   earlier,  // values from before the host set new ones; they are replaced before anything else is done
-  // Values in between: a step on a linear path to new values ended on its way. Results show them, steps replace them.
+  // Values in between: a step on a linear path to new values has ended on its way. Results belong to these values, and
+  // the next step replaces them.
   on_path
 };
 

@@ -51,7 +51,8 @@ void visit_members(Face& f, Visit& visit) { visit(f.term), visit(f.normal_x), vi
 template <class Faces, class Visit>
 requires std::is_same_v<std::remove_const_t<Faces>, fracture::FaceState>
 void visit_members(Faces& f, Visit& visit) {
-  // First flags of `closed`; only bytes of format 14 have any in this list of their own.
+  // Flags of the exact constraints, which are the first flags of `closed`. Only bytes of format 14 have these flags in
+  // a list of their own.
   std::vector<char> exact;
   visit(f.grown), visit(f.closed), visit(exact), visit(f.pending);
   if constexpr (!std::is_const_v<Faces>) f.closed.insert(f.closed.begin(), exact.begin(), exact.end());

@@ -43,7 +43,7 @@ class MumpsFactor {
   DMUMPS_STRUC_C mumps_{};
   bool is_started_ = false;
   std::string scratch_;
-  std::vector<int> rows_, columns_;  // of this rank's entries, counted from 1
+  std::vector<int> rows_, columns_;  // rows and columns of this rank's entries, counted from 1
   std::vector<double> values_;       // values of this rank's entries, during a factorization
   // Position of each unknown in the order of elimination, and the kept unknowns; both on rank 0, counted from 1.
   std::vector<int> position_, kept_;

@@ -50,7 +50,7 @@ class CellGrid {
   int width_ = 0, height_ = 0;
   std::vector<std::uint8_t> cells_;
   std::vector<int> sums_;    // number of cells below and to the left of each grid corner
-  std::vector<Depth> runs_;  // of each cell: numbers of cells to the next face, the cell itself included
+  std::vector<Depth> runs_;  // numbers of cells from each cell to the next faces, the cell itself included
 };
 
 }  // namespace bempd::pd

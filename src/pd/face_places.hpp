@@ -26,7 +26,7 @@ struct FacePlace {
     Eigen::Vector2d pull;
   };
   std::vector<Pull> pulls;  // gap = sum of pull . displacement
-  double stiffness;         // of the material between the two points: force per gap [N/m]
+  double stiffness;         // stiffness of the material between the two points: force per gap [N/m]
 };
 
 // Makes the face places of cracks (places at which the two faces of a crack may touch) on the lattices of a body.
@@ -90,7 +90,7 @@ class FacePlaces {
 
   std::vector<Point> positions_;
   std::vector<Lattice> lattices_;
-  std::vector<int> lattice_at_;  // by node: index of a lattice that has it; -1: none
+  std::vector<int> lattice_at_;  // index of a lattice that has each node; -1: none
 };
 
 }  // namespace bempd::pd

@@ -19,7 +19,7 @@ struct CrackFacet {
 
 // Paths of a fluid in cracks among bonds, and the forces that the pressure of the fluid exerts.
 struct FluidPaths {
-  std::vector<CrackFacet> facets;  // of all bonds one spacing long, broken or not
+  std::vector<CrackFacet> facets;  // facets of all bonds one spacing long, broken or not
   // Force along each energy term (bond or cell square) due to a unit pressure on all sides of the body [N/Pa]. The
   // forces of all terms across a line have the same resultant as the pressure on this line. The pressure in a crack is
   // therefore applied as these forces, with the opposite sign, at the broken terms. A weakened term counts with its

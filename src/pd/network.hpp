@@ -22,7 +22,7 @@ struct Bond {
 struct Network {
   std::vector<BondOffset> offsets;       // step from first to second, its length and direction; few distinct ones
   std::vector<Bond> bonds;               // sorted by (first, second)
-  std::vector<std::uint32_t> offset_of;  // for each bond its index in `offsets`
+  std::vector<std::uint32_t> offset_of;  // index in `offsets` for each bond
   double max_residual = 0;               // largest error of a point's third moments, for C1111 = thickness = 1
   double min_weight_ratio = 1;           // smallest ratio of a bond's stiffness to its bulk stiffness
   bool reduced = false;  // no exact network was found for this horizon, so only nearest neighbours have bonds

@@ -62,11 +62,11 @@ struct TipLaws {
   std::vector<double> energy_share_of_node{};  // fracture energy relative to the material's (VariedEnergy); empty: 1
   KinkCriterion criterion = KinkCriterion::hoop_stress;  // says when tips grow, not where to
   bool loads_by_energy = false;                          // step loads from energy where the fit of stresses fails
-  std::vector<Edge> outer_edges{}, hole_edges{};         // of these regions
+  std::vector<Edge> outer_edges{}, hole_edges{};         // edges of these regions: outer loops, and holes
   bool more_begin = false;                               // whether cracks begin besides those that the host described
-  std::vector<CrackLength> of_crack{};                   // of each crack that the host described
+  std::vector<CrackLength> of_crack{};                   // length of each crack that the host described
   std::vector<WeakenedTerm> weakened{};                  // at the ends of initial cracks
-  std::vector<char> joined{};  // by node, 1: boundary elements of the same material lie beyond it
+  std::vector<char> joined{};  // flag of each node: 1 if boundary elements of the same material lie beyond it
 
   double energy_share_at(std::size_t node) const {
     return node < energy_share_of_node.size() ? energy_share_of_node[node] : 1;

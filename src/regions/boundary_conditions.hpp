@@ -17,13 +17,13 @@ struct CrackPressure {
 
 // Supports and loads of the scene as values on its degrees of freedom, numbered 2 * node + component.
 struct DofConditions {
-  std::vector<char> prescribed;        // by degree of freedom: 1 if a support prescribes its displacement
+  std::vector<char> prescribed;        // flag of each degree of freedom: 1 if a support prescribes its displacement
   coupling::Affine displacement;       // displacements of prescribed degrees of freedom [m]
   coupling::Affine force;              // nodal forces [N]
   coupling::Affine body_force;         // BodyForce (x, y, growth) of region r from row 3 (r - 1) on; part of `force`
   std::vector<CrackLoad> crack_loads;  // on cracks with elements; their nodal forces are part of `force`
 
-  // Pressures in cracks that cut bonds, not part of `force`. They also act on what the cracks grow by.
+  // Pressures in cracks that cut bonds, not part of `force`. They also act on the faces that growth adds to the cracks.
   std::vector<CrackPressure> crack_pressures;
 
   // Degrees of freedom whose reactions count for a support, by support. A degree of freedom of several supports counts

@@ -31,8 +31,8 @@ void move_between_rows(const Preparation& preparation, int crack, std::vector<Cr
 // a lattice; a crossing between two boundary element regions does not bend the crack.
 struct MovedCrack {
   std::vector<Point> points;
-  std::vector<char> grown;             // by segment: 1 if growth has added it
-  std::vector<std::size_t> crossings;  // by crossing: its index in `points`
+  std::vector<char> grown;             // flag of each segment: 1 if growth has added it
+  std::vector<std::size_t> crossings;  // index in `points` of each crossing
 
   // Numbers of segments that growth has added at the start and at the end of the piece between the points `from` and
   // `to`.

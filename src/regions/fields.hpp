@@ -50,8 +50,8 @@ struct CrackLoad {
 struct Solution {
   const Eigen::VectorXd& displacement;  // [m], 2 * node + component
   const coupling::Terms& bonds;
-  const std::vector<char>& intact;     // by term: 1 if it is intact
-  std::vector<BodyForce> body_forces;  // by region id, from 1 on
+  const std::vector<char>& intact;     // flag of each term: 1 if it is intact
+  std::vector<BodyForce> body_forces;  // body force of each region id, from 1 on
   // Constant and proportional part of the displacement; needed for cracks with elements, null if there are none.
   const coupling::Affine* parts = nullptr;
   // Loads on the faces of cracks with elements; null if there are no such cracks.

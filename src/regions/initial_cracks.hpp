@@ -19,8 +19,8 @@ namespace bempd::regions {
 struct LatticeCracks {
   using Ends = std::array<Point, 2>;  // first and last point of the part that the host described
   std::vector<scene::Crack> cracks;
-  std::vector<Ends> ends;                                        // of each crack, where its effective tips lie
-  std::vector<std::array<std::optional<double>, 2>> even_ahead;  // of each crack's ends: GrowingTip::even_ahead [m]
+  std::vector<Ends> ends;                                        // places of the effective tips of each crack
+  std::vector<std::array<std::optional<double>, 2>> even_ahead;  // GrowingTip::even_ahead of each end [m]
   std::vector<pd::WeakenedTerm> weakened;
   std::vector<std::string> warnings;
 };

@@ -14,7 +14,7 @@ namespace bempd::regions {
 struct Wall {
   Segment piece;
   int loop;          // number of the outline's loop; -1: a crack
-  std::string name;  // for messages
+  std::string name;  // name for messages
 };
 
 // Walls in a body, from which the blocks of lattice patches (squares of 2 x 2 horizons) keep a distance: edges of the

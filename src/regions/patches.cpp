@@ -188,7 +188,7 @@ class GrowingPatch {
     return std::ranges::any_of(wanted, [&](const Block& b) { return !own().blocks.contains(b) && may_add(b); });
   }
 
-  // All patches, after those of the `wanted` blocks have been added to this patch that walls and other patches allow.
+  // All patches, with new blocks in this patch: the blocks of `wanted` for which walls and other patches leave room.
   // Empty if no block is added, if the patch would fall into parts, or if it would lack some of the `needed` blocks.
   std::optional<std::vector<Patch>> with_added(const Blocks& wanted, const Blocks& needed) const {
     Blocks blocks = own().blocks;

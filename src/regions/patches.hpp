@@ -34,7 +34,7 @@ struct Patch {
   double spacing;
   int horizon_ratio;
   std::vector<int> cracks;  // ids of the cracks in it
-  BlockGrid grid;           // of blocks, the same for all patches of a body
+  BlockGrid grid;           // grid of blocks, the same for all patches of a body
   Blocks blocks;
 };
 

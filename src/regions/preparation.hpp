@@ -48,7 +48,7 @@ struct Preparation {
 struct Contributions {
   NodeRegistry& registry;
   coupling::Terms& terms;
-  std::vector<double>& critical_stretch;  // of each term
+  std::vector<double>& critical_stretch;  // critical stretch of each term
   std::vector<std::string>& warnings;
 
   // Breaking behaviour of a region's bonds: critical stretch, bond law, and contraction.

@@ -33,7 +33,8 @@ class RegionBonds {
   // Adds to `bonds` the numbers of the scene's bonds that a crack cuts; `number` is the crack's id.
   virtual void cut(const scene::Crack& crack, int number, std::vector<int>& bonds,
                    std::vector<std::string>& warnings) const = 0;
-  // Data for cracks that grow as lines (in steps of one lattice spacing); empty if cracks do not grow so in the region.
+  // Data for cracks that grow as lines (in steps of one lattice spacing); empty if cracks in the region grow in another
+  // way.
   virtual std::optional<pd::TipLaw> tip_law(const scene::Options& /*options*/) const { return std::nullopt; }
   // Lattice in which faces of cracks can press on each other; empty if contact is not possible in the region.
   virtual std::optional<pd::FaceLattice> face_lattice() const { return std::nullopt; }

@@ -16,7 +16,7 @@ struct LeadingElements {
   int edge;      // number of the edge of the region that has the elements
   int follower;  // id of the other region, whose points follow
   std::vector<Point> places;
-  std::vector<int> nodes;  // of the scene
+  std::vector<int> nodes;  // numbers of the nodes in the scene
 };
 
 // Borders of a region with boundary elements, as its neighbours see them.

@@ -9,8 +9,8 @@ namespace bempd::regions {
 
 class LatticeSwelling;
 
-// Swelling of a region: strains that a change of temperature causes in the free material. They are set before operators
-// are asked for.
+// Swelling of a region: strains that a change of temperature causes in the free material. They are set before the
+// region's operators are made.
 class RegionSwelling {
  public:
   virtual ~RegionSwelling() = default;

@@ -30,7 +30,7 @@ struct TipValues {
 
   // Results of the chosen growth criterion, set by complete() (model/element_growth.hpp). A load factor is +- the
   // largest double if the tip never grows.
-  double kink_angle = unknown;                 // from the direction, counter-clockwise, at the present loads [rad]
+  double kink_angle = unknown;                 // turn from the direction, counter-clockwise, at the present loads [rad]
   double critical_load_factor = unknown;       // at which the tip grows while the load factor rises
   double critical_load_factor_down = unknown;  // at which the tip grows while the load factor falls
   double critical_kink_angle = unknown;        // angle by which the tip turns at critical_load_factor [rad]

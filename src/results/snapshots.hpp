@@ -36,7 +36,7 @@ class Snapshots {
 
   static Series begin(const std::filesystem::path& collection, const std::string& existing);
 
-  std::map<std::string, Series> series_;  // by prefix
+  std::map<std::string, Series> series_;  // series by prefix
 };
 
 }  // namespace bempd::results

@@ -34,7 +34,7 @@ struct SampledValues {
 // Values along a boundary part at given places: linear between them, and constant before the first and behind the last
 // place.
 struct PlacedValues {
-  std::vector<double> fractions;               // of the part's length, ascending
+  std::vector<double> fractions;               // places as fractions of the part's length, ascending
   std::vector<double> constant, proportional;  // x and y at each place
 
   BoundaryValue at(double fraction) const;

@@ -16,7 +16,7 @@ struct OptionDescription {
   bool is_text;
   bool whole_number;
   double default_value, minimum, maximum;
-  const char* choices;  // of a text option, separated by " | "; empty if any text is allowed
+  const char* choices;  // words of a text option, separated by " | "; empty if any text is allowed
   const char* default_text;
   bool shapes_operators = false;  // whether saved states fit only scenes with the same value
   // Function that returns the word in effect if the option leaves the choice to other options; null if it never does.

@@ -77,8 +77,9 @@ class ByHoopStress {
     return root.has_value();
   }
 
-  // Whether a tip that is overloaded at the start of the load path grows there, although the search has found no load
-  // factor or only a farther one: the load factor has turned, or the path starts below the smaller root.
+  // Whether a tip that is overloaded at the start of the load path grows right there, although the search has found no
+  // load factor (`grows` is false) or only one farther along the path. This happens where the load factor has turned,
+  // or where the path starts below the smaller of two roots.
   bool is_due(bool grows) const {
     const double present = criterion_.present, least = proportional_ ? 1 + ratio_rounding : 1;
     return (!proportional_ || present < 0) && criterion_.control == Control::load &&

@@ -15,7 +15,7 @@ struct LineStep {
   double load_factor = 0;            // critical load factor
   double constant = 0, growing = 0;  // ratio of intensity to toughness, corrected: see ratio_at()
   int law = 0;                       // number of the tip law
-  double angle = 0;                  // by which the tip turns, counter-clockwise [rad]
+  double angle = 0;                  // turn of the tip, counter-clockwise [rad]
   crack::AffineFactors factors{};    // stress intensity factors of the tip
 
   // Whether the fit of stresses gives the load, because the field ahead is that of the tip alone.

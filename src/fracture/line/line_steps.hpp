@@ -53,9 +53,9 @@ class LineSteps {
   struct Choice {
     std::vector<LineStep> steps;    // steps of all tips that could grow
     std::optional<LineStep> first;  // empty if no tip grows
-    double load_factor;             // of the event; if no tip grows, the end of the load path
+    double load_factor;             // load factor of the event; if no tip grows, the end of the load path
     int ties = 0;                   // other tips that would have grown at the same load factor
-    // No body was given, but a trial step has to give the load of a step that may be first.
+    // Whether no body was given to choose(), although a trial step has to give the load of a step that may be first.
     bool needs_trial_step = false;
   };
   Choice choose(const std::vector<GrowingTip>& tips, const coupling::Affine& displacement, const LoadWay& way,

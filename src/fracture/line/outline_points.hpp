@@ -32,7 +32,7 @@ class OutlinePoints {
   void find_stresses(const coupling::Terms& terms, const std::vector<Point>& positions, const pd::TipLaws& laws,
                      const std::vector<double>& stiffness);
 
-  std::vector<double> share_;  // by node; 0 for points inside
+  std::vector<double> share_;  // share of each node; 0 for points inside
   std::map<int, Eigen::Matrix3d> stress_of_moments_;
 };
 

@@ -28,8 +28,8 @@ constexpr double angle_between_trials = 10 * std::numbers::pi / 180;
 // Relative difference below which the ratios of two directions are equal.
 constexpr double ratio_of_ties = 1e-9;
 
-// Ratio (mean_ratio()) below which only rounding loads the bonds across a step, as in a piece that has come off but for
-// a hinge. The sign of their elongations means nothing in that case.
+// Ratio (mean_ratio()) below which only rounding loads the bonds across a step, as in a piece that hangs on a hinge.
+// The sign of the elongations of these bonds means nothing in that case.
 constexpr double least_ratio = 1e-9;
 
 constexpr int rounds_for_load = 30;

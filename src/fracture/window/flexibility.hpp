@@ -52,7 +52,7 @@ class Flexibility {
   Eigen::Index size_, functions_;
   Eigen::MatrixXd matrix_;  // lower triangle of F, and the rows of functions below it
   Eigen::MatrixXd pending_;
-  Eigen::VectorXd signs_;  // of the pending columns
+  Eigen::VectorXd signs_;  // signs of the pending columns
   Eigen::Index pending_count_ = 0;
 };
 

@@ -50,7 +50,7 @@ class LineForecast {
 
   LoadedBody& body_;
   const LineSteps& lines_;
-  const coupling::Condensation* condensation_ = nullptr;  // of the present window
+  const coupling::Condensation* condensation_ = nullptr;  // condensation of the present window
   const WindowSolver* window_ = nullptr;                  // present window
   std::optional<LineCertificate> certificate_;
   std::vector<GrowingTip> tips_;  // after the last computed step

@@ -24,7 +24,7 @@ class OutsideGaps {
 
  private:
   std::vector<std::size_t> constraints_;
-  Eigen::MatrixXd weights_;    // of kept displacements, one column for each constraint
+  Eigen::MatrixXd weights_;    // weights of kept displacements, one column for each constraint
   coupling::Affine constant_;  // one row for each constraint
 };
 

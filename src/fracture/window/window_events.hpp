@@ -17,8 +17,7 @@ namespace bempd::fracture {
 // state are out of date; only its load factor and the stages of bonds are correct.
 class WindowEvents final : public EventSource {
  public:
-  // Window of a body. `before_forgetting` is called before the positions in the window (Place) that it has returned
-  // become invalid.
+  // Prepares windows of a body. `before_forgetting` is called before positions in a window (Place) become invalid.
   WindowEvents(LoadedBody& body, std::function<void()> before_forgetting);
 
   // Switches to crack lines (cracks that grow in a lattice by steps): events are steps of crack lines from now on.

@@ -28,7 +28,7 @@ struct CellStencils {
   std::span<const Eigen::Vector2d> gradients(std::size_t patch) const { return of(patch, start, gradient); }
   std::span<const double> shares(std::size_t patch) const { return of(patch, start, share); }
   std::span<const int> bonds(std::size_t patch) const { return of(patch, bond_start, bond); }
-  // Whether there are no stencils: bonds alone make the material.
+  // Whether there are no stencils, because bonds alone reproduce the elasticity of the material.
   bool empty() const { return area.empty(); }
 
  private:

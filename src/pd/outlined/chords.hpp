@@ -9,7 +9,7 @@ namespace bempd::pd {
 // Chord: the straight line between neighbouring material points of an outline, with the body on its left.
 struct Chord {
   int first, second;
-  int piece;        // of the outline, counted through all loops
+  int piece;        // number of the piece of the outline, counted through all loops
   double from, to;  // fractions of the piece
 };
 

@@ -12,8 +12,8 @@ struct OutlinedBody {
   Chords chords;
   std::vector<Point> points;
   FillingCells cells;
-  std::vector<double> areas;    // of the points
-  std::vector<double> factors;  // of the surface vectors of the outline's nodes, close to 1
+  std::vector<double> areas;    // area of each point
+  std::vector<double> factors;  // factors of the surface vectors of the outline's nodes, close to 1
   Network network;
   LatticePlace place;
   bool is_balanced_by_piece = false;  // whether surface vectors are balanced piece by piece (balancing_factors())

@@ -56,12 +56,12 @@ class OutlinedPoints {
   int outline_count_;
   Point origin_;
   Eigen::Matrix2d turn_;
-  Eigen::Vector2i lower_, upper_;  // of the lattice points of the bounding box
+  Eigen::Vector2i lower_, upper_;  // lattice points at the corners of the bounding box
   int columns_ = 0;
   std::vector<Point> points_;
   std::vector<Eigen::Vector2i> lattice_points_;
   std::vector<double> depth_;
-  std::vector<int> point_at_;  // of the box, -1 where there is none
+  std::vector<int> point_at_;  // point at each lattice point of the box; -1: none
   std::vector<char> clear_cell_;
 };
 

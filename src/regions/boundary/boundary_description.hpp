@@ -49,10 +49,10 @@ class BoundaryDescription final : public scene::Region {
   std::unique_ptr<regions::Region> build(int id, const Preparation& preparation) const override;
 
  private:
-  double element_length_;  // of a body: before its elements are halved
+  double element_length_;  // length before the elements of a body are halved
   bool is_body_ = false;
   Refinement refinement_;
-  std::map<int, scene::EdgeMesh> own_mesh_;  // by edge number
+  std::map<int, scene::EdgeMesh> own_mesh_;  // elements that the host has chosen, by edge number
   std::optional<Outline> whole_;             // outline before patches were cut out; empty if none are
   int whole_edges_ = 0;
 };

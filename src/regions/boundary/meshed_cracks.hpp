@@ -74,7 +74,7 @@ class MeshedCracks {
   double fraction_at(int line, const Point& x) const;
 
   double tolerance_;
-  std::vector<CrackPath> paths_;  // of all cracks in the region
+  std::vector<CrackPath> paths_;  // paths of all cracks in the region
   std::vector<CrackExtent> extents_;
   CrackLines lines_;
   bem::CrackMesh mesh_;

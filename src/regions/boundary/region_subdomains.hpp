@@ -113,7 +113,7 @@ class RegionSubdomains {
   void for_each_outline_element(const std::function<void(std::size_t, int, int)>& visit) const;
 
   Subdivision subdivision_;
-  std::vector<std::array<int, 3>> traction_nodes_;  // of the elements of the region's mesh
+  std::vector<std::array<int, 3>> traction_nodes_;  // traction nodes of each element of the region's mesh
   int traction_node_count_ = 0;
   std::shared_ptr<const Uncracked> uncracked_;  // null if the region has no cracks
   std::vector<std::shared_ptr<const bem::BoundaryOperator>> operators_;

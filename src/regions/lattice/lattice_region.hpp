@@ -55,7 +55,7 @@ class LatticeRegion : public BondedRegion {
   // Material point on which supports and loads on an edge act.
   struct EdgePoint {
     int point;
-    double fraction;  // of the edge
+    double fraction;  // place as a fraction of the edge
   };
 
   // Adds material points that the edges of neighbours need; the points of the grid exist already.

@@ -11,7 +11,7 @@ namespace bempd::regions {
 // Choices of the host for the material points of a region.
 struct PointChoice {
   bool on_outline = false;  // whether points lie on the outline even if the outline follows lattice rows
-  double angle = 0;         // of the lattice's rows [rad]
+  double angle = 0;         // angle of the lattice's rows [rad]
 
   bool is_default() const { return !on_outline && angle == 0; }
 };

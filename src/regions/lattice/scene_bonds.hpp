@@ -18,11 +18,11 @@ struct SceneBonds {
   std::size_t first = 0, listed = 0;           // first own bond, and number of own bonds
   std::vector<int> of_scene;                   // number of each bond in the scene; empty if all bonds are own ones
   // Points of other regions at which bonds of this region end; they are numbered after the region's own points.
-  std::vector<int> far_nodes;     // of the scene
-  std::vector<Point> far_points;  // in grid coordinates
+  std::vector<int> far_nodes;     // numbers in the scene
+  std::vector<Point> far_points;  // places in grid coordinates
   // Number in the scene of the first cell square (energy term) of each cell, by the grid point at the cell's lower left
-  // corner; -1 for other points. In a region with points on its outline, by patch of cells. Empty if the material has
-  // no cell squares.
+  // corner; -1 for other points. In a region with points on its outline the numbers are listed by patch (group of
+  // cells). The list is empty if the material has no cell squares.
   std::vector<int> squares;
 
   const std::vector<pd::Bond>& all() const { return network->bonds; }

@@ -49,7 +49,7 @@ class SharedPoints {
 
   std::vector<Member> members_;
   std::vector<Point> places_;
-  std::vector<int> nodes_;  // of the scene
+  std::vector<int> nodes_;  // number in the scene of each point's node
   std::vector<Holder> holders_;
   linalg::Adjacency holders_at_;  // holders of each point, in the order of members
   bool one_node_each_ = true;

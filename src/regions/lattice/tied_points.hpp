@@ -9,7 +9,7 @@ namespace bempd::regions {
 struct PointRow {
   int region;
   std::vector<Point> places;
-  std::vector<int> nodes;  // of the scene
+  std::vector<int> nodes;  // numbers of the points' nodes in the scene
   double point_distance;
 };
 

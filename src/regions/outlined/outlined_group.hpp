@@ -50,7 +50,7 @@ class OutlinedGroup {
   std::shared_ptr<DividedOutline> outline_;
   pd::OutlinedBody body_;
   pd::CellStencils stencils_;
-  std::vector<Part> parts_;  // by member
+  std::vector<Part> parts_;  // part of each member
   std::vector<int> nodes_;   // number of the scene's node of each point of the body
 };
 

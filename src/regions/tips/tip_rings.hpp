@@ -22,15 +22,15 @@ struct BondedBody {
   const std::vector<char>& intact;
   const std::vector<int>& cut;                  // bonds that initial cracks cut, ascending
   const std::vector<scene::Crack>& cracks;      // as they are in lattices
-  const coupling::Constraints& constraints;     // of crack faces that may press on each other
-  std::map<int, Eigen::RowVector2d> pressures;  // by id of the crack: constant and proportional part [Pa]
+  const coupling::Constraints& constraints;     // contact constraints of crack faces
+  std::map<int, Eigen::RowVector2d> pressures;  // pressure by id of the crack: constant and proportional part [Pa]
 };
 
 // Position and direction of a crack tip, the path of the crack, and the lattice around the tip.
 struct TipAxes {
   Point place, direction;   // unit vector in which a straight crack would go on
-  std::vector<Point> path;  // of the crack, ending at the tip
-  double spacing;           // of the lattice
+  std::vector<Point> path;  // path of the crack, ending at the tip
+  double spacing;           // spacing of the lattice
   PlaneElasticity elasticity;
   bool is_rough = false;  // whether the path leads from middle to middle of broken cells
 
@@ -70,11 +70,11 @@ class TipRings {
     struct Dual {
       double power;  // power of the term that the dual picks out
       std::complex<double> factor;
-      std::vector<double> tensions;  // of the terms [N]
+      std::vector<double> tensions;  // tensions of the terms [N]
       Eigen::VectorXd face_forces;   // [N] at the nodes
     };
     Point centre;
-    std::vector<double> distances;  // of the nodes
+    std::vector<double> distances;  // distances of the nodes from the centre
     std::vector<Dual> duals;
   };
   // Dual fields about the centre at the distance `ahead` from the tip, along the tip's direction [m].
@@ -109,7 +109,7 @@ class TipRings {
   const BondedBody& body_;
   TipAxes axes_;
   double radius_;
-  std::vector<int> nodes_;  // of the scene
+  std::vector<int> nodes_;  // numbers of the nodes around the tip in the scene
   std::vector<LocalTerm> terms_;
   std::vector<FacePart> faces_;
   BentCrack crack_;
