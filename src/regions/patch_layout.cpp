@@ -26,8 +26,6 @@ constexpr double blocks_of_room = 3;
 // lattice.
 constexpr double blocks_at_mouth = 5;
 
-constexpr double just_below_one = 1 - 1e-9;
-
 std::string name_of(const CrackInBody& crack) { return text("crack ", crack.crack.id); }
 
 }  // namespace
@@ -52,7 +50,7 @@ void PatchWalls::add_crack(const Segment& piece, int crack) { walls_.push_back({
 
 const Wall* PatchWalls::nearest_to(const Box& block) const {
   const Wall* nearest = nullptr;
-  double least = block.sizes().x() * just_below_one;
+  double least = block.sizes().x() * less_rounding;
   for (const Wall& wall : walls_) {
     const Point middle = wall.piece.at(0.5);
     if (block.exteriorDistance(middle) - 0.5 * wall.piece.length() >= least) continue;
@@ -149,7 +147,7 @@ Point PatchLayout::origin() const {
 // Throws Error (argument) if a wall is less than two blocks from the piece `along` of a crack. Near a mouth a wall is
 // allowed, but not for a tip.
 void PatchLayout::require_room(const CrackInBody& crack, const Segment& along, bool is_tip) {
-  for (const Block& block : grid_.near(along, grid_.size * just_below_one)) {
+  for (const Block& block : grid_.near(along, grid_.size * less_rounding)) {
     const Wall* wall = walls_.nearest_to(grid_.box(block));
     if (!wall) continue;
     const Point centre = grid_.box(block).center();
@@ -164,7 +162,7 @@ void PatchLayout::require_room(const CrackInBody& crack, const Segment& along, b
 
 void PatchLayout::add_band(const CrackInBody& crack, double reach) {
   const auto add = [&](const Segment& line) {
-    for (const Block& block : grid_.near(line, reach * grid_.size * just_below_one))
+    for (const Block& block : grid_.near(line, reach * grid_.size * less_rounding))
       if (is_allowed(block)) blocks_.insert(block);
   };
   for (const Segment& piece : crack.pieces) require_room(crack, piece, false), add(piece);

@@ -10,6 +10,9 @@
 
 namespace bempd::regions {
 
+// Factor on distances from blocks, so that rounding does not decide about equal distances.
+inline constexpr double less_rounding = 1 - 1e-9;
+
 // Wall: straight piece of an edge of a body or of a crack with elements, from which lattice patches keep a distance.
 struct Wall {
   Segment piece;

@@ -141,12 +141,9 @@ constexpr double blocks_to_follow = 5;
 // Least number of blocks without lattice between two patches.
 constexpr int blocks_between = 2;
 
-// Factor on distances from blocks, so that rounding does not decide about equal distances.
-constexpr double just_below_one = 1 - 1e-9;
-
 // Block of a patch that contains a place, inside or on its border; empty if no block of the patch does.
 std::optional<Block> block_at(const Patch& patch, const Point& place) {
-  for (const Block& block : patch.grid.near({place, place}, (1 - just_below_one) * patch.grid.size))
+  for (const Block& block : patch.grid.near({place, place}, (1 - less_rounding) * patch.grid.size))
     if (patch.blocks.contains(block)) return block;
   return std::nullopt;
 }
@@ -232,7 +229,7 @@ std::optional<std::vector<Patch>> grown_ahead_of(const scene::Scene& scene, cons
   const BlockGrid& grid = patches[number].grid;
   const auto along = [&](double blocks, double reach) {
     const Segment way{tip.place, tip.place + blocks * grid.size * tip.direction};
-    return grid.near(way, reach * grid.size * just_below_one);
+    return grid.near(way, reach * grid.size * less_rounding);
   };
   const Blocks around = along(least_ahead, usual_patch_reach);
   if (has_all(patches[number].blocks, around)) return std::nullopt;

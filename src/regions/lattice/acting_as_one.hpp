@@ -29,22 +29,12 @@ std::vector<int> regions_touching(int region, const Arrangement& arrangement, co
   return {found.begin(), found.end()};
 }
 
-// Regions of the class `Kind` that form one lattice with a region: those that touch the region, directly or through
-// other such regions, and the region itself; by ascending id.
+// Region with an id as a region of the class `Kind`; null if it is of another class.
 template <class Kind>
-std::vector<Kind*> touching_that_act_as_one(const Kind& region, const Preparation& preparation) {
-  const auto of_kind = [&](int id) {
-    const auto reaches = [](const std::unique_ptr<Region>& one, int wanted) { return one->id() < wanted; };
-    return dynamic_cast<Kind*>(
-        std::lower_bound(preparation.regions.begin(), preparation.regions.end(), id, reaches)->get());
-  };
-  const auto are_one = [&](int first, int second) {
-    const Kind* other = of_kind(second);
-    return other && of_kind(first)->acts_as_one_with(*other);
-  };
-  std::vector<Kind*> found;
-  for (const int id : regions_touching(region.id(), preparation.arrangement, are_one)) found.push_back(of_kind(id));
-  return found;
+Kind* region_as(const Preparation& preparation, int id) {
+  const auto reaches = [](const std::unique_ptr<Region>& one, int wanted) { return one->id() < wanted; };
+  return dynamic_cast<Kind*>(
+      std::lower_bound(preparation.regions.begin(), preparation.regions.end(), id, reaches)->get());
 }
 
 }  // namespace bempd::regions

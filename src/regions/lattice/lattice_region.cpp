@@ -62,8 +62,13 @@ std::vector<char> LatticeRegion::shared_points(const Preparation& preparation) c
 
 void LatticeRegion::mesh(const Preparation& preparation) {
   if (group_) return;
-  std::vector<LatticeRegion*> members = touching_that_act_as_one(*this, preparation);
-  if (members.size() < 2) return;
+  const auto of_rows = [&](int region) { return region_as<LatticeRegion>(preparation, region); };
+  const std::vector<int> ids = regions_touching(id(), preparation.arrangement, [&](int first, int second) {
+    return of_rows(second) && of_rows(first)->acts_as_one_with(*of_rows(second));
+  });
+  if (ids.size() < 2) return;
+  std::vector<LatticeRegion*> members;
+  for (const int region : ids) members.push_back(of_rows(region));
   const auto group = std::make_shared<LatticeGroup>(std::move(members));
   for (LatticeRegion* member : group->members()) member->group_ = group;
 }

@@ -121,7 +121,7 @@ std::optional<LatticeOutline> PeridynamicDescription::lattice_along(const Outlin
 
 bool PeridynamicDescription::has_lattice_of(const PeridynamicDescription& other) const {
   return std::abs(spacing_ / other.spacing_ - 1) < 1e-9 && horizon_ratio_ == other.horizon_ratio_ &&
-         choice_.angle == other.choice_.angle && material() == other.material();
+         choice_.angle == other.choice_.angle;
 }
 
 void PeridynamicDescription::set_outline(Outline changed) {

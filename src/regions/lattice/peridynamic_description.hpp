@@ -31,8 +31,7 @@ class PeridynamicDescription : public scene::Region {
   const PointChoice& choice() const { return choice_; }
   // Outline in whole cells of the lattice; empty if points lie on the outline.
   const std::optional<LatticeOutline>& lattice() const { return lattice_; }
-  // Whether material, spacing, horizon and angle of two regions are equal, so that the regions are one body where they
-  // touch along an edge.
+  // Whether spacing, horizon and angle of two regions are equal.
   bool has_lattice_of(const PeridynamicDescription& other) const;
 
   const char* adjective() const override { return "peridynamic"; }

@@ -31,27 +31,35 @@ const PeridynamicDescription* description_of(const Preparation& p, int region) {
   return dynamic_cast<const PeridynamicDescription*>(&p.scene.region(region));
 }
 
+// Whether two regions (ids) form one body where they touch along an edge: both are lattices of one spacing, horizon and
+// angle, and their materials have the same numbers.
+bool are_one_lattice(const Preparation& p, int first, int second) {
+  const auto *one = description_of(p, first), *other = description_of(p, second);
+  return one && other && one->has_lattice_of(*other) && p.scene.material_of(first) == p.scene.material_of(second);
+}
+
 }  // namespace
 
 std::vector<OutlinedRegion*> regions_acting_as_one(OutlinedRegion& region, const Preparation& preparation) {
-  std::vector<OutlinedRegion*> found = touching_that_act_as_one(region, preparation);
-  std::vector<int> ids;
-  for (const OutlinedRegion* one : found) ids.push_back(one->id());
-  if (found.size() > 1 && has_condition_on_common_edge(ids, preparation)) return {&region};
+  const auto outlined = [&](int id) { return region_as<OutlinedRegion>(preparation, id); };
+  const std::vector<int> ids = regions_touching(region.id(), preparation.arrangement, [&](int first, int second) {
+    return outlined(second) && are_one_lattice(preparation, first, second);
+  });
+  if (ids.size() > 1 && has_condition_on_common_edge(ids, preparation)) return {&region};
+  std::vector<OutlinedRegion*> found;
+  for (const int id : ids) found.push_back(outlined(id));
   return found;
 }
 
 std::vector<int> regions_leaving_rows(const Preparation& preparation) {
-  const auto have_one_lattice = [&](int first, int second) {
-    const auto *one = description_of(preparation, first), *other = description_of(preparation, second);
-    return one && other && one->has_lattice_of(*other);
-  };
   const auto is_on_rows = [&](int region) { return description_of(preparation, region)->lattice().has_value(); };
   std::vector<int> leaving;
   for (const int id : preparation.scene.region_ids()) {
     // Each body is found from one of its regions whose outline follows no lattice rows.
     if (!description_of(preparation, id) || is_on_rows(id)) continue;
-    const std::vector<int> body = regions_touching(id, preparation.arrangement, have_one_lattice);
+    const std::vector<int> body = regions_touching(id, preparation.arrangement, [&](int first, int second) {
+      return are_one_lattice(preparation, first, second);
+    });
     if (has_condition_on_common_edge(body, preparation)) continue;
     std::copy_if(body.begin(), body.end(), std::back_inserter(leaving), is_on_rows);
   }

@@ -58,11 +58,6 @@ void OutlinedRegion::mesh(const Preparation& preparation) {
   }
 }
 
-bool OutlinedRegion::acts_as_one_with(const OutlinedRegion& other) const {
-  return std::abs(spacing() / other.spacing() - 1) < 1e-9 && horizon_ratio() == other.horizon_ratio() &&
-         choice_.angle == other.choice_.angle && material() == other.material();
-}
-
 bool OutlinedRegion::shares_bonds_with(const BondedRegion& other) const {
   const auto* outlined = dynamic_cast<const OutlinedRegion*>(&other);
   return outlined && part_.outline == outlined->part_.outline;

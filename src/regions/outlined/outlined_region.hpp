@@ -49,8 +49,6 @@ class OutlinedRegion final : public BondedRegion {
 
   static constexpr double most_places = 1e8;  // largest number of lattice points in the rectangle around a body
 
-  // Whether two regions are one body where they touch along an edge: material, spacing, horizon and angle are equal.
-  bool acts_as_one_with(const OutlinedRegion& other) const;
   pd::LatticePlace place_of_lattice(const Preparation& preparation) const;
   void move_origin(const Point& origin) { origin_ = origin; }
   // Part of the region in the body that it forms with its neighbours.
