@@ -12,22 +12,23 @@ namespace bempd::regions {
 
 namespace {
 
-// Ratio of the error of the finer of two discretizations to the difference of their results, for error estimates. The
-// measured difference is 4 to 30 times the error, and less if most of the error comes from tip elements, which both
-// discretizations share.
+// Ratio of the error of the finer of two discretizations to the difference of the results of both, for error estimates.
+// The measured difference is 4 to 30 times the error. It is less where most of the error comes from tip elements, which
+// are the same in both discretizations.
 constexpr double error_of_difference = 1.0 / 3;
 
-// Share of the stress intensity factors that is added to the error estimate in a subdomain, since the estimate
-// considers only the subdomain's own elements. It is the largest measured effect of cuts and of other elements, with 10
-// to 16 elements on each hole (tests/differential/tip_errors.py).
+// Share of the stress intensity factors that is added to the error estimate of a tip in a subdomain, because this
+// estimate considers only the subdomain's own elements. The value is the largest measured effect of the cuts between
+// subdomains and of the elements of other subdomains, with 10 to 16 elements on each hole
+// (tests/differential/tip_errors.py).
 constexpr double error_of_others = 2e-4;
 
 double stress_along(const LinearBodyForce& particular, const bem::CrackTip& tip) {
   return tip.direction.dot(traction_of(particular, tip.place, tip.direction));
 }
 
-// T-stress of each tip under the constant and under the proportional part of the loads, which are the first two states.
-// Empty unless a function of the host gives the material's fracture energy.
+// T-stress of each tip under the constant part and under the proportional part of the loads, which are the first two
+// entries of `states`. Empty unless a function of the host gives the material's fracture energy.
 std::vector<Point> parts_of_t_stress(const bem::CrackedOperator& cracked, const std::vector<bem::CrackedState>& states,
                                      const scene::Material& material) {
   if (!material.resistance.function) return {};
@@ -39,8 +40,8 @@ std::vector<Point> parts_of_t_stress(const bem::CrackedOperator& cracked, const 
 }
 
 // Sets the toughness that a tip meets. `share` is the fracture energy at the tip's place relative to that of the
-// material, `grown` the length by which the tip has grown. If the host has a function for the fracture energy, it is
-// stored here and called later.
+// material, `grown` the length by which the tip has grown. A function of the host for the fracture energy is stored in
+// `value` and called later.
 void set_resistance(TipValues& value, const scene::Material& material, double share, double grown,
                     const Point& t_stress) {
   const crack::Resistance& resistance = material.resistance;
@@ -56,8 +57,8 @@ double length_of(const Point& vector) {
   return far == 0 ? vector.norm() : std::ldexp((vector * std::ldexp(1, -far)).norm(), far);
 }
 
-// Appends the tips of a part to `values`. `of_loads` has the states under the constant and under the proportional part
-// of the loads, and the present state.
+// Appends the tips of a part with cracks to `values`. `of_loads` has three states: under the constant part of the
+// loads, under the proportional part, and under the present loads.
 void append_tips(const CrackedPart& part, const std::vector<bem::CrackedState>& of_loads, const Region& region,
                  const LinearBodyForce& particular, TipDetail detail, std::vector<TipValues>& values) {
   const bem::CrackedOperator& cracked = *part.body;

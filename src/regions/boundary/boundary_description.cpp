@@ -27,10 +27,10 @@ void require_element_length(double element_length, double longest) {
 // Smallest length of an element relative to its edge. Integrals over shorter elements are within rounding.
 constexpr double shortest_element = 1e-9;
 
-// Length of the shortest element relative to the edge, for `count` elements that grow by the factor `grading` from both
-// ends to the middle.
+// Length of the shortest element of an edge relative to the edge, for `count` elements whose lengths grow by the factor
+// `grading` from element to element, from both ends of the edge to its middle.
 double shortest_share(double count, double grading) {
-  // The edge's two halves are equal; each is a geometric sum 1 + g + g^2 + ... of its elements.
+  // Each half of the edge has elements with the relative lengths 1, g, g^2, ..., where g is `grading`.
   const double half = std::floor(0.5 * count), rest = count - 2 * half;
   const double sum = grading > 1 ? (std::pow(grading, half) - 1) / (grading - 1) : half;
   return 1 / (2 * sum + rest * std::pow(grading, half));

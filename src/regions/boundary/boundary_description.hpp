@@ -8,8 +8,8 @@
 
 namespace bempd::regions {
 
-// Numbers of times that boundary elements are halved; if negative, elements are merged in pairs as often. Elements of
-// bodies are halved of_bodies + of_all times, elements of other regions of_all times.
+// Numbers of times that boundary elements are halved; a negative number says how often they are merged in pairs
+// instead. Elements of bodies are halved of_bodies + of_all times, elements of other regions of_all times.
 struct Refinement {
   int of_bodies = 0, of_all = 0;
 };
@@ -29,7 +29,7 @@ class BoundaryDescription final : public scene::Region {
   bool is_body() const { return is_body_; }
   const Refinement& refinement() const { return refinement_; }
   void refine(const Refinement& refinement) { refinement_ = refinement; }
-  // Number of times that the region's elements are halved; if negative, elements are merged in pairs as often.
+  // Number of times that the region's elements are halved; a negative number says how often they are merged in pairs.
   int halvings() const { return refinement_.of_all + (is_body_ ? refinement_.of_bodies : 0); }
   // Cuts lattice patches out of a body. The patches' loops, counter-clockwise, become the last holes of the body.
   // Elements on these holes have the given length, which is never halved.
@@ -41,8 +41,8 @@ class BoundaryDescription final : public scene::Region {
   void set_edge_mesh(int edge, const scene::EdgeMesh& mesh) override;
   bool has_own_mesh(int edge) const override { return own_mesh_.count(edge) > 0; }
   scene::EdgeMesh edge_mesh(int edge) const override;
-  // Length with which gaps between this region and others are compared: the distance of nodes. It is much smaller for a
-  // body, whose elements become short beside narrow gaps, so that such gaps may be meant.
+  // Distance between nodes, with which the widths of gaps between this region and others are compared. A body has a
+  // much smaller one, because elements become short beside narrow gaps, so that narrow gaps may be intended.
   double resolution() const override { return is_body_ ? 1e-3 * element_length_ : element_length_; }
   void add_size(scene::SizeEstimate& size) const override;
   void identify(Hash& hash) const override;

@@ -67,11 +67,12 @@ std::vector<Point> BoundaryLoads::forces_on_edge(const EdgeSpan& span, const std
   return forces;
 }
 
-// Adds the nodal forces of a body force. Let u = u_p + u_0, where the particular solution u_p carries the body force
-// and u_0 carries no body force. The nodal forces of the surface are K u_0 + f(t_p), so that equilibrium is
-//   K u = f + K u_p - f(t_p),
-// with the stiffness K and the nodal forces f(t_p) of the traction t_p of u_p (Brebbia and Dominguez, Boundary
-// Elements, 2nd ed., section 3.9).
+// Adds the nodal forces of a body force. The displacement is u = u_p + u_0, where the particular solution u_p is in
+// equilibrium with the body force, and u_0 has no body force. With the stiffness K of the boundary, the nodal forces of
+// the boundary's tractions are K u_0 + f_p, where f_p are those of the tractions of u_p. They equal the nodal forces f
+// of the other loads if
+//   K u = f + K u_p - f_p
+// (Brebbia and Dominguez, Boundary Elements, 2nd ed., section 3.9). The function adds K u_p - f_p.
 void BoundaryLoads::add_body_force(const BodyForce& body_force, Eigen::Ref<Eigen::VectorXd> force) const {
   if (body_force.is_zero()) return;
   region_.scatter(mesh_.trace().transpose() * particulars_.force_change(particulars_.of(body_force)), force);

@@ -88,9 +88,8 @@ std::vector<double> all_breaks(const Preparation& p, int region, int edge, const
   return distinct;
 }
 
-// Element ends on an interface between two boundary element regions, as fractions of the piece. The finer of both
-// meshes is used, or that of the lower region id if both have equal lengths, so that both regions get the same
-// elements.
+// Element ends on an interface between two boundary element regions, as fractions of the piece. Both regions get the
+// elements of the region with the shorter element length, or with the lower id if both lengths are equal.
 std::vector<double> shared_stations(const Scene& scene, int region, int edge, const Contact& contact,
                                     const Arc& piece) {
   const int other = contact.other_region + 1;
@@ -103,7 +102,8 @@ std::vector<double> shared_stations(const Scene& scene, int region, int edge, co
   return element_stations(piece.length(), mesh.element_length, mesh.grading, piece.sweep);
 }
 
-// Piece of a boundary from which a panel comes, with the components that supports hold and the loads that act there.
+// Piece of a boundary from which a panel comes, with the displacement components that supports hold on this piece and
+// the loads that act on it.
 BoundaryPiece piece_of(const Scene& scene, int region, const PanelSource& source, const Arc& arc) {
   BoundaryPiece piece{arc, HeldComponents::interface, 0, {}};
   if (source.border != Border::free) return piece;
@@ -137,8 +137,8 @@ bool is_near_crack(const Preparation& p, int region, const Point& x, double reac
   return false;
 }
 
-// Divisions at the singular ends of a panel that are close to a crack of the region; 0 at other ends. If the host has
-// chosen the element length, only these ends are graded.
+// Numbers of divisions at those singular ends of a panel that are close to a crack of the region; 0 at other ends. On
+// edges with an element length that the host has chosen, elements are graded only towards these ends.
 EndDivisions near_cracks(const Preparation& p, int region, const Panel& panel, EndDivisions divisions) {
   const std::vector<double>& stations = panel.stations;
   const double reach = reach_of_corners * panel.arc().length();
@@ -148,8 +148,8 @@ EndDivisions near_cracks(const Preparation& p, int region, const Panel& panel, E
   return divisions;
 }
 
-// Shortest element that grading makes, in geometric tolerances. If such elements are halved a few times, their places
-// still have many digits.
+// Length of the shortest element that grading makes, in geometric tolerances. After a few halvings of such an element,
+// the places of its ends still differ in many digits.
 constexpr double shortest_graded = 10;
 
 // Grades elements towards places where stress is singular, and in bodies also towards jumps of tractions.
@@ -200,8 +200,8 @@ std::vector<double> stations_of(const Preparation& p, const MeshingRules& rules,
   return element_stations(piece.length(), mesh.element_length, mesh.grading, piece.sweep);
 }
 
-// Adds panels on an interface with a region that has points on its outline: one element for each chord between these
-// points, or, on straight edges only, elements of the length that the host has chosen.
+// Adds panels on an interface with a region that has points on its outline. There is one element for each chord between
+// these points, unless the host has chosen the element length, which is possible on straight edges only.
 void follow_outline(const Preparation& p, OutlinedRegion& other, PanelSource source, const Contact& contact,
                     const Arc& piece, const std::vector<Point>& mouths, BoundaryPanels& result) {
   const scene::Region& described = p.scene.region(contact.region + 1);

@@ -18,7 +18,7 @@ struct ElementsOfRegion {
   const PlaneElasticity& elasticity;
 };
 
-// Method of boundary elements: what differs between schemes in boundary element regions.
+// Method of boundary elements: the properties in which schemes differ in boundary element regions.
 class BoundaryMethod {
  public:
   virtual ~BoundaryMethod() = default;
@@ -29,7 +29,7 @@ class BoundaryMethod {
   virtual bool cuts_large_regions() const = 0;
   virtual MeshingRules meshing_rules(const scene::Options& options) const = 0;
   virtual BoundaryMesh make_mesh(const std::vector<std::vector<Panel>>& loops) const = 0;
-  // Solver for systems that contain the stiffness of a region.
+  // Method that solves the linear systems that contain the stiffness of a region.
   virtual const coupling::SolutionMethod& solution_method() const = 0;
   // Builds the operator of a region without cracks. Throws Error (argument) for a material that the method cannot
   // treat.

@@ -7,8 +7,9 @@
 
 namespace bempd::regions {
 
-// Operators of earlier regions of the same kind and material, which can lend their operator, or those of their
-// subdomains without cracks, to a region whose mesh differs by a translation only. Operators with cracks are not lent.
+// Operators of earlier regions of the same kind and material. This region uses such an operator, or one of an earlier
+// region's subdomain, again where its own mesh, or that of its subdomain, is a translated copy. Operators with cracks
+// are not shared.
 std::vector<const BoundaryOperators*> BoundaryOperators::alike_before(const Preparation& preparation) const {
   std::vector<const BoundaryOperators*> found;
   for (const auto& other : preparation.regions) {
@@ -89,7 +90,7 @@ std::vector<OperatorNodes> BoundaryOperators::nodes_of_operators() const {
 }
 
 std::shared_ptr<const Eigen::MatrixXd> BoundaryOperators::stiffness_of_nodes() const {
-  // The region's nodes are the nodes of the mesh, in the same order, unless the displacements of mid nodes follow from
+  // The region's nodes are the nodes of the mesh in the same order, unless the displacements of some nodes follow from
   // other nodes.
   const Eigen::SparseMatrix<double>& trace = mesh_.trace();
   const bool all_nodes = trace.rows() == trace.cols();

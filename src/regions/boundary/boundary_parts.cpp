@@ -16,8 +16,8 @@ BoundaryPanels BoundaryParts::find_cracks(const Preparation& preparation, const 
   return panels;
 }
 
-// Mesh of the region without its cracks. Cracks affect this mesh only by the grading of elements. Without grading it is
-// the mesh that `before` had, if there is one.
+// Mesh of the region as it would be without its cracks, except that elements are graded towards the cracks if the mesh
+// has grading. Without grading the mesh is that of `before`, if there is one.
 BoundaryMesh BoundaryParts::uncracked(const Preparation& preparation, const BoundaryMethod& method,
                                       const RegionSubdomains* before) const {
   const MeshingRules rules = method.meshing_rules(preparation.options);
@@ -61,7 +61,7 @@ void BoundaryParts::mesh_cracks(const scene::Options& options, BoundaryMesh& mes
     panels.resize(static_cast<std::size_t>(mesh.elements.back().panel) + 1, {0, 0, 1, Border::free, 0, false});
 }
 
-// Part of the region before growth that shares a crack with the given part; null if there is none.
+// Part with cracks that, before growth, had elements on a crack of the given part; null if there is none.
 const CrackedPart* BoundaryParts::part_before(const CrackedPart& part, const BoundaryParts* before) const {
   if (!before) return nullptr;
   const auto found = std::find_if(before->cracked_.begin(), before->cracked_.end(),

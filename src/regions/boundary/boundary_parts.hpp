@@ -42,14 +42,15 @@ class BoundaryParts {
   bool is_whole_with_cracks() const { return cracks_ && !subdomains_; }
   // Whether cracks cut the region, or a subdomain of it, into pieces.
   bool are_in_pieces() const;
-  // Nodes of the mesh before and behind the mouth at each joint of cracks; negative numbers for a joint inside the
-  // region. Empty if the region has no cracks, or is cut into subdomains, whose cracks do not continue in a lattice.
+  // Nodes of the mesh before and behind the mouth at each joint of cracks (place where cracks meet each other or, at a
+  // mouth, the boundary); negative numbers for a joint inside the region. Empty if the region has no cracks, or is cut
+  // into subdomains, whose cracks do not continue in a lattice.
   std::span<const std::array<int, 2>> mouths() const;
   // Adds a warning if a narrow gap beside a crack takes many elements; only for a region that is not cut into
   // subdomains.
   void warn_of_gap(const BoundaryMesh& mesh, std::vector<std::string>& warnings) const;
-  // Estimated memory [B] that preparing takes with `times` as many elements, of which there are `elements` on the
-  // boundary.
+  // Estimated memory [B] for preparing the region after the number of its elements has been multiplied by `times`. The
+  // region has `elements` elements on its boundary before.
   double memory_of_preparing(double elements, double times) const;
 
  private:

@@ -11,16 +11,17 @@ namespace bempd::regions {
 
 namespace {
 
-// Division of an element towards an end of its piece: each new element end lies at this fraction of the distance that
-// the previous one has from that end.
+// Ratio in which the element next to a singular place is divided, again and again: each new element end has this
+// fraction of the distance from the place that the element end before it has.
 constexpr double ratio = 0.3;
 
 // Usual number of divisions. At a crack tip the divisions reduce the error of displacements far away to 2e-3 of its
-// value, because this error is proportional to the size of the last element. At other places the error falls faster.
+// value, because this error is proportional to the size of the last element. At corners and ends of supports the error
+// falls faster.
 constexpr int usual_count = 5;
 
-// Largest angle of a corner [rad] without a stress singularity, for the conditions on its two sides. A support that
-// holds one component counts as a plane of symmetry.
+// Largest angle of a corner [rad] without a stress singularity, for the supports `a` and `b` on its two sides. A
+// support that holds one displacement component counts as a plane of symmetry.
 double largest_regular_angle(HeldComponents a, HeldComponents b) {
   constexpr double pi = std::numbers::pi;
   if (a == b && a != HeldComponents::one) return pi;
@@ -37,7 +38,8 @@ bool is_singular(const BoundaryPiece& before, const BoundaryPiece& after) {
   return std::numbers::pi - turn > largest_regular_angle(before.held, after.held) + slack;
 }
 
-// Exponent of the distance from a singular place with which displacements grow.
+// Exponent of the displacements near a singular place: they are proportional to the distance from the place, raised to
+// the power of the exponent.
 double exponent_at(const BoundaryPiece& before, const BoundaryPiece& after, const PlaneElasticity& elasticity) {
   constexpr double of_crack_tip = 0.5;
   const Point along = before.arc.tangent(1), on = after.arc.tangent(0);

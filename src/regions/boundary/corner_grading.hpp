@@ -33,8 +33,9 @@ using DivisionRule = std::function<int(const BoundaryPiece& before, const Bounda
 // region, too.
 int usual_divisions(const BoundaryPiece& before, const BoundaryPiece& after);
 
-// Rule that divides elements at singular places (usual_divisions()), and where tractions may jump, so often that the
-// error of displacements at the place is less than `wanted`, relative to the largest displacement.
+// Rule for the number of divisions at singular places (usual_divisions()) and where tractions may jump. There are so
+// many divisions that the error of displacements at the place is less than `wanted`, relative to the largest
+// displacement.
 DivisionRule divisions_for(double wanted, const PlaneElasticity& elasticity);
 
 // Divisions at the ends of the pieces of one closed loop.

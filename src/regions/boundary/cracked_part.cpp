@@ -9,8 +9,8 @@ namespace bempd::regions {
 
 namespace {
 
-// Ratio of two distances above which they differ by more than rounding. Of distances that are nearly equal the first
-// counts.
+// Ratio of two nodes' distances above which one node counts as farther than the other, so that rounding does not
+// decide. Of nodes at nearly equal distances the first is taken.
 constexpr double clearly_farther = 1 + 1e-6;
 
 // Whether an operator belongs to the body with this mesh, these cracks and this elasticity.

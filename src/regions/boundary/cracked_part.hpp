@@ -67,15 +67,14 @@ struct CrackedPart {
   struct Particulars {
     Eigen::MatrixX2d displacements, face_forces;
   };
-  // Work of loads inside the body that nodal forces do not include. The stiffness K couples the boundary's
-  // displacements u and the openings
-  //   w = K_ww^-1 (f - K_wu u)
-  // due to forces f on crack faces. The forces f do the work f.w on the openings. Nodal forces contain the part of this
-  // work that depends on u, so that f.K_ww^-1 f is left. If there is a body force, u and f are taken without its
-  // particular solution u_p and without the forces f_p of that solution on the faces. By Betti's theorem the work then
-  // has the terms
-  //   v.f_p - f.v - v.f  with  v = K_ww^-1 (f_p - K_wu u_p)
-  // in addition.
+  // Work of loads inside the body that nodal forces do not include. The boundary's displacements u and forces f on the
+  // crack faces cause the openings
+  //   w = K_ww^-1 (f - K_wu u),
+  // where the blocks K_ww and K_wu of the stiffness act on openings and on displacements. The forces f do the work f.w
+  // on the openings. The nodal forces account for the part of this work that depends on u, so that f.K_ww^-1 f is left.
+  // If there is a body force, its particular solution u_p, with the forces f_p on the faces, is subtracted from u and f
+  // first. By Betti's theorem the work then has in addition the terms
+  //   v.f_p - f.v - v.f,  v = K_ww^-1 (f_p - K_wu u_p).
   Eigen::Matrix2d work_of(const Eigen::MatrixX2d& forces, const Particulars& particular) const;
 };
 

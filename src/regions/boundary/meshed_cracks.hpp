@@ -11,14 +11,15 @@
 
 namespace bempd::regions {
 
-// Extent of a piece of a crack, as distances and lengths along the crack [m].
+// Extent of a piece of a crack in a region. All numbers are distances or lengths along the crack [m].
 struct CrackExtent {
   double start, length;             // start of the piece; length of the whole crack
   double given_from, given_length;  // start and length of the part that the host described
 };
 
-// Lines into which tips, joints and mouths divide cracks, with the ends of the elements on each line (`stations`), as
-// distances along the line. The member `crack` of a line is the index of the line's path in `paths`.
+// Crack lines (pieces into which tips, mouths and places where cracks meet divide cracks), with the ends of the
+// elements on each line (`stations`), as distances along the line. The member `crack` of a line is the index of the
+// line's path in `paths`.
 struct CracksToMesh {
   std::vector<CrackPath> paths;
   std::vector<CrackExtent> extents;
@@ -55,11 +56,11 @@ class MeshedCracks {
   Point opening_at(int crack, double fraction, const bem::CrackedState& state) const;
   std::vector<CrackPicture> pictures(const bem::CrackedState& state) const;
   std::optional<Overlap> overlap(const bem::CrackedState& state) const;
-  // Whether some part of the crack lies inside a piece, so that this part does not separate two pieces.
+  // Whether some piece of the crack has the same piece of the region on both sides, so that it separates nothing.
   bool has_inside(int crack) const;
 
  private:
-  // Element on a crack, inside a piece or between two pieces, with its openings.
+  // Element on a crack, with its openings. It may lie inside a piece of the region or between two pieces.
   struct Opened {
     int line;
     double from, to;  // distances along its line [m]
@@ -69,7 +70,7 @@ class MeshedCracks {
   std::vector<Opened> opened(const bem::CrackedState& state) const;
   static std::array<Point, 3> openings_on(const bem::CrackElement& element, const bem::CrackedState& state);
   static std::array<Point, 3> openings_on(const bem::CutElement& element, const bem::CrackedState& state);
-  // Fraction of the described crack's length at a place on a line; 0 or 1 beyond the described ends. Loads are
+  // Place on a crack line as a fraction of the described crack's length; 0 or 1 beyond the described ends. Loads are
   // functions of this fraction, so that they stay in place when the crack grows.
   double fraction_at(int line, const Point& x) const;
 

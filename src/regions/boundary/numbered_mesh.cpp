@@ -37,7 +37,7 @@ NumberedMesh::NodeRoles NumberedMesh::roles(std::span<const std::array<int, 2>> 
     const PanelSource& panel = source_of(element);
     if (panel.border == Border::free) continue;
     if (panel.tied) {
-      // Nodes at the two ends of a tied interface are shared by both regions, other nodes are not.
+      // The nodes at the two ends of a tied interface are nodes of both regions; its other nodes are not.
       if (e == 0 || mesh_.elements[e - 1].panel != element.panel) roles.shared[element.nodes[0]] = 1;
       const bool is_last = e + 1 == mesh_.elements.size() || mesh_.elements[e + 1].panel != element.panel;
       if (is_last) roles.shared[element.nodes[2]] = 1;
@@ -53,9 +53,9 @@ NumberedMesh::NodeRoles NumberedMesh::roles(std::span<const std::array<int, 2>> 
   return roles;
 }
 
-// Sets the displacements at mouths of cracks that continue in a lattice. A mouth lies between two material points. Each
-// face of the crack follows, at the mouth, the straight line through the two nearest points on its side; it is free if
-// there is only one point.
+// Sets the displacements at mouths of cracks that continue in a lattice. A mouth lies between two material points. At
+// the mouth, each face of the crack follows the straight line through the two nearest points on its side; the face is
+// free if there is only one point on its side.
 void NumberedMesh::follow_rows_to_mouths(std::span<const std::array<int, 2>> mouths, NodeRoles& roles) const {
   const auto lead_to = [&](int mouth, std::size_t element, int step) {
     const BoundaryElement& own = mesh_.elements[element];

@@ -11,9 +11,9 @@
 
 namespace bempd::regions {
 
-// Mesh of a boundary element region, the sources of its panels, and the numbers of its nodes in the scene. The mid node
-// of an element at a grid is not a node of the scene. The displacement is linear between grid points there, so that a
-// constant traction has its exact nodal forces.
+// Mesh of a boundary element region, the sources of its panels, and the numbers of its nodes in the scene. Where
+// elements follow the points of a grid, their displacement may be linear between these points, so that a constant
+// traction has its exact nodal forces. The mid nodes of such elements are not nodes of the scene.
 class NumberedMesh final : public ElementBorders {
  public:
   explicit NumberedMesh(const Region& region) : region_(region) {}
@@ -24,7 +24,8 @@ class NumberedMesh final : public ElementBorders {
   void take(BoundaryMesh mesh, std::vector<PanelSource> panels, const std::vector<Point>& on_cuts,
             bool middles_follow_ends);
   // Numbers the nodes, and returns their numbers in the scene. `mouths` has the nodes before and behind the mouth at
-  // each joint of cracks that may continue in a lattice; the first number is negative for a joint inside the region.
+  // each joint (place where cracks meet each other or the boundary) of cracks that may continue in a lattice. The first
+  // number is negative for a joint inside the region.
   std::vector<int> number(const Preparation& preparation, NodeRegistry& registry,
                           std::span<const std::array<int, 2>> mouths);
 

@@ -48,11 +48,12 @@ CrackedPart::Particulars ParticularSolutions::in_part(const std::array<BodyForce
   return all;
 }
 
-// Work of a body force b that nodal forces do not include. With Betti's theorem for the particular solution u_p of b
-// and the rest of u, the body force does on any state u of the body the work
-//   integral of b.u dV  =  g.u + integral of b.u_p' dV - g.u_p',   g = K u_p - f(t_p) on the boundary's nodes,
-// where u_p' is the particular solution of the other body force. The first term is the work of the nodal forces; the
-// function returns the sum of the second and the third term.
+// Work of a body force b that nodal forces do not include. Let u be the displacement of another state of the body, with
+// the body force `other`, whose particular solution is u_p'. By Betti's theorem for the particular solution u_p of b
+// and the difference u - u_p', b does the work
+//   integral of b.u dV  =  g.u + integral of b.u_p' dV - g.u_p',   g = K u_p - f_p,
+// with the stiffness K of the boundary and the nodal forces f_p of the tractions of u_p. The first term, g.u, is the
+// work of the nodal forces; the function returns the sum of the other two.
 double ParticularSolutions::work(const BodyForce& body_force, const BodyForce& other) const {
   const BoundaryMesh& mesh = mesh_.mesh();
   if (body_force.is_zero() || other.is_zero()) return 0;

@@ -19,7 +19,8 @@ class ParticularSolutions {
   LinearBodyForce of(const Solution& solution) const { return of(solution.body_force(region_.id())); }
   // Displacements u_p of a particular solution at NumberedMesh::places().
   Eigen::VectorXd displacement(const LinearBodyForce& particular) const;
-  // Forces K u_p - f(t_p) by which a particular solution u_p with the tractions t_p changes nodal forces.
+  // Change of nodal forces by a particular solution u_p: K u_p - f_p, with the stiffness K of the boundary and the
+  // nodal forces f_p of the tractions of u_p.
   Eigen::VectorXd force_change(const LinearBodyForce& particular) const;
   // Particular solutions at the nodes and on the crack faces of a part.
   CrackedPart::Particulars in_part(const std::array<BodyForce, 2>& body_force, const CrackedPart& part) const;

@@ -9,8 +9,8 @@ namespace bempd::regions {
 
 namespace {
 
-// Merges the elements on a line of a crack in pairs, `times` times. Bends and joints stay ends of elements, and the
-// element at a tip stays as it is.
+// Merges the elements on a crack line (piece of a crack between tips, mouths and places where cracks meet) in pairs,
+// `times` times. The ends and bends of the line stay ends of elements, and the element at a tip stays as it is.
 std::vector<double> merged(const std::vector<double>& stations, const CrackLine& line, int times) {
   std::vector<double> bends{0.0};
   for (std::size_t i = 0; i + 1 < line.points.size(); ++i)
@@ -45,9 +45,9 @@ bem::CrackGrading RegionCracks::grading(const scene::Region& region) {
   return grading;
 }
 
-// Ends of the elements on each line. Elements are halved or merged as often as those of the region, but not merged at
-// tips. A line that ends between two material points of a lattice keeps its elements, whose lengths begin with the
-// spacing.
+// Ends of the elements on each crack line. Elements are halved or merged as often as those of the region, but not
+// merged at tips. A line that ends between two material points of a lattice keeps its elements, of which the one at the
+// lattice is as long as the spacing.
 std::vector<std::vector<double>> RegionCracks::halved_stations() const {
   std::vector<std::vector<double>> all = sizes_.stations();
   for (std::size_t l = 0; l < all.size(); ++l) {
@@ -107,8 +107,8 @@ void refine_at_cracks(const Preparation& p, const RegionCracks* own, BoundaryPan
       const PanelSource& source = panels.sources[number++];
       const bool at_mouth = own && (own->is_on_row(panel.start) || own->is_on_row(panel.end));
       if (source.border == Border::grid && !(source.tied && at_mouth)) continue;
-      // Two regions on an interface get the same elements if both refine first for the cracks of the region with the
-      // lower id.
+      // Regions on an interface get the same elements if each of them refines for the cracks of the region with the
+      // lower id first.
       const auto other = source.border == Border::elements ? cracks_of(p, source.other_region) : nullptr;
       std::array<const RegionCracks*, 2> both{own, other.get()};
       if (own && other && other->region() < own->region()) std::swap(both[0], both[1]);

@@ -27,11 +27,12 @@ class RegionCracks {
 
   // Meshes all cracks of the region.
   std::unique_ptr<MeshedCracks> mesh(BoundaryMesh& boundary) const;
-  // Meshes some lines of the cracks of the region, given by their numbers; `boundary` is the mesh of a subdomain.
+  // Meshes some crack lines (pieces of cracks between tips, mouths and places where cracks meet) of the region, given
+  // by their numbers. `boundary` is the mesh of a subdomain.
   std::unique_ptr<MeshedCracks> mesh(const std::vector<int>& lines, BoundaryMesh& boundary) const;
 
   const CrackLines& lines() const { return lines_; }
-  // Places of the element ends on each line.
+  // Places of the element ends on each crack line.
   std::vector<Stations> places() const;
   double elements_on_cracks() const;
   // Whether some crack continues in another region.

@@ -28,13 +28,13 @@ constexpr double bytes_per_square_of_elements = 500;
 // elements and `most_elements`. Measured as 1.1 to 1.5.
 constexpr double squares_of_subdomains = 1.1;
 
-// Finds the nodes of a region, which are columns of a trace matrix, on whose displacements those of a subdomain depend.
+// Finds the nodes of a region (columns of its trace matrix) that determine the displacements of a subdomain's nodes.
 class TraceColumns {
  public:
   explicit TraceColumns(const TraceRows& trace)
       : trace_(trace), known_(static_cast<std::size_t>(trace.cols()) / 2, 0) {}
 
-  // Columns for a subdomain, in the order of the subdomain's nodes.
+  // Numbers of the region's nodes that determine a subdomain's nodes, in the order of the latter.
   std::vector<int> of(const Subdomain& part) {
     std::vector<int> columns;
     columns.reserve(part.nodes.size());
@@ -53,7 +53,7 @@ class TraceColumns {
   std::vector<char> known_;
 };
 
-// Part of the trace matrix that gives the displacements of a subdomain's nodes from those of `columns`.
+// Part of the trace matrix that gives the displacements of a subdomain's nodes from those of the nodes `columns`.
 Eigen::SparseMatrix<double> trace_of(const Subdomain& part, const std::vector<int>& columns, const TraceRows& trace) {
   std::vector<int> place(static_cast<std::size_t>(trace.cols()) / 2, -1);
   for (std::size_t i = 0; i < columns.size(); ++i) place[static_cast<std::size_t>(columns[i])] = static_cast<int>(i);

@@ -37,9 +37,9 @@ class RegionSubdomains {
   // found.
   static std::unique_ptr<RegionSubdomains> of(const BoundaryMesh& body, const scene::Options& options);
 
-  // Cuts the region with the mesh `body` around its cracks; `cracks` has the places of element ends on each line of the
-  // cracks. Cuts are first chosen for the mesh without cracks, `uncracked`, or taken from `before` (null: none) if that
-  // had the same mesh without cracks. Then cuts that meet cracks are replaced. The result is null as in of().
+  // Cuts the region with the mesh `body` around its cracks; `cracks` has the places of element ends on each crack line.
+  // Cuts are first chosen for the mesh without cracks, `uncracked`, or taken from `before` (null: none) if that had the
+  // same mesh without cracks. Then cuts that meet cracks are replaced. The result is null as in of().
   static std::unique_ptr<RegionSubdomains> around(const std::vector<Stations>& cracks, const BoundaryMesh& body,
                                                   BoundaryMesh uncracked, const scene::Options& options,
                                                   const RegionSubdomains* before);
