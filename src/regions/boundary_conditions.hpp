@@ -23,7 +23,8 @@ struct DofConditions {
   coupling::Affine body_force;         // BodyForce (x, y, growth) of region r from row 3 (r - 1) on; part of `force`
   std::vector<CrackLoad> crack_loads;  // on cracks with elements; their nodal forces are part of `force`
 
-  // Pressures in cracks that cut bonds, not part of `force`. They also act on the faces that growth adds to the cracks.
+  // Pressures of fluids in cracks that cut bonds, not part of `force`. A pressure also acts on the faces that growth of
+  // its crack adds.
   std::vector<CrackPressure> crack_pressures;
 
   // Degrees of freedom whose reactions count for a support, by support. A degree of freedom of several supports counts
@@ -33,15 +34,16 @@ struct DofConditions {
   // Swelling strains due to temperature loads, by region id; `force` does not include their effect.
   std::map<int, std::vector<Swelling>> swelling;
 
-  // All degrees of freedom that a support holds, by support.
+  // All degrees of freedom that a support holds, by support. Unlike in `reaction_dofs`, one that several supports hold
+  // is listed for each of them.
   std::vector<std::vector<int>> held_dofs;
 
   // Gaps of crack faces due to loads inside regions (body forces, loads on crack faces), one for each exact contact
   // constraint [m]. The constraints are ordered by region.
   coupling::Affine face_offsets{0, 2};
 
-  // Work of the loads that `force` does not include, as a quadratic form W [J]. At the load factor f the work is
-  //   (1, f) W (1, f)^T / 2.
+  // Work of the loads that `force` does not include [J], as the matrix W of a quadratic form: at the load factor f, and
+  // with the column c = (1, f), the work is c^T W c / 2.
   Eigen::Matrix2d work_within = Eigen::Matrix2d::Zero();
 
   // Body forces at a load factor, one for each region id from 1 on.

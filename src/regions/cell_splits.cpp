@@ -54,8 +54,9 @@ class CellSplitter {
   SplitCells result_;
 };
 
-// Opens (adds to `parted_`) the side that two neighbouring cells share, if each of the cells has exactly one parted
-// side and the shared side is next to both parted sides. That is where a crack steps from one row to the next.
+// Opens (adds to `parted_`) the side that two neighbouring cells share if each of the cells has exactly one parted side
+// (side whose bond is broken) and the shared side meets both parted sides. A crack steps from one row of cells to the
+// next at such a side.
 void CellSplitter::open_steps() {
   std::map<Pair, int> ends;  // sides next to the only parted side of a cell
   for (std::size_t c = 0; c < cells_.size() / 4; ++c) {
@@ -67,16 +68,17 @@ void CellSplitter::open_steps() {
     if (count == 2) parted_.insert(pair);
 }
 
-// Adds a point with the mean values of `nodes` and returns its number. Points for different faces of a crack lie at one
-// place and have different keys. If a point with this `key` exists, its number is returned.
+// Adds a point with the mean values of `nodes` and returns its number; returns the number of the existing point if one
+// has this `key`. Points for different faces of a crack lie at one place and have different keys.
 int CellSplitter::add(const std::vector<int>& key, const Point& at, const std::vector<int>& nodes) {
   const auto [found, is_new] = made_.try_emplace(key, static_cast<int>(nodes_.size() + result_.added.size()));
   if (is_new) result_.added.push_back({at, nodes});
   return found->second;
 }
 
-// Middle of side k of a cell. On an intact side it has the mean values of both ends. On a parted side each end has its
-// own copy of the middle, and the copy of the corner `seen_from` is returned.
+// Middle of side k of a cell. On an intact side it has the mean values of both ends. On a parted side (side whose bond
+// is broken) there are two copies of it, each with the values of one end; the copy of the corner `seen_from` is
+// returned.
 int CellSplitter::middle(std::size_t cell, std::size_t k, std::size_t seen_from) {
   const Pair ends = side(cell, k);
   const Point at = 0.5 * (place(cell, k) + place(cell, k + 1));
@@ -85,8 +87,8 @@ int CellSplitter::middle(std::size_t cell, std::size_t k, std::size_t seen_from)
   return add({ends[0], ends[1], own}, at, {own});
 }
 
-// Centre of a cell for one of its pieces: a copy with the mean values of the piece's corners, which are `count` corners
-// from the corner `first` on.
+// Centre of a cell for one of the pieces into which the cell is split: a copy with the mean values of the piece's
+// corners, which are `count` corners from the corner `first` on.
 int CellSplitter::centre(std::size_t cell, std::size_t first, std::size_t count) {
   std::vector<int> group, key{-1, static_cast<int>(cell)};
   for (std::size_t k = first; k < first + count; ++k) group.push_back(corner(cell, k));
@@ -94,8 +96,8 @@ int CellSplitter::centre(std::size_t cell, std::size_t first, std::size_t count)
   return add(key, 0.25 * (place(cell, 0) + place(cell, 1) + place(cell, 2) + place(cell, 3)), group);
 }
 
-// Splits a cell along the crack through its parted sides. Intact sides get no middle point, so that the pieces fit the
-// neighbouring cells. The exception is a cell with one parted side, in which a crack ends.
+// Splits a cell along the crack through its parted sides (sides whose bonds are broken). Intact sides get no middle
+// point, so that the pieces fit the neighbouring cells, except in a cell with one parted side, in which a crack ends.
 void CellSplitter::split(std::size_t cell) {
   const auto piece = [&](int a, int b, int c, int d) { result_.nodes.insert(result_.nodes.end(), {a, b, c, d}); };
   const auto at = [&](std::size_t k) { return corner(cell, k); };

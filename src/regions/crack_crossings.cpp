@@ -12,10 +12,12 @@ namespace bempd::regions {
 
 namespace {
 
-// Longest stretch of a crack that is bent on either side of its crossing with an interface [spacings].
+// Largest distance along the crack from its crossing with an interface, on each side of the crossing, within which the
+// crack is bent so that it passes half way between two material points [spacings].
 constexpr double bent_reach = 3;
 
-// Least stretch on either side of a crossing on which a crack is straight [spacings].
+// Least length of crack on each side of a crossing with an interface [spacings]. Where the crack is bent, vertices of
+// the described crack within this distance are left out, so that the bent crack is straight there.
 constexpr double straight_reach = 1;
 
 // Distance of two places in spacings below which the places differ by rounding only.
@@ -27,9 +29,9 @@ struct Middle {
   int lattice;  // id of its region
 };
 
-// Midpoint between two neighbouring material points on an interface of the region `boundary` with a lattice: the
-// midpoint nearest to a crossing. Of two equally near midpoints the one on the right of the crack is taken. Its spacing
-// is 0 if no lattice borders on the region. Throws Error (argument) at curved interfaces.
+// Finds the place half way between two neighbouring material points that is nearest to a crossing, on the interfaces of
+// the region `boundary` with lattices. Of two equally near places the one on the right of the crack is taken. The
+// result's spacing is 0 if no lattice borders on the region. Throws Error (argument) at curved interfaces.
 Middle nearest_middle(const Preparation& p, int crack, int boundary, const CrackCrossing& crossing) {
   Middle nearest{Point::Zero(), 0, 0};
   double least = std::numeric_limits<double>::infinity();
@@ -77,8 +79,9 @@ class Bending {
 
   double length() const { return vertices_.back().way; }
 
-  // Moves the crack's point at the crossing `c` to c.place. The crack is bent only between the distances `low` and
-  // `high` along it, and is straight from the places where the bent stretch begins and ends to the crossing.
+  // Moves the crack's point at the crossing `c` to c.place. The crack is bent on a stretch between the distances `low`
+  // and `high` along it; it runs straight from the start of this stretch to the crossing, and on to the end of the
+  // stretch.
   void bend(const CrackCrossing& c, double low, double high) {
     const Vertex at = at_way(c.way);
     double from = c.way, to = c.way;
@@ -117,8 +120,8 @@ class Bending {
 };
 
 // Throws Error (argument) if a crack cannot cross the interface of two boundary element regions at `c`. Both regions
-// need the same material, because they share nodes on both faces of the crack; a tip or mouth at the interface of two
-// materials has a stress field of its own. No peridynamic region may touch the place.
+// need the same material, because they share nodes on both faces of the crack, and because the stress field of a crack
+// mouth at the interface of two materials is not known. No peridynamic region may touch the place.
 void require_one_body(const Preparation& p, int crack, const CrackCrossing& c) {
   const auto about = [&] {
     return text("crack ", crack, " crosses the interface of the regions ", c.before, " and ", c.after, " at (",

@@ -21,21 +21,21 @@ struct CrackCrossing {
 };
 
 // Moves each crossing between boundary elements and a lattice to the middle between two material points on the
-// interface. At any other place the crack would have one length for the elements and another for the bonds. `length` is
-// the length of the crack. Throws Error (argument) for interfaces that no crack can cross; adds a warning for each
+// interface. At any other place the length of the crack would be different for the elements and for the bonds. `length`
+// is the length of the crack. Throws Error (argument) for interfaces that no crack can cross; adds a warning for each
 // crossing that is moved.
 void move_between_rows(const Preparation& preparation, int crack, std::vector<CrackCrossing>& crossings, double length,
                        std::vector<std::string>& warnings);
 
 // Crack whose crossings with interfaces have been moved. The crack is bent within a few spacings of each crossing into
-// a lattice; a crossing between two boundary element regions does not bend the crack.
+// a lattice, and stays as it is at crossings between two boundary element regions.
 struct MovedCrack {
   std::vector<Point> points;
   std::vector<char> grown;             // flag of each segment: 1 if growth has added it
   std::vector<std::size_t> crossings;  // index in `points` of each crossing
 
-  // Numbers of segments that growth has added at the start and at the end of the piece between the points `from` and
-  // `to`.
+  // Numbers of segments that growth has added at the start and at the end of the piece of the crack between the points
+  // with the indices `from` and `to`.
   std::pair<int, int> grown_at_ends(std::size_t from, std::size_t to) const;
   scene::Crack crack() const;
 };

@@ -27,11 +27,12 @@ class CrackElements {
  public:
   virtual ~CrackElements() = default;
 
-  // Lines into which tips, joints and mouths divide the region's cracks; null if the region has no cracks.
+  // Crack lines: pieces into which tips, mouths and places where cracks meet divide the region's cracks; null if the
+  // region has no cracks.
   virtual const CrackLines* lines() const = 0;
   // Whether cracks cut the region into separate pieces.
   virtual bool cut_the_region() const = 0;
-  // Whether some part of a crack lies inside a piece of the region, so that this part does not separate two pieces.
+  // Whether some part of a crack lies inside one piece of the region, with this piece on both of its sides.
   virtual bool lie_inside(int crack) const = 0;
   // Adds nodal forces [N] of a load on the faces of a crack; `part` is 0 for the constant, 1 for the proportional part
   // of the load.

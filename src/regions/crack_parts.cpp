@@ -77,7 +77,7 @@ std::vector<CrackCrossing> crossings_of(const Preparation& p, int crack, const s
     }
     way += segment.length();
   }
-  // No piece of a crack shorter than the tolerance is examined above, so the middle of its first segment decides.
+  // All pieces of the crack are too short to be examined above, so the middle of its first segment decides.
   if (present < 0) first_region = region_of_piece(p, crack, 0.5 * (points[0] + points[1]));
   return found;
 }
@@ -103,7 +103,7 @@ double way_to_bend(const std::vector<Point>& points, std::size_t from, bool forw
   return way;
 }
 
-// Division of the crack in the scene before growth, if the crack has not grown since and has one part; else null.
+// Parts of the crack in the scene before growth, if the crack has not grown since and has one part; else null.
 const PartedCrack* unchanged_before(const Preparation& p, int id, const scene::Crack& crack) {
   if (!p.cracks_before || static_cast<std::size_t>(id) > p.cracks_before->size()) return nullptr;
   const PartedCrack& before = (*p.cracks_before)[static_cast<std::size_t>(id) - 1];

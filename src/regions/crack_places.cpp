@@ -10,8 +10,8 @@ namespace bempd::regions {
 
 namespace {
 
-// Share of the line from a place on a crack to a material point that is left out at the start, so that the line does
-// not touch the crack at the place itself.
+// Fraction of the straight line from a place on a crack to a material point that is left out at the start, so that the
+// line does not touch the crack at the place itself.
 constexpr double off_the_crack = 1e-3;
 
 bool cross_each_other(const Point& a, const Point& b, const Point& c, const Point& d) {

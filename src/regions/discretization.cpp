@@ -103,8 +103,8 @@ RegionStatistics Discretization::statistics() const {
 
 namespace {
 
-// Finds the common edges of the regions of a scene. The arrangement is copied from `before` if that is not null,
-// because both scenes have the same outlines.
+// Discretization of a scene without regions and nodes, but with the contacts and gaps between outlines. They are taken
+// from `before` (null: none), a discretization with the same outlines.
 Discretization arranged(const scene::Scene& scene, const Discretization* before) {
   Discretization d;
   d.tolerance = geometric_tolerance(scene.bounding_box());
@@ -121,7 +121,7 @@ Discretization arranged(const scene::Scene& scene, const Discretization* before)
   return d;
 }
 
-// Builds the regions of a scene, and their nodes, bonds and ties.
+// Adds the regions, cracks and nodes to a discretization that has the contacts between outlines.
 void build(Discretization& d, const Preparation& preparation) {
   const scene::Scene& scene = preparation.scene;
   for (int id : scene.region_ids()) {
@@ -148,8 +148,9 @@ void build(Discretization& d, const Preparation& preparation) {
   d.positions = registry.positions();
 }
 
-// Discretizes the scene. If `may_leave_rows` is set, lattice regions get material points on their outlines where this
-// makes them one body with neighbours. Throws CannotLeaveRows if there is no such body.
+// Discretizes the scene. If `may_leave_rows`, lattice regions with a neighbour of another outline get points on their
+// outlines instead of following lattice rows, so that both are one body. CannotLeaveRows is thrown if no network of
+// bonds can be built for such a body.
 Discretization discretize(const scene::Scene& scene, const scene::Options& options, const Discretization* before,
                           bool may_leave_rows) {
   Discretization d = arranged(scene, before);

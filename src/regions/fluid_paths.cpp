@@ -16,8 +16,8 @@ constexpr double same_length = 1e-6;
 // Distance in spacings below which two ends of facets count as one place.
 constexpr double same_place = 0.1;
 
-// Modulus c11 + c12 for each energy term of a lattice: pressure over strain if the strains in both directions are equal
-// [Pa]. 0 for terms that belong to no lattice.
+// Modulus c11 + c12 [Pa] of the lattice of each energy term (bond or cell square): pressure over strain if the strains
+// in both directions are equal; 0 for energy terms that belong to no lattice.
 std::vector<double> moduli_of_terms(const Discretization& d, const coupling::Terms& terms) {
   std::vector<double> moduli(terms.size(), 0.0);
   for (const auto& region : d.regions) {

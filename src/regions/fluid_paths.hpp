@@ -5,9 +5,9 @@
 
 namespace bempd::regions {
 
-// Paths on which a fluid can flow when bonds break: a facet across each bond that is one spacing long, and the force
-// that a unit pressure exerts along each of the scene's energy terms (bonds and cell squares) in `terms`. Terms in
-// `weakened`, which lie at ends of cracks, get the force of terms with their whole stiffness.
+// Paths on which a fluid can flow when bonds break: a facet across each bond that is one spacing long, and for each of
+// the scene's energy terms (bonds and cell squares) in `terms` the force along it due to a unit pressure. The energy
+// terms in `weakened`, which lie at ends of cracks, get the force that they would have with their whole stiffness.
 pd::FluidPaths fluid_paths(const scene::Scene& scene, const Discretization& discretization,
                            const coupling::Terms& terms, const std::vector<pd::WeakenedTerm>& weakened);
 

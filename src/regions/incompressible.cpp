@@ -18,7 +18,7 @@ std::optional<Eigen::VectorXd> outflow_of(const Region& region, Eigen::Index dof
 
 void require_determined_pressure(const Discretization& d, const std::vector<char>& prescribed) {
   // Each incompressible region has a pressure. The forces of this pressure on free degrees of freedom are a column of
-  // `flows` (scaled). If a combination of columns is zero, the pressures in it are undetermined.
+  // `flows` (scaled). If a linear combination of the columns is zero, the pressures in it are undetermined.
   const auto dofs = static_cast<Eigen::Index>(prescribed.size());
   std::vector<int> ids;
   std::vector<Eigen::VectorXd> outflows;

@@ -150,8 +150,9 @@ pd::CutEnd cut_end_in_lattice(const Discretization& d, const Region& region, con
   return found;
 }
 
-// End of the cut for a crack's tip, with the bonds that are weakened there. If the effective tip cannot be placed at
-// `tip`, the cut ends at `tip`. `part` is the share of the last segment by which the cut may be shortened.
+// End of the cut through bonds for a crack's tip, with the bonds that are weakened there. If the effective tip cannot
+// be placed at `tip`, the cut ends at `tip`. `before` is the crack's point before `tip`, and `part` the largest share
+// of the last segment by which the cut may be shortened.
 pd::CutEnd end_of_cut(const Scene& scene, const Discretization& d, const scene::Options& options, const Point& tip,
                       const Point& before, double part) {
   const double length = (tip - before).norm();
@@ -162,7 +163,8 @@ pd::CutEnd end_of_cut(const Scene& scene, const Discretization& d, const scene::
   return {tip, {}};
 }
 
-// Places the ends of the cut of a crack as the host described it. Pieces that growth has added cut bonds as they are.
+// Places the two ends of the cut that a crack, as the host described it, makes through bonds. Pieces that growth has
+// added cut bonds where they lie.
 void place_ends(const Scene& scene, const Discretization& d, const scene::Options& options, int number,
                 LatticeCracks& found) {
   const auto c = static_cast<std::size_t>(number) - 1;
@@ -222,7 +224,8 @@ std::vector<StartingTip> tips_of_cracks(const Scene& scene, const LatticeCracks&
           has_grown ? std::nullopt : found.even_ahead[c][static_cast<std::size_t>(number)];
       const Point& end = number == 0 ? points.front() : points.back();
       const Point& before = number == 0 ? points[1] : points.end()[-2];
-      // The effective tip may lie in another region than the end of the cut; the region of the effective tip counts.
+      // The effective tip may lie in another region than the end of the cut. The tip then grows by the rules of the
+      // region of the effective tip.
       const Point& acts_at = even ? found.ends[c][static_cast<std::size_t>(number)] : end;
       for (const auto& region : d.regions) {
         if (locate(scene.region(region->id()).outline(), acts_at, d.tolerance) != Location::inside) continue;
@@ -234,7 +237,8 @@ std::vector<StartingTip> tips_of_cracks(const Scene& scene, const LatticeCracks&
   return tips;
 }
 
-// Lengths of the cracks. A piece that growth has added begins where the cut ends, not at the effective tip.
+// Lengths of the cracks between their described ends, and the distances from these ends to the ends of the cuts. A
+// piece that growth has added begins where the cut ends, not at the effective tip.
 std::vector<pd::CrackLength> lengths_of(const LatticeCracks& found) {
   std::vector<pd::CrackLength> lengths;
   for (std::size_t c = 0; c < found.cracks.size(); ++c) {
