@@ -59,8 +59,8 @@ int WedgeFinder::held_on(const OutlineEdge& edge, double fraction) const {
 WedgeFinder::Sector WedgeFinder::between(int region, const Point& place, const Ray& from, const Ray& to) const {
   Sector sector{region, from, to, turn_between(from.angle, to.angle)};
   if (sector.opening < whole_turn || from.crack) return sector;
-  // An opening of a full turn may be the tip of a cusp: a cusp of the body, whose opening is 0, or of a notch in the
-  // body. Whether the point opposite to the cusp lies in the body decides.
+  // A sector of a full turn between edges may be the tip of a cusp: of a cusp of the body, whose angle is 0, or of a
+  // notch in the body. Whether the point opposite to the cusp lies in the body decides.
   constexpr double beside = 1e-3;
   const Outline& outline = scene_.region(region).outline();
   const Point opposite(-std::cos(from.angle), -std::sin(from.angle));
@@ -72,7 +72,8 @@ WedgeFinder::Sector WedgeFinder::between(int region, const Point& place, const R
 void WedgeFinder::add_sectors_of_outlines(const Point& place, std::vector<Sector>& sectors) const {
   const double near = 8 * d_.tolerance;
   const Box around(place - Point::Constant(2 * near), place + Point::Constant(2 * near));
-  // Rays by region: first those of edges that leave the place, then those of edges that end there.
+  // Rays from the place along edges, by region: first those along edges that start at the place or pass through it,
+  // then those along edges that end there or pass through it.
   std::map<int, std::pair<std::vector<Ray>, std::vector<Ray>>> rays;
   for (const int k : tree_.meeting(around)) {
     const OutlineEdge& edge = edges_[k];
@@ -86,7 +87,8 @@ void WedgeFinder::add_sectors_of_outlines(const Point& place, std::vector<Sector
   }
   for (const auto& [region, both] : rays) {
     for (const Ray& from : both.first) {
-      // The sector of the body ends at the next edge counter-clockwise, because the body lies on the left of its edges.
+      // The sector of the body ends at the ray `to` that comes first counter-clockwise, because the body lies on the
+      // left of its edges.
       const Ray* next = nullptr;
       for (const Ray& to : both.second)
         if (!next || turn_between(from.angle, to.angle) < turn_between(from.angle, next->angle)) next = &to;
@@ -167,7 +169,8 @@ std::vector<MeetingWedge> WedgeFinder::wedges_at(const Point& place) const {
     }
     wedges.push_back(std::move(found));
   };
-  // Wedges that begin at a free side are collected first. Closed rings of sectors, which have no first sector, follow.
+  // Wedges whose first sector begins at a free side are collected first, then closed rings of sectors, which have no
+  // first sector.
   for (const bool rings : {false, true}) {
     for (std::size_t k = 0; k < sectors.size(); ++k) {
       const bool begins = std::none_of(sectors.begin(), sectors.end(),

@@ -18,8 +18,8 @@ constexpr double least_per_tip = 16;
 // Number of blocks of lattice ahead of a tip that may grow, besides the blocks on every side of the tip.
 constexpr double blocks_ahead = 2;
 
-// Least number of blocks between a tip and the nearest wall: one of elements, one of lattice, and one that the position
-// of the grid of blocks may take.
+// Least number of blocks between a tip and the nearest wall (edge or crack with elements): one of elements, one of
+// lattice, and one because the grid of blocks may lie anywhere.
 constexpr double blocks_of_room = 3;
 
 // Distance from a mouth (end of a crack on an edge), in blocks, within which the crack may have elements in place of
@@ -93,7 +93,7 @@ PatchLayout::PatchLayout(const scene::Scene& scene, int body, std::vector<CrackI
   grid_ = {origin(), 2 * ratio_ * spacing_};
 }
 
-// Largest spacing that leaves enough points along each crack and room for blocks around the crack's tips.
+// Largest lattice spacing with which every crack is long enough in spacings, and the blocks around the tips have room.
 double PatchLayout::chosen_spacing() const {
   const double spacings_between_cracks = 3 * ratio_;
   const double room = blocks_of_room * 2 * ratio_;  // in spacings
@@ -126,7 +126,8 @@ double PatchLayout::clearance(const Point& origin) const {
   return least;
 }
 
-// Origin of the grid of blocks, chosen so that the first crack passes the material points at the largest distance.
+// Origin of the grid of blocks. Of the origins tried, the first crack keeps the largest distance from the material
+// points with this one.
 Point PatchLayout::origin() const {
   constexpr int parts = 8;            // number of steps of the origin in a spacing
   constexpr double is_better = 1.01;  // ratio of clearances above which an origin is better
@@ -144,8 +145,8 @@ Point PatchLayout::origin() const {
   return best;
 }
 
-// Throws Error (argument) if a wall is less than two blocks from the piece `along` of a crack. Near a mouth a wall is
-// allowed, but not for a tip.
+// Throws Error (argument) if a wall (edge or crack with elements) is less than two blocks from the piece `along` of a
+// crack. Walls of the boundary loop on which a mouth of the crack lies nearby are allowed, unless `along` is a tip.
 void PatchLayout::require_room(const CrackInBody& crack, const Segment& along, bool is_tip) {
   for (const Block& block : grid_.near(along, grid_.size * less_rounding)) {
     const Wall* wall = walls_.nearest_to(grid_.box(block));

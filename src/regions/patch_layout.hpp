@@ -40,12 +40,12 @@ class PatchWalls {
 // Pieces into which edges divide the segments of a polyline.
 std::vector<Segment> pieces_between(const std::vector<Point>& points, const std::vector<Edge>& edges);
 
-// Usual distance from a crack, in blocks of two horizons, within which the patch has lattice. Single loads are then up
-// to 5e-4 off the loads of a large lattice.
+// Usual distance from a crack, in blocks of two horizons, within which the patch has lattice. The load factors of
+// single growth steps are then up to 5e-4 off those in a large lattice.
 inline constexpr double usual_patch_reach = 1.5;
 
 // Distance from a crack, in blocks, within which the patch has lattice where the usual distance would enclose a hole or
-// another crack. Single loads are then up to 4e-3 off the loads of a large lattice.
+// another crack. The load factors of single growth steps are then up to 4e-3 off those in a large lattice.
 inline constexpr double least_patch_reach = 1;
 
 // Part of a crack that lies in one body (region whose elements the library chooses).

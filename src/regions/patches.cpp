@@ -131,8 +131,8 @@ void remove_patches(scene::Scene& scene, int count) {
 namespace {
 
 // Number of blocks ahead of a tip, besides the blocks on every side of it, below which the patch around the tip grows.
-// With six horizons ahead of the tip the fit to the stress there is not disturbed; nearer to a border loads change by
-// up to 3e-3.
+// With six horizons ahead of the tip the fit to the stress there is undisturbed; with fewer, the load factors of growth
+// change by up to 3e-3.
 constexpr double least_ahead = 2;
 
 // Number of blocks ahead of a tip, besides the blocks on every side of it, after its patch has grown.
@@ -148,7 +148,7 @@ std::optional<Block> block_at(const Patch& patch, const Point& place) {
   return std::nullopt;
 }
 
-// Walls of a body for the growth of its patches: its edges, and the pieces of cracks that lie in no patch.
+// Walls from which new blocks of a body's patches keep a distance: edges, and pieces of cracks that lie in no patch.
 PatchWalls walls_around(const scene::Scene& scene, const std::vector<Patch>& patches, int body) {
   PatchWalls walls(dynamic_cast<const BoundaryDescription&>(scene.region(body)).whole_outline());
   std::vector<Edge> borders;
@@ -185,8 +185,8 @@ class GrowingPatch {
     return std::ranges::any_of(wanted, [&](const Block& b) { return !own().blocks.contains(b) && may_add(b); });
   }
 
-  // All patches, with new blocks in this patch: the blocks of `wanted` for which walls and other patches leave room.
-  // Empty if no block is added, if the patch would fall into parts, or if it would lack some of the `needed` blocks.
+  // All patches of the scene after this patch has got every block of `wanted` that it may have, and the blocks that
+  // close gaps between them. Empty if the patch gets no block, or lacks a block of `needed` even then.
   std::optional<std::vector<Patch>> with_added(const Blocks& wanted, const Blocks& needed) const {
     Blocks blocks = own().blocks;
     for (const Block& block : wanted)
@@ -242,12 +242,12 @@ std::optional<std::vector<Patch>> grown_ahead_of(const scene::Scene& scene, cons
 
 namespace {
 
-// Distance from a broken bond, in blocks, within which the bond's patch needs all blocks: two and a half horizons.
-// Loads are then within 3e-4 of the loads of a large lattice for horizons of four spacings; with two horizons within
-// 6e-4.
+// Distance from a broken bond, in blocks, within which the bond's patch needs all blocks: two and a half horizons. For
+// horizons of four spacings, load factors are then within 3e-4 of those in a large lattice; with two horizons they
+// would be within 6e-4.
 constexpr double least_around_break = 1.25;
 
-// Distance from the block of a broken bond within which a patch that grows gets all blocks that it may have.
+// Distance in blocks from the block of a broken bond, within which a growing patch gets all blocks that it may have.
 constexpr double blocks_around_break = 2.2;
 
 // Ranges of the numbers by which layout_number() encodes a broken bond: columns and rows of blocks from -half_of_rows

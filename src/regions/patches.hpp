@@ -49,10 +49,10 @@ struct SteppedTip {
   Point place, direction;
 };
 
-// All patches after the patch around a tip has got more blocks around and ahead of the tip. New blocks lie on the
-// patch's grid, and keep the distances from edges, holes, cracks with elements and other patches. Empty if the tip lies
-// in no patch, if the patch has enough blocks or can get no more, or if the tip has to leave the patch soon because
-// blocks next to it are impossible.
+// All patches of the scene after the patch around a tip has got more blocks around and ahead of the tip. New blocks lie
+// on the patch's grid, and keep the distances from edges, holes, cracks with elements and other patches. Empty if the
+// tip lies in no patch, if the patch has enough blocks or can get no more, or if the tip has to leave the patch soon
+// because blocks next to it are impossible.
 std::optional<std::vector<Patch>> grown_ahead_of(const scene::Scene& scene, const std::vector<Patch>& patches,
                                                  const SteppedTip& tip);
 
@@ -68,12 +68,12 @@ std::int64_t layout_number(const BrokenBondNearBorder& broken);
 BrokenBondNearBorder broken_bond_of(std::int64_t number);
 
 // Bit in the number of a layout of patches that follows a crack extension. The number is the index of the extension in
-// the list of extensions, plus this bit if the patch also gives blocks back (patches_back.hpp).
+// the list of all extensions, plus this bit if the patch also gives blocks back (patches_back.hpp).
 inline constexpr std::int64_t giving_back = std::int64_t{1} << 62;
 inline bool gives_back(std::int64_t layout) { return layout >= giving_back; }
 inline std::int64_t extension_of(std::int64_t layout) { return gives_back(layout) ? layout - giving_back : layout; }
-// Number of crack extensions up to a change of patches. `layout` is the number of the new layout, as it is stored in
-// fracture::EvolutionState.
+// Number of crack extensions before a change of the patches. `layout` is the number of the new layout, as it is stored
+// in fracture::EvolutionState.
 inline std::size_t extensions_before(std::int64_t layout) {
   return layout < 0 ? broken_bond_of(layout).extensions : static_cast<std::size_t>(extension_of(layout)) + 1;
 }
@@ -85,7 +85,8 @@ std::size_t patch_around(const std::vector<Patch>& patches, const Point& place);
 // horizons of the place; else empty.
 std::optional<BrokenBondNearBorder> broken_bond_near_border(const std::vector<Patch>& patches, const Point& place,
                                                             std::size_t extensions);
-// All patches after the patch around a broken bond has got more blocks around the bond; empty if it can get none.
+// All patches of the scene after the patch around a broken bond has got more blocks around the bond; empty if it can
+// get none.
 std::optional<std::vector<Patch>> grown_around(const scene::Scene& scene, const std::vector<Patch>& patches,
                                                const BrokenBondNearBorder& broken);
 

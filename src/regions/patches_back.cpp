@@ -10,31 +10,33 @@ namespace bempd::regions {
 
 namespace {
 
-// Least length of the path behind a tip that stays in the lattice [blocks]. With six horizons behind the tip, loads are
-// within 6e-4 of the loads of a whole lattice.
+// Least length of the path behind a tip that stays in the lattice [blocks]. With six horizons behind the tip, load
+// factors of growth are within 6e-4 of those in a whole lattice.
 constexpr double least_behind = 3;
 
 // Least length of path that is given back at a time [blocks].
 constexpr double least_given = 3;
 
-// Least cosine of the angle between the path and the normal of a new border at the place where the path crosses it.
+// Least cosine of the angle between a crack's path and the normal of a new border, at the place where the path crosses
+// this border.
 constexpr double least_cosine = 0.6;
 
-// Length of path on either side of a new border, in blocks, from which the path's direction there is taken.
+// Length of path before and behind its crossing with a new border, in blocks, from which the path's direction at the
+// border is taken.
 constexpr double piece_at_border = 0.5;
 
-// Distance along the path from a new border, in blocks, within which a straight line of the grid decides which blocks
-// stay. Farther off, the place on the path that is nearest to a block decides.
+// Distance from a new border, in blocks along the path, within which a block stays if it lies on the right side of the
+// straight border. For other blocks, the place of the path nearest to the block decides.
 constexpr double straight_border = 3;
 
-// Least distance of blocks that stay from the path that has been given back [blocks]. It is required only farther than
-// half of straight_border from a new border.
+// Least distance of blocks that stay from the path in blocks that are given back [blocks]. It is required only of
+// pieces of the path that are farther than half of straight_border from a new border.
 constexpr double least_apart = 0.5;
 
 // Least distance of blocks that are given back from the paths of other cracks, in blocks.
 constexpr double apart_from_others = 0.5;
 
-// Least number of blocks without lattice between the two parts of a patch, as between two patches.
+// Least number of blocks without lattice between the two parts into which a patch falls, as between two patches.
 constexpr int between_parts = 2;
 
 // New border across a path: the path's crossing with a line of the grid, and the side of this line on which blocks stay
@@ -93,8 +95,9 @@ class GivingPatch {
     return {static_cast<int>(std::floor(at.x())), static_cast<int>(std::floor(at.y()))};
   }
 
-  // New border at a crossing, if the path crosses straight enough there. Blocks stay on the side to which the path goes
-  // (if `kept` is 1), or on the side from which it comes (-1).
+  // New border of the patch at a crossing of the path with a line of the grid; empty if the path does not cross this
+  // line straight enough. Blocks stay on the side to which the path goes if `kept` is 1, on the side from which it
+  // comes if `kept` is -1.
   std::optional<NewBorder> border_at(const GridCrossing& crossing, int kept) const {
     const double piece = piece_at_border * grid().size;
     const Point along = (path_.at(crossing.way + piece) - path_.at(crossing.way - piece)).normalized();
@@ -104,8 +107,8 @@ class GivingPatch {
   }
 
   // Calls visit(block, start, end) for the pieces of the path between lines of the grid, from the distance `from` along
-  // the path to `to`, until a call returns false. Each piece lies in `block`, between the distances `start` and `end`.
-  // Returns whether all calls returned true.
+  // the path to the distance `to`, until a call returns false. Each piece lies in `block`, between the distances
+  // `start` and `end`. Returns whether all calls returned true.
   template <class Visit>
   bool each_cell(double from, double to, const Visit& visit) const {
     double start = from;
@@ -120,8 +123,8 @@ class GivingPatch {
     return piece_to(to);
   }
 
-  // Distance along the path at which the path enters the patch for the last time before `way`; 0 if it begins in the
-  // patch.
+  // Distance along the path at which the path enters the patch for the last time before the distance `way`; 0 if the
+  // path begins in the patch.
   double entry_before(double way) const {
     double entry = 0;
     each_cell(0, way, [&](const Block& block, double, double end) {
@@ -131,9 +134,9 @@ class GivingPatch {
     return entry;
   }
 
-  // Patches after the blocks between two borders have been given back, or all blocks before the second border if there
-  // is no first one. The path runs in these blocks from the distance `from` on. Empty if the blocks cannot be given
-  // back.
+  // All patches after the blocks between two new borders have been given back; without a first border, after all blocks
+  // before the second one have. The path runs in these blocks from the distance `from` on. Empty if the blocks cannot
+  // be given back.
   std::optional<GivenBack> given_between(const std::optional<NewBorder>& first, const NewBorder& second,
                                          double from) const {
     const double to = second.crossing.way;
@@ -193,8 +196,9 @@ class GivingPatch {
     });
   }
 
-  // Whether the path crosses the new borders straight, and runs through the blocks that are given back at a distance
-  // from the blocks that stay. Other cracks must be away from the blocks that are given back, too.
+  // Whether the path crosses the new borders away from their corners, and keeps a distance from the blocks that stay
+  // where it runs through blocks that are given back. Other cracks must keep a distance from the blocks that are given
+  // back, too.
   bool is_sound(const Blocks& kept, const Blocks& given, const std::optional<NewBorder>& first, const NewBorder& second,
                 double from) const {
     const auto is_straight = [&](const NewBorder& border) {

@@ -20,8 +20,8 @@ struct GivenBack {
 
 // Lets the patch around the tip at an end of a crack give back blocks that lie more than six horizons behind the tip.
 // If the crack's other end lies in the patch, too, blocks within six horizons of that end stay. `paths` are the paths
-// of all cracks, by id. Empty if the blocks have less than three block lengths of the path, if the path does not cross
-// the new border straight and away from corners, or if other cracks are near.
+// of all cracks, by id. Empty if less than three block lengths of the path lie in the blocks, if the path does not
+// cross the new border straight and away from the border's corners, or if other cracks are near.
 std::optional<GivenBack> given_back(const std::vector<Patch>& patches, const std::vector<std::vector<Point>>& paths,
                                     int crack, int end);
 

@@ -44,7 +44,7 @@ struct Preparation {
   }
 };
 
-// Lists of the scene to which regions add their nodes, energy terms and warnings.
+// Lists of the scene to which regions add their nodes, energy terms (bonds and cell squares) and warnings.
 struct Contributions {
   NodeRegistry& registry;
   coupling::Terms& terms;

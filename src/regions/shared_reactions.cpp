@@ -55,10 +55,10 @@ Side reversed(Side side) {
   return side;
 }
 
-// Force that the tractions on a side make at the side's first node, in terms of the forces on the middle nodes of the
-// first two elements. The force on a middle node over the node's weight is the traction there. The traction at the
-// first node lies on the straight line through the two middle tractions. It becomes a force by the weight of the first
-// node, since the first moment of an end's quadratic shape function about that end is zero.
+// Force that the tractions on a side (supported part of an edge) make at the side's first node, as a linear combination
+// of the forces on the middle nodes of its first two elements. The traction at a middle node is the force on the node
+// over the node's weight; the traction at the first node is extrapolated linearly from both. It times the first node's
+// weight is the force there, because the first moment of an end's quadratic shape function about that end is zero.
 std::vector<SharedForce> force_of_tractions(const Side& side, int component) {
   const std::vector<double>&x = side.distances, &w = side.weights;
   const int node = side.nodes.front();

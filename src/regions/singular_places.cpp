@@ -54,7 +54,7 @@ class KnownExponents {
       key.insert(key.end(), {std::round(digits * sector.opening), e.young_modulus, e.poisson_ratio, e.thickness});
     }
     for (const int held : wedge.held) key.push_back(held);
-    // The wedge's direction matters only where a support holds a single component.
+    // The wedge's direction matters only if a support on one of its sides holds a single displacement component.
     const auto is_single = [](int held) { return held == 1 || held == 2; };
     if (std::none_of(wedge.held.begin(), wedge.held.end(), is_single)) key.front() = 0;
     const auto found = known_.find(key);
@@ -81,7 +81,8 @@ int region_at(const scene::Scene& scene, const Point& place, double tolerance) {
   return 0;
 }
 
-// Adds single points with a force or support, unless a support on an edge there holds the same components.
+// Adds the single points at which a force acts or a support holds, unless supports on edges at the point hold the same
+// displacement components.
 void add_points(const scene::Scene& scene, const Discretization& d, const WedgeFinder& finder,
                 std::vector<SingularPlace>& found) {
   const auto add = [&](const scene::Condition& condition) {

@@ -4,8 +4,8 @@
 
 namespace bempd::regions {
 
-// Faces of a crack under a uniform pressure that pushes the faces apart. When the crack grows, the pressure acts on the
-// new faces too. The pressure is the x component of a load's value [Pa]. The crack may run in boundary elements and in
+// Faces of a crack under a uniform pressure, which pushes the faces apart and also acts on faces that growth of the
+// crack adds. The pressure is the x component of a load's value [Pa]. The crack may run in boundary elements and in
 // lattices.
 class PressedCrack final : public CrackFaces {
  public:
