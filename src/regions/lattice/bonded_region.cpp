@@ -63,8 +63,8 @@ void BondedRegion::add_own_bonds(const Preparation& preparation, const Contribut
                            breaking.between(shares, bond.first, bond.second));
 }
 
-// Force that the tractions on this edge alone make at each node. The tractions are those of the stress at the node.
-// (Edges that meet at a node share the node's reaction in the ratio of these forces.)
+// Force at each node that the tractions on this edge make, without those on other edges; they follow from the stress at
+// the node. (Edges that meet at a node share the node's reaction in the ratio of these forces.)
 std::vector<Point> BondedRegion::forces_on_edge(const EdgeSpan& span, const std::vector<int>& nodes_of_scene,
                                                 const FieldsOfRegion& fields) const {
   const std::vector<double>& stress = fields(Field::stress).values;

@@ -44,8 +44,8 @@ class BondedRegion : public Region,
   std::size_t first_bond() const override { return bonds_.first; }
   std::vector<int> terms() const override;
 
-  // Cell squares of the region (energy terms of cells, for other Poisson's ratios than that of bonds); null if this
-  // class of regions has none.
+  // Cell squares of the region (extra energy terms of lattice cells, for Poisson's ratios that bonds alone cannot
+  // have); null if this class of regions has none.
   virtual const RegionSquares* squares() const { return nullptr; }
   // Whether bonds connect this region to another one where the two touch.
   virtual bool shares_bonds_with(const BondedRegion& other) const { return this == &other; }
@@ -65,9 +65,9 @@ class BondedRegion : public Region,
   std::vector<double> energy_shares() const { return toughness().shares(positions()); }
 
  protected:
-  // Damage of each point: 1 - number of intact bonds / number of bonds without any crack.
+  // Damage of each point: 1 - n / n0 with the numbers n of its intact bonds and n0 of its bonds without any crack.
   virtual FieldValues damage(const std::vector<char>& intact) const;
-  // Crack in grid coordinates.
+  // Points of a crack in grid coordinates (in spacings from the origin of the region's grid).
   std::vector<Point> on_grid(const scene::Crack& crack) const;
   // Whether cracks may pass through material points, which then stay bonded to both faces.
   virtual bool cracks_may_meet_points() const { return false; }

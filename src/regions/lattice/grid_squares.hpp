@@ -8,8 +8,8 @@
 
 namespace bempd::regions {
 
-// Cell squares (energy terms of cells, for other Poisson's ratios than that of bonds) of a region whose cells form a
-// regular grid.
+// Cell squares (extra energy terms of lattice cells, for Poisson's ratios that bonds alone cannot have) of a region
+// whose cells form a regular grid.
 class GridSquares final : public RegionSquares {
  public:
   GridSquares(const PlaneElasticity& elasticity, const MaterialPoints& points, const pd::CellLattice& grid,
@@ -17,8 +17,8 @@ class GridSquares final : public RegionSquares {
       : elasticity_(elasticity), points_(points), grid_(grid), bonds_(bonds) {}
 
   void set_rests(const std::vector<Eigen::RowVector2d>& strains, coupling::Terms& terms) const override;
-  // Corrects the stress at points that have lost bonds or cell squares: the stress of the bonds, plus the mean over the
-  // cells at the point of the stress in intact cell squares.
+  // Corrects the stress at each point that has lost bonds or cell squares. The corrected stress is that of the bonds
+  // plus that of the intact cell squares, the latter as a mean over the cells around the point.
   void correct_at_losses(const Solution& solution, const std::vector<Eigen::Vector3d>& strains,
                          const pd::BondStates& states, std::vector<Eigen::Vector3d>& stresses) const override;
 

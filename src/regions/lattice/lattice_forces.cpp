@@ -44,8 +44,8 @@ void LatticeRegion::add_traction(const EdgeSpan& span, const std::function<Point
   scatter(nodal, force);
 }
 
-// Shares of cells that belong to the points: each cell gives a quarter to each of its corners, which is the integral of
-// a bilinear shape function.
+// Area of the cells that belongs to each point, in cells: every cell gives a quarter to each of its corners, which is
+// the integral of a bilinear shape function.
 std::vector<double> LatticeRegion::cell_shares() const {
   std::vector<double> shares(points_.size(), 0.0);
   for (int i = 0; i < grid_.point_count(); ++i) shares[i] = 0.25 * grid_.cells_around(i);

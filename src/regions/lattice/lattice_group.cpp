@@ -48,7 +48,7 @@ std::vector<int> squares_of(const SharedPoints::Member& member, const pd::CellLa
 bool LatticeGroup::add_bonds(const Preparation& preparation, const Contributions& contributions) const {
   const pd::CellLattice cells = union_of(members_);
   const SharedPoints points = points_of(members_, cells);
-  // Two cells that share only a corner are not bonded there, so there is no network for the union of cells.
+  // Cells that share only a corner are not bonded there, so there is no network for the union of the members' cells.
   for (int i = 0; i < cells.point_count(); ++i)
     if (cells.is_pinched(i)) return false;
   if (!points.has_one_node_each()) return false;

@@ -151,7 +151,7 @@ void LatticeRegion::follow(const LeadingElements& leading, int leader, coupling:
     const Point scaled = to_grid(place), nearest = scaled.array().round();
     return (scaled - nearest).norm() < 0.25;
   };
-  // An interface that ends at the mouth of a crack reaches half a spacing beyond its last point.
+  // A row of elements that ends at the mouth of a crack reaches half a spacing beyond the last material point.
   const Point first = is_point(start) ? start : start + half, last = is_point(end) ? end : end - half;
   tie(row_of(points_along(first, last), spacing()), leading, leader, ties);
 }

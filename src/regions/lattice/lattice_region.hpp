@@ -42,8 +42,8 @@ class LatticeRegion : public BondedRegion {
 
   // --- Functions for the group of regions that form one lattice
 
-  // Whether two regions form one lattice where they touch along an edge: class, material and horizon ratio are equal.
-  // (Lattices that touch must have one spacing, see require_compatible().)
+  // Whether this region and another one form a single lattice where they touch along an edge: class, material and
+  // horizon ratio are equal. (Lattices that touch must have one spacing, see require_compatible().)
   virtual bool acts_as_one_with(const LatticeRegion& other) const;
   virtual pd::Network make_network(const pd::CellLattice& cells, int threads) const;
   const pd::CellLattice& grid() const { return grid_; }

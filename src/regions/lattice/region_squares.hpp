@@ -8,8 +8,8 @@
 
 namespace bempd::regions {
 
-// Cell squares of a peridynamic region: energy terms of its cells, which make other Poisson's ratios possible than that
-// of bonds alone.
+// Cell squares of a peridynamic region: extra energy terms of its lattice cells, for Poisson's ratios that bonds alone
+// cannot have.
 class RegionSquares {
  public:
   virtual ~RegionSquares() = default;

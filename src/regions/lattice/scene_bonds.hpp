@@ -33,7 +33,8 @@ struct SceneBonds {
   // Flags of all bonds: nonzero if the bond is broken or cut. `intact` is the scene's.
   std::vector<std::uint8_t> broken(const std::vector<char>& intact) const;
   pd::BondStates states(const Solution& solution) const;
-  // Damage of the first `points` points: 1 - number of intact bonds / number of bonds without any crack.
+  // Damage of the first `points` points: 1 - n / n0 with the numbers n of a point's intact bonds and n0 of its bonds
+  // without any crack.
   std::vector<double> damage(const std::vector<char>& intact, std::size_t points) const;
   // Stretch of the region's own bonds.
   std::vector<double> stretch(const Solution& solution) const;

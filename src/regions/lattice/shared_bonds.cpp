@@ -73,7 +73,7 @@ SharedBonds::SharedBonds(const SharedPoints& points, const pd::Network& network,
     part.network.max_residual = network.max_residual;
     part.network.min_weight_ratio = network.min_weight_ratio;
   }
-  // Bonds by their owner, which is the first member with both ends; bonds without an owner are the last list.
+  // Bonds by their owner (first member that has both ends of the bond). The last list has the bonds without an owner.
   std::vector<std::vector<std::size_t>> rows(parts_.size() + 1);
   for (std::size_t b = 0; b < network.bonds.size(); ++b) {
     const int owner = points.owner(network.bonds[b]);

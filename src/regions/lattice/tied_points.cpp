@@ -9,7 +9,7 @@ namespace bempd::regions {
 
 void tie(const PointRow& row, const LeadingElements& leading, int leader, coupling::NodeTies& ties) {
   const Point &start = leading.places.front(), &end = leading.places.back();
-  // An interface that ends at the mouth of a crack reaches half a spacing beyond its last point.
+  // A row of elements that ends at the mouth of a crack reaches half a spacing beyond the last material point.
   const bool starts_at_point = (row.places.front() - start).norm() < 0.25 * row.point_distance;
   const bool ends_at_point = (row.places.back() - end).norm() < 0.25 * row.point_distance;
   std::vector<double> stations;

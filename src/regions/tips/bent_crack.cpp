@@ -11,22 +11,23 @@ namespace bempd::regions {
 
 namespace {
 
-// Distance from the tip, relative to the radius asked for, up to which the crack is followed. A shorter crack is
+// Distance from the tip up to which the crack is followed, relative to the radius that is asked for. A shorter crack is
 // extended straight to this distance.
 constexpr double two_sided_reach = 3;
 // Length of a part of a crack face [spacings].
 constexpr double part_length = 0.25;
 
-// Distance of nodes from the middle of a part of a face up to which the nodes have a share [spacings].
+// Largest distance of nodes from the middle of a part of a crack face at which the nodes have a share in the
+// displacement of that part [spacings].
 constexpr double share_reach = 2.5;
-// Distance from the straight line through the tip, relative to the radius or to the spacing, up to which the crack
-// counts as lying on the line.
+// Distance from the straight line through the tip, relative to the radius or to the spacing, below which a place of the
+// crack counts as lying on that line.
 constexpr double on_line = 1e-9;
-// Excess over a whole number of parts, in lengths of a part, up to which a piece gets no additional part, so that
-// rounding does not decide.
+// Rounding error of a number of parts: a piece of the crack gets an additional part only if its length exceeds a whole
+// number of parts by more than this share of a part.
 constexpr double rounding = 1e-6;
-// Mean square distance of a part's nodes from their mean line [spacings^2], below which the nodes do not determine the
-// slope across this line (nodes in a row).
+// Mean square distance [spacings^2] of the nodes at a part of a crack face from the straight line that fits them best.
+// Below it (nodes in a row) the nodes do not determine the slope of the displacement across this line.
 constexpr double least_moment = 1e-3;
 
 double angle_on_left(const Point& local) {
@@ -52,8 +53,8 @@ BentCrack::BentCrack(const std::vector<Point>& path, double radius) {
   const Point last = path_.back();
   if (last.norm() < two_sided_reach * radius)
     beside_.push_back(last + two_sided_reach * radius * (last - path_[path_.size() - 2]).normalized());
-  // The outline of the area returns to the line behind the tip by a corner outside of the circle. A straight return
-  // would leave out places within the radius.
+  // The outline of the area returns to the straight line behind the tip by a corner outside of the circle of the
+  // radius. A straight return would leave out places within the radius.
   const double far = beside_.back().norm();
   Point between = beside_.back() / far + Point(-1, 0);
   if (between.norm() > 1e-6) beside_.push_back(2 * far * between.normalized());

@@ -12,16 +12,16 @@ namespace bempd::regions {
 
 namespace {
 
-// Half axes, along the crack and across it, of the half ellipse on one side of the crack whose material points are
-// fitted [spacings], and the factor by which the ellipse is enlarged if it holds too few points.
+// Half axes [spacings], along the crack and across it, of the half ellipse on one side of the crack with the material
+// points for the fit, and the factor by which the ellipse is enlarged if it holds too few points.
 constexpr double half_axis_along = 2.5, half_axis_across = 3, enlargement = 1.5;
 constexpr int most_ellipses = 3;
 constexpr std::size_t enough_for_quadratic = 8, enough_for_linear = 4;
 
-// Largest error of the fit to a constant for which the points determine the fit.
+// Largest error of the fit for constant values at which the fit counts as determined by its points.
 constexpr double determined = 1e-6;
 
-// Distance from the crack of a place that stands for one side of the crack [spacings].
+// Distance from the crack [spacings] at which a place counts as lying on one side of the crack.
 constexpr double beside = 1e-3;
 
 class OpeningsOfCrack {
@@ -71,7 +71,7 @@ class OpeningsOfCrack {
     }
   }
 
-  // Whether a crack crosses the line between two places, so that one is hidden from the other.
+  // Whether a crack crosses the straight line between two places, so that one place is hidden from the other.
   bool is_hidden(const Point& from, const Point& to) const {
     const Segment sight{from, to};
     for (const std::vector<Point>& path : paths_)
@@ -80,7 +80,7 @@ class OpeningsOfCrack {
     return false;
   }
 
-  // Whether a point lies ahead of a tip of the crack, where it belongs to neither side.
+  // Whether a point lies ahead of a tip of the crack, where it lies on neither side of the crack.
   bool is_ahead_of_end(const Point& point) const {
     const auto is_ahead = [&](const Point& end, const Point& before) { return (point - end).dot(end - before) > 0; };
     return (has_start_ && is_ahead(path_.front(), path_[1])) || (has_end_ && is_ahead(path_.back(), path_.end()[-2]));
@@ -116,9 +116,9 @@ class OpeningsOfCrack {
     return std::sqrt(std::max(0.0, 1 - x * x - y * y));
   }
 
-  // Displacement at a place by a least-squares fit to some nodes around the place, with 6 terms (quadratic) or 3 terms
-  // (linear). Empty if the nodes do not determine the terms, such as nodes in two rows: the same fit to the constant 1
-  // then does not give 1.
+  // Displacement at a place by a least-squares fit of a polynomial with 6 terms (quadratic) or 3 terms (linear) to some
+  // nodes around the place. Empty if the nodes do not determine the polynomial, such as nodes in two rows: the same fit
+  // to the constant 1 then does not give 1.
   std::optional<Point> fitted(const Place& place, double reach, const std::vector<int>& nodes,
                               const Eigen::VectorXd& displacement, Eigen::Index term_count) const {
     Eigen::MatrixXd terms(static_cast<Eigen::Index>(nodes.size()), term_count);

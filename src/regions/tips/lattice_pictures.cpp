@@ -31,7 +31,8 @@ std::vector<CrackPicture> lattice_crack_pictures(const BondedBody& body, const E
     const double length = body.bonds.length[b];
     if (length > 1.3 * std::max(spacing[low], spacing[high])) continue;
     const Point middle = 0.5 * (body.discretization.positions[low] + body.discretization.positions[high]);
-    // The segment of the picture crosses the bond at the bond's middle, with the bond's second point on its left.
+    // The segment of the picture crosses the bond at the bond's middle, and the bond's second point lies on the left of
+    // the segment.
     const Point half = 0.5 * length * Point(body.bonds.sine[b], -body.bonds.cosine[b]);
     const Point of_low = displacement.segment<2>(2 * low), of_high = displacement.segment<2>(2 * high);
     const int crack = nearest_crack(middle);

@@ -15,10 +15,11 @@ namespace bempd::regions {
 
 namespace {
 
-// Outer radii of the rings, relative to the outer radius of the largest ring.
+// Outer radii of the rings around a tip, relative to the outer radius of the largest ring.
 constexpr std::array parts{1.0, 0.8, 0.6};
 
-// Inner radius of a ring, relative to its outer radius. The weight q of the ring falls from 1 to 0 between these radii.
+// Inner radius of a ring, relative to its outer radius. The weight q of the ring (TipRings) falls from 1 to 0 between
+// these radii.
 constexpr double inner_part = 0.5;
 
 // Limits on the radius of the largest ring, in horizons. A smaller ring is affected by the lattice; a larger one gives
@@ -33,8 +34,9 @@ Point factors_of(const TipRings::Expansion& expansion) {
   return std::sqrt(2 * std::numbers::pi) * Point(expansion.opening.real(), -expansion.opening.imag());
 }
 
-// Distance of the effective tip ahead of the described tip. The field about the effective tip has no term of power
-// -1/2. A shift of the origin away from the effective tip causes such a term out of the term of power 1/2.
+// Distance of the effective tip ahead of the described tip. Displacements in terms of the distance r from the effective
+// tip have no term with r^(-1/2). Seen from another origin, their term with r^(1/2) causes such a term, from which the
+// distance of this origin from the effective tip follows.
 double felt_ahead(const TipRings& rings, double radius, double horizon, const Eigen::VectorXd& displacement) {
   double ahead = 0;
   for (int i = 0; i < 3; ++i) {
@@ -64,8 +66,8 @@ Eigen::RowVector2d pressure_in(const BondedBody& body, const LatticeTip& tip) {
 }
 
 // Displacements that cause no stress intensity: those of free swelling, and those of a uniform pressure in the body
-// equal to the pressure in the crack. After their subtraction the crack's faces are free of load. Empty if swelling
-// causes stress.
+// equal to the fluid pressure in the crack. Without them the crack's faces are free of load. Empty if swelling causes
+// stress.
 std::optional<coupling::Affine> free_displacement(const BondedBody& body, const LatticeTip& tip) {
   const PlaneElasticity& elasticity = tip.axes.elasticity;
   const Eigen::RowVector2d strain = -pressure_in(body, tip) / (elasticity.c11() + elasticity.c12());

@@ -8,7 +8,8 @@ namespace bempd::regions {
 
 namespace {
 
-// Weight q at a distance from the tip: 1 up to the inner radius, 0 from the outer one on, with a continuous derivative.
+// Weight q at the distance `radius` from the tip: 1 up to the inner radius of the ring, 0 from its outer radius on,
+// with a continuous derivative.
 double weight_at(double radius, double inner, double outer) {
   const double t = std::clamp((radius - inner) / (outer - inner), 0.0, 1.0);
   return 1 - t * t * (3 - 2 * t);
@@ -55,8 +56,8 @@ TipRings::TipRings(const BondedBody& body, TipAxes axes, double radius)
   crack_.divide(places, axes_.spacing);
 }
 
-// Flag of each term: whether all its nodes lie in lattices of the material at the tip. Lattices of other materials are
-// treated like boundary elements: the sum ends at their interface.
+// Flag of each energy term (bond or cell square): whether all its nodes lie in lattices of the material at the tip.
+// Lattices of other materials are treated like boundary elements: the sum over energy terms ends at their interface.
 std::vector<char> TipRings::terms_of_material() const {
   const coupling::Terms& terms = body_.bonds;
   std::vector<char> inside(body_.discretization.positions.size(), 0), usable(terms.size(), 1);

@@ -18,7 +18,8 @@ namespace {
 
 using Cell = std::pair<int, int>;
 
-// Cells of a lattice, and the broken bonds between nearest neighbours that separate these cells.
+// Middles of the broken bonds between nearest neighbours of a lattice, and broken cells: both cells beside such a bond,
+// unless an initial crack cuts the bond.
 class BrokenFaces {
  public:
   BrokenFaces(const BondedBody& body, const LatticeGrid& grid) : grid_(grid), turn_(Eigen::Rotation2Dd(grid.angle)) {
@@ -49,8 +50,8 @@ class BrokenFaces {
     std::vector<Point> cells;    // path to the farthest broken cell; empty if there is none
     std::vector<Point> reached;  // all broken cells that can be reached
   };
-  // Path of broken cells from the cells around a crack's end to the cell that is the most steps away. Cells that share
-  // only a corner are neighbours, too, because bonds along a slanted crack break later or never.
+  // Path of broken cells from the cells around a crack's end to the broken cell that is the most steps away. Cells that
+  // share only a corner are neighbours, too, because bonds along a slanted crack break later or never.
   CellPath path_from(const Point& end) const {
     std::map<Cell, Cell> came_from;
     std::queue<Cell> next;
@@ -120,7 +121,8 @@ void fit_end(TipAxes& axes, double part) {
   axes.place = middle + along.dot(end - middle) * along;
 }
 
-// Length [m] over which a crack of broken cells is straight behind its tip, within one spacing.
+// Distance from the tip [m] within which a crack of broken cells stays within one spacing of the straight line behind
+// the tip.
 double straight_length(const TipAxes& axes) {
   double reached = 0;
   for (std::size_t i = axes.path.size() - 1; i > 0; --i) {
@@ -135,7 +137,7 @@ double straight_length(const TipAxes& axes) {
   return reached;
 }
 
-// Radius of the largest circle around the tip within which the crack is one piece that ends at the tip.
+// Radius of the largest circle around the tip in which the crack is one piece that ends at the tip.
 double reach_of(const TipAxes& axes) {
   std::vector<double> from_tip;  // distances of places on the path, from its far end on
   for (std::size_t i = 0; i + 1 < axes.path.size(); ++i) {
@@ -144,7 +146,7 @@ double reach_of(const TipAxes& axes) {
     for (int k = 0; k < parts; ++k) from_tip.push_back((piece.at(static_cast<double>(k) / parts) - axes.place).norm());
   }
   double radius = from_tip.empty() ? 0 : from_tip.front(), before = 0;
-  // A circle may not leave out a place on the path and contain a place beyond it. The radius shrinks until this holds.
+  // A crack must not leave the circle along its path and enter it again. The radius shrinks until this holds.
   while (radius != before) {
     before = radius;
     double nearest = radius;
@@ -186,7 +188,7 @@ class TipSearch {
       tip.grown = true;
       for (const Point& cell : broken.cells)
         if (faces.cell_at(cell) != faces.cell_at(path.back())) tip.axes.path.push_back(cell);
-      // A crack that has broken through to an edge has no tip at this end.
+      // A crack that has broken through to an edge has no tip at this end of it.
       if (!std::all_of(broken.reached.begin(), broken.reached.end(),
                        [&](const Point& cell) { return is_in(body_.scene, body_.discretization, cell, false); }))
         return;
@@ -199,7 +201,7 @@ class TipSearch {
     tips.push_back(std::move(tip));
   }
 
-  // Tip at a known place. Results of the tip remain unknown if it lies outside of all lattices.
+  // Tip at the end of a known path. Results of the tip remain unknown if it lies outside of all lattices.
   LatticeTip at(const KnownTip& known) {
     const Point& place = known.path.back();
     LatticeTip tip{known.crack, known.end, 0, {place, known.direction, known.path, 1, {}}, 1, 0, known.grown, false};
@@ -234,8 +236,8 @@ std::vector<LatticeTip> find_lattice_tips(const BondedBody& body) {
   std::vector<LatticeTip> tips;
   TipSearch search(body);
   for (std::size_t c = 0; c < body.cracks.size(); ++c) {
-    // A crack through material points is shifted beside them. The shifted crack decides on which side of it the points
-    // lie.
+    // An initial crack through material points has been shifted beside them. The shifted crack is used here, because it
+    // decides on which side the points lie.
     const std::vector<Point>& points = body.cracks[c].points;
     if (!body.discretization.cracks[c].cuts_bonds() || points.size() < 2) continue;
     const std::vector<Point> reversed(points.rbegin(), points.rend());

@@ -21,9 +21,9 @@ struct LatticeTip {
 // inside the body.
 //
 // A crack passes from cell to cell of the lattice across the broken bonds between nearest neighbours. An end of a crack
-// has grown if such broken cells join the end, side by side or at corners. The tip is then the middle of the broken
-// cell that is the most steps away from the end, with the direction of a line fitted to the last two horizons of the
-// path. If the end has not grown, the end is the tip.
+// has grown if such broken cells join this end, side by side or at corners. The tip is then the middle of the broken
+// cell that is the most steps away from the end of the crack. Its direction is that of a straight line fitted to the
+// last two horizons of the path. If an end has not grown, that end is the tip.
 std::vector<LatticeTip> find_lattice_tips(const BondedBody& body);
 
 // Tip of a crack in a lattice whose path is known, because the run has grown the crack as a line.
