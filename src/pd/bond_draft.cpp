@@ -12,7 +12,7 @@ namespace bempd::pd {
 namespace {
 
 // Whether the balance problems of two parts of a layer are equal: bonds with equal numbers join points with equal
-// numbers and have equal offsets, and stiffnesses and missing moments are equal up to rounding.
+// numbers and have equal offsets, and their stiffnesses and the points' missing third moments are equal up to rounding.
 bool are_alike(const LayerParts& all, const DraftBonds& bonds, const std::vector<Eigen::Vector4d>& missing,
                const LayerParts::Part& one, const LayerParts::Part& other) {
   constexpr double rounding = 1e-12;  // of numbers of order one

@@ -29,7 +29,7 @@ struct DraftBonds {
 // surface vectors of the points (CellGrid::surface_vector()).
 std::vector<Eigen::Vector4d> missing_moments(const std::vector<Point>& surface, const DraftBonds& bonds);
 
-// Free bonds (bonds whose stiffness balance_layer() may change), divided into connected parts.
+// Free bonds (bonds whose stiffness balance_layer() may change), divided into parts that have no point in common.
 struct LayerParts {
   // Part of a layer: free bonds that share no point with free bonds of other parts, and the points of these bonds.
   struct Part {
@@ -46,7 +46,8 @@ LayerParts parts_of_layer(const DraftBonds& bonds, std::size_t point_count);
 std::vector<std::size_t> alike_parts(const LayerParts& all, const DraftBonds& bonds,
                                      const std::vector<Eigen::Vector4d>& missing);
 
-// Order of the points of a part that keeps points joined by bonds close to each other. `number` is LayerParts::number.
+// Order of the points of a part in which points joined by bonds are close to each other. `number` is
+// LayerParts::number.
 std::vector<int> order_of(const DraftBonds& bonds, const LayerParts::Part& part, const std::vector<int>& number);
 
 // Makes the network from drafted bonds: their stiffnesses are multiplied by the thickness and the material's C1111.

@@ -46,8 +46,9 @@ double kernel_stiffness(const BondKernel& kernel, double length, double horizon)
 std::vector<BondOffset> bond_family(int horizon_ratio, const BondKernel& kernel) {
   assert(horizon_ratio >= 2);
   std::vector<BondOffset> family = half_family(horizon_ratio);
-  // The weights w are changed to w + diag(w) R^T mu, with the contributions R of the bonds (constants_of()) and with mu
-  // such that the new weights give the elastic constants required.
+  // The weights w of the bonds are changed to w + diag(w) R^T mu. The columns of R are the bonds' contributions to the
+  // elastic constants (constants_of()); the three numbers mu are chosen so that the new weights give the constants
+  // required.
   Eigen::Matrix3d system = Eigen::Matrix3d::Zero();
   Eigen::Vector3d missing(1, 1, 1.0 / 3);
   for (const BondOffset& offset : family) {

@@ -24,8 +24,8 @@ struct BondOffset {
 // lattice the elastic constants C1111 = 1, C1122 = C1212 = 1/3 exactly.
 std::vector<BondOffset> bond_family(int horizon_ratio, const BondKernel& kernel = quartic_kernel());
 
-// Stiffness that the kernel alone, without correction, gives a bond of this length between two full cells, for C1111 =
-// 1 and thickness 1.
+// Stiffness of a bond of this length between two full cells by the kernel alone, before bond_family() corrects it, for
+// C1111 = 1 and thickness 1.
 double kernel_stiffness(const BondKernel& kernel, double length, double horizon);
 
 }  // namespace bempd::pd

@@ -54,8 +54,9 @@ std::array<bool, 4> CellGrid::around(const Vector2i& p) const {
   return {cells_[c - width_ - 1] != 0, cells_[c - width_] != 0, cells_[c - 1] != 0, cells_[c] != 0};
 }
 
-// Depths of a point. In each direction a grid line leads away from the point, and the smaller depth of the two cells on
-// both sides of this line counts. At a point on a face one of the two cells may be absent; then the other cell counts.
+// Depths of a point. In each direction a grid line leads away from the point, with a cell on each of its two sides; the
+// smaller depth of these cells counts. At a point on a face one of both cells may be absent; then the other cell
+// counts.
 CellGrid::Depth CellGrid::depth(const Vector2i& p) const {
   const auto combine = [](std::int16_t a, std::int16_t b) { return a == 0 ? b : b == 0 ? a : std::min(a, b); };
   const std::size_t c = index(p);

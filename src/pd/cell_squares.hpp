@@ -38,14 +38,15 @@ double bond_c1111(const PlaneElasticity& elasticity);
 // Stress (xx, yy, xy) of the bonds alone under a strain (xx, yy, xy).
 Eigen::Vector3d bond_stress(const Eigen::Vector3d& strain, const PlaneElasticity& elasticity);
 
-// Cell square: term k/2 (sum of pull . u)^2 of the energy of a lattice cell, with the displacements u of the cell's
-// corners in the order lower left, lower right, upper left, upper right.
+// Cell square: energy term k/2 (p1 . u1 + p2 . u2 + p3 . u3 + p4 . u4)^2 of a lattice cell. The corners, with the
+// displacements u1 to u4, are lower left, lower right, upper left and upper right. The vectors p1 to p4 (`pull`) are
+// the forces on the corners per unit of the square's tension, which is k times the sum.
 struct CellSquare {
   std::array<Eigen::Vector2d, 4> pull;
   double stiffness;  // k [N/m], thickness included
 };
 
-// Mean stress (xx, yy, xy) in a cell whose cell square carries a unit force, for spacing 1 and thickness 1.
+// Mean stress (xx, yy, xy) in a cell whose cell square has the tension 1, for spacing 1 and thickness 1.
 Eigen::Vector3d unit_stress(const CellSquare& square);
 
 // Cell squares of one cell, the same for every cell of the material; none for a bond-based material.

@@ -15,7 +15,7 @@ using Eigen::Vector4d;
 constexpr double least_corner_ratio = 0.02;  // bound on a stiffness over its bulk value
 constexpr double rounding = 1e-13;
 
-// Marks the points closer to `center` than `radius`.
+// Sets `mark` to 1 for the points closer to `center` than `radius`.
 void mark_around(const CellLattice& lattice, const Vector2i& center, int radius, std::vector<std::uint8_t>& mark) {
   for (int dy = -radius + 1; dy < radius; ++dy) {
     for (int dx = -radius + 1; dx < radius; ++dx) {
@@ -72,8 +72,8 @@ bool symmetric_under(const CellLattice& lattice, const CellGrid& cells, const Ma
   return true;
 }
 
-// Replaces the stiffness of each bond in `free` by the mean of its own and that of its image under `map`. Missing
-// moments stay zero, and the stiffnesses become symmetric to the last bit.
+// Replaces the stiffness of each bond in `free` by the mean of the bond's own and that of its image under `map`. Points
+// still have no missing third moments then, and the stiffnesses become symmetric to the last bit.
 template <class Map>
 void average(const CellLattice& lattice, const std::vector<int>& free, const Map& map, DraftBonds& draft) {
   std::vector<double> means;

@@ -93,8 +93,8 @@ std::vector<int> points_on(const std::vector<Point>& points, const Polyline& pol
 // Distance along a crack's line, in spacings, below which two places count as the same.
 constexpr double same_place = 1e-6;
 
-// Crossing of a bond with the straight line of a crack: `place` is the distance of the crossing ahead of the tip,
-// `weight` the bond's stiffness across the line.
+// Crossing of a bond with the straight line of a crack. `place` is the distance of the crossing ahead of the tip,
+// `weight` the bond's stiffness against displacements across the line.
 struct LineCrossing {
   int bond;
   double place, weight;
@@ -122,9 +122,9 @@ std::vector<LineCrossing> crossings_of_line(const std::vector<Point>& points, co
   return found;
 }
 
-// Coefficients a and b of the line a + b s that best fits the summed stiffness of all crossings before the place s
-// along the crack's line. The line stands for crossings that are spread evenly. Places near the tip, which is the
-// middle of the fitted range, have the largest weights.
+// Coefficients a and b of the linear function a + b s that best fits the sum of the weights of all crossings before the
+// place s along the crack's line. The function stands for crossings that are spread evenly. Places near the tip, which
+// is the middle of the fitted range, have the largest weights in the fit.
 Eigen::Vector2d fit_of_even_crossings(const std::vector<LineCrossing>& crossings, double reach) {
   constexpr int samples = 400;
   Eigen::Matrix2d normal = Eigen::Matrix2d::Zero();
@@ -142,8 +142,8 @@ Eigen::Vector2d fit_of_even_crossings(const std::vector<LineCrossing>& crossings
   return normal.inverse() * right;
 }
 
-// Whether the segment from c to d meets the bond from a to b at a point between the bond's ends, and the two are not
-// parallel.
+// Whether the segment from c to d meets the bond from a to b at a point between the bond's ends, without being parallel
+// to the bond.
 bool meets_between_ends(const Point& a, const Point& b, const Point& c, const Point& d) {
   if (!segments_meet(a, b, c, d)) return false;
   const double slope = cross(b - a, d - c), length = (b - a).norm();

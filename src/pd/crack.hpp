@@ -29,17 +29,17 @@ struct CutEnd {
   Point end;
   std::vector<int> weakened;  // bonds just ahead of the cut's end that keep only a share of their stiffness
   double share = 1;           // share of their stiffness that the weakened bonds keep
-  // Place up to which evenly spread bonds would have to be cut for the same loss of stiffness, as a distance ahead of
-  // `end` [spacings]; empty if `end` is the described tip itself.
+  // Distance ahead of `end` [spacings] of the place up to which evenly spread bonds would have to be cut for the same
+  // loss of stiffness as the real cut; empty if `end` is the described tip itself.
   std::optional<double> even_ahead{};
 };
 
 // Finds the end of the cut for a crack that comes straight to `tip` in this direction (docs/verification.md). The
-// effective tip depends on the stiffness across the crack's line that is lost: it lies effective_tip_ahead() ahead of
+// effective tip depends on how much stiffness across the crack's line is lost: it lies effective_tip_ahead() ahead of
 // the place up to which evenly spread bonds would lose as much stiffness as the cut bonds do. Bonds are therefore
-// counted by their stiffness across the line, and the last bonds, which cross the line at one place, keep the share
-// that makes the loss right. The cut ends at `tip` itself if there are too few bonds, or if its end would lie more than
-// 1.5 spacings ahead of the tip, or more than `backward` (at most 1.5) spacings behind it.
+// counted by their stiffness across the line. The last bonds, which cross the line at one place, keep the share of
+// their stiffness that makes the loss right. The cut ends at `tip` itself if there are too few bonds, or if its end
+// would lie more than 1.5 spacings ahead of the tip, or more than `backward` (at most 1.5) spacings behind the tip.
 CutEnd cut_end_for_tip(const std::vector<Point>& points, const std::vector<Bond>& bonds, const Point& tip,
                        const Point& direction, int horizon_ratio, double backward);
 

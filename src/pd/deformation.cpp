@@ -33,8 +33,8 @@ Vector3d solve_semidefinite(const Matrix3d& a, const Vector3d& b) {
   return x;
 }
 
-// Sums over the bonds of one point, from which the strain at the point follows: the stiffness tensors of the bonds
-// (`response`) and their forces (`carried`).
+// Sums over the bonds of a point, from which the strain at the point follows: `response` is the sum of the bonds'
+// stiffness tensors, `carried` that of their forces times their directions.
 struct PointBonds {
   Matrix3d response = Matrix3d::Zero();
   Vector3d carried = Vector3d::Zero();
@@ -45,13 +45,14 @@ struct PointBonds {
 };
 
 // Linear fit of the strain around a point, with seven unknowns: three components of the strain at the point, and four
-// of its gradient. A bond measures the strain at its middle, and of the gradient only the part that is symmetric in all
-// three indices, which has four components.
+// of the strain's gradient. The strain that a bond measures, at its middle, depends only on that part of the gradient
+// which is symmetric in all three indices and has four components.
 struct LinearFit {
   Matrix7d response = Matrix7d::Zero();
   Vector7d carried = Vector7d::Zero();
 
-  // Adds a bond; `moment` is its length times direction^3 as seen from the point.
+  // Adds a bond; `moment` is its length times the third power (components 111, 112, 122, 222) of its direction as seen
+  // from the point.
   void add(const Vector3d& direction, const Eigen::Vector4d& moment, double weight, double stretch) {
     Vector7d row;
     row << direction, moment;
@@ -80,7 +81,7 @@ class BondStretches {
   const Bond& bond(std::size_t b) const { return network_.bonds[b]; }
   const BondOffset& offset(std::size_t b) const { return network_.offsets[network_.offset_of[b]]; }
   double share(std::size_t b) const { return states_.share.empty() ? 1 : states_.share[b]; }
-  // Stretch of an intact bond that would carry the same force as bond `b` in its state.
+  // Stretch at which the bond `b` would carry the same force as now if it were intact and had no rest stretch.
   double stretch(std::size_t b) const {
     const Vector2d difference =
         displacements_.segment<2>(2 * bond(b).second) - displacements_.segment<2>(2 * bond(b).first);
@@ -89,7 +90,8 @@ class BondStretches {
     const double length = offset(b).length;
     return share(b) * (elongation_along(direction.x(), direction.y(), difference.x(), difference.y()) / length - rest);
   }
-  // Weight of a bond: stiffness times squared length, relative to the stiffest bond, so that units do not matter.
+  // Weight of a bond: stiffness times squared length, with the stiffness relative to that of the stiffest bond, so that
+  // units do not matter.
   double weight(std::size_t b) const { return bond(b).stiffness / stiffest_ * offset(b).length * offset(b).length; }
 
  private:

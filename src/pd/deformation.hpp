@@ -14,14 +14,15 @@ struct BondStates {
   std::vector<double> share, rest_stretch;
 };
 
-// Strains (xx, yy, xy) at every material point, from the forces in its bonds. Let f be the force in a bond, and xi the
-// vector from one end of the bond to the other. Half of each bond belongs to each of its two points, so that at a point
-//   sum f xi^T  over all bonds  =  (sum k xi xi^T xi xi^T / |xi|^2  over all bonds, intact stiffness k) : strain.
-// Far from faces the sum on the right is twice the volume of a cell times the elastic constants. The stress of this
-// strain is then the mean stress of the bonds, sum f xi^T / (2 V) (Silling and Lehoucq, J. Elasticity 93, 2008). At
-// faces both sums have only the bonds that the point has, so that linear displacements give their exact strain
-// everywhere. The bonds of a point at a face lie on one side of it. The strain is therefore taken to vary linearly
-// along the bonds, unless bonds of the point are broken, softened or too few. A broken bond carries no force; a point
+// Strains (xx, yy, xy) at every material point, from the forces in its bonds. A bond has the force vector f and the
+// stiffness k when intact, and xi is the vector from one of its ends to the other. Half of each bond belongs to each of
+// its two points, so that the strain e of a point solves
+//   sum of f xi^T over all bonds  =  (sum of k xi xi^T xi xi^T / |xi|^2 over all bonds) : e.
+// Far from faces the sum on the right is twice the volume V of a cell times the elastic constants. The stress of the
+// strain is then the mean stress of the bonds, the sum of f xi^T / (2 V) (Silling and Lehoucq, J. Elasticity 93, 2008).
+// At faces both sums have only the bonds that the point has, so that linear displacements give their exact strain
+// everywhere. Because the bonds of a point at a face lie on one side of the point, the strain is taken to vary linearly
+// along them, unless bonds of the point are broken, softened or too few. A broken bond carries no force; a point
 // without intact bonds has no stress. `displacements` are divided by the spacing; the components of point i are at 2 i
 // and 2 i + 1.
 std::vector<Eigen::Vector3d> bond_strains(int point_count, const Network& network, const BondStates& states,

@@ -8,7 +8,7 @@ namespace bempd::pd {
 
 namespace {
 
-// Gauss rule on [-1, 1].
+// Abscissas of the Gauss rule with four points on [-1, 1].
 constexpr double gauss_abscissa[4] = {-0.8611363115940526, -0.3399810435848563, 0.3399810435848563, 0.8611363115940526};
 constexpr double gauss_weight[4] = {0.3478548451374538, 0.6521451548625461, 0.6521451548625461, 0.3478548451374538};
 

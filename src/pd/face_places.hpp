@@ -82,9 +82,9 @@ class FacePlaces {
     std::optional<int> node_at(const Eigen::Vector2i& at) const;
   };
 
-  // Interpolates the displacement on one side of a crack, as near to the place as possible. Appends the coefficients of
-  // the nodes to `pulls` and returns the distance from the place in spacings; empty if no point on this side is
-  // suitable.
+  // Interpolates the displacement on one side of a crack, as near to the place as possible. Appends the nodes and their
+  // interpolation coefficients to `pulls`, and returns the distance of the interpolated point from the place in
+  // spacings; empty if no point on this side is suitable.
   std::optional<double> add_side(const Lattice& lattice, const Point& place, const Point& normal, double sign,
                                  const Reaches& reaches, std::vector<FacePlace::Pull>& pulls) const;
 

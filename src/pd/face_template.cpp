@@ -15,8 +15,8 @@ namespace bempd::pd {
 
 namespace {
 
-// Stiffness of a bond in the layered medium: the unknown with the number `index`, or the value `known` if `index` is
-// -1.
+// Stiffness of a bond in a medium that is the same everywhere along its face: the unknown with the number `index`, or
+// the value `known` if `index` is -1.
 struct Entry {
   int index = -1;
   double known = 0;
@@ -36,7 +36,8 @@ class Equations {
     targets_.back() -= coefficient * stiffness.known;
   }
 
-  // Solves the equations. Rows are scaled to one size first, because differences between the sizes of rows mean
+  // Solves the equations by the least change of the stiffnesses `bulk`, none of which falls below the share `lower` of
+  // its bulk value. Every equation is scaled first, because differences between the sizes of the equations mean
   // nothing.
   linalg::LeastChangeResult solve(const Eigen::VectorXd& bulk, double lower) {
     linalg::LeastChange problem;
@@ -62,11 +63,12 @@ class Equations {
   std::vector<double> targets_;
 };
 
-// Function that returns the stiffness of a bond, given the row of the bond's lower end and the bond's step along the
-// face (`across`) and away from the face.
+// Function that returns the stiffness of a bond. `row` is the row of the bond's lower end, counted from the face;
+// `across` and `away` are the bond's steps along the face and away from the face.
 using Layers = std::function<Entry(int row, int across, int away)>;
 
-// Kind of bond by its step. A kind with across > 0 and away > 0 stands for two mirrored bonds, so that `pair` is 2.
+// Kind of bond, given by the bond's step. A kind with across > 0 and away > 0 stands for two mirrored bonds, so that
+// `pair` is 2.
 struct Kind {
   int across, away;
   double bulk, pair;
@@ -82,8 +84,8 @@ std::vector<Kind> kinds_of(const std::vector<BondOffset>& family) {
   return kinds;
 }
 
-// Adds the equations of the third moments 112 and 222 of the points in one row; 111 and 122 vanish by symmetry. `top`
-// is the row on the opposite face.
+// Adds the equations of the third moments 112 and 222 of the points in one row; the moments 111 and 122 vanish by
+// symmetry. `top` is the row on the opposite face.
 void add_moments(Equations& equations, const std::vector<Kind>& kinds, const Layers& layers, int row, int top) {
   const double surface = row == 0 ? 1 : row == top ? -1 : 0;  // minus the node's surface vector
   for (int power = 2; power >= 0; power -= 2) {
@@ -100,8 +102,8 @@ void add_moments(Equations& equations, const std::vector<Kind>& kinds, const Lay
   }
 }
 
-// Weight of a bond in the flux conditions: its contribution to the moment of the given order of C1111 over the
-// cross-section of a strip. Along a strip the moments of orders 0 to 2 are conserved; they belong to symmetric
+// Weight of a bond at the height y in the flux conditions: its contribution to the moment of C1111 of the given order
+// over the cross-section of a strip. Along a strip the moments of orders 0 to 2 are conserved; they belong to symmetric
 // gradients of Killing tensors. The end of a strip can be balanced only if these moments equal those of the cell
 // network, in which every edge and diagonal of a cell has the stiffness C1111 / 3 and which is exact for every body.
 double flux_weight(const Kind& kind, double y, int order) {
@@ -251,7 +253,7 @@ double LatticeTemplates::ratio(int below, int above, int across, int away) const
   if (below >= m && above >= m) return 1;
   const int cells = below + away + above;
   if (cells < 2 * m) return cells < 2 ? 1 : strips[cells].ratio(std::min(below, above), across, away);
-  // The changes due to two faces add up if the faces are far apart.
+  // The changes of the stiffness due to both faces add up if the faces are far apart.
   double ratio = 1;
   if (below < m) ratio += face.ratio(below, across, away) - 1;
   if (above < m) ratio += face.ratio(above, across, away) - 1;

@@ -21,9 +21,9 @@ struct CrackFacet {
 struct FluidPaths {
   std::vector<CrackFacet> facets;  // facets of all bonds one spacing long, broken or not
   // Force along each energy term (bond or cell square) due to a unit pressure on all sides of the body [N/Pa]. The
-  // forces of all terms across a line have the same resultant as the pressure on this line. The pressure in a crack is
-  // therefore applied as these forces, with the opposite sign, at the broken terms. A weakened term counts with its
-  // whole stiffness.
+  // forces of all energy terms that cross a line have the same resultant as the pressure on this line. The pressure in
+  // a crack is therefore applied as these forces, with the opposite sign, at the broken energy terms. A weakened term
+  // gets the force that it would have with its whole stiffness.
   std::vector<double> push;
   // Weakened terms ahead of the ends of cracks. The fluid in a pressurised crack also acts at these terms, with `push`
   // times the share of stiffness that the term has lost.
