@@ -21,8 +21,9 @@ using linalg::ProfileCholesky;
 
 constexpr double balance_tolerance = 1e-14;  // for values and equations of order one
 
-// Least change of the stiffnesses in one part of a layer, by primal-dual active sets (Hintermueller, Ito, Kunisch 2002)
-// as in solve_long_least_change() of linalg, with the normal equations in the order of points along the outline.
+// Least change of the bond stiffnesses in one part of a layer that balances the part's points. It is found by
+// primal-dual active sets (Hintermueller, Ito, Kunisch 2002) as in solve_long_least_change() of linalg, with the normal
+// equations in the order of points along the outline. Values are stiffnesses relative to the bulk stiffness.
 class PartBalance {
  public:
   PartBalance(const DraftBonds& all, const LayerParts::Part& part, const std::vector<int>& number,
@@ -53,8 +54,8 @@ class PartBalance {
   }
 
   // Sets the null space of the normal equations (Killing tensor fields), to which the Lagrange multipliers are made
-  // orthogonal. Rounding errors in this space would exceed the multipliers that vary slowly along the outline, because
-  // the eigenvalues of these multipliers are tiny, too.
+  // orthogonal. Otherwise rounding errors in the null space would exceed those parts of the multipliers that vary
+  // slowly along the outline, because the eigenvalues of these parts are almost 0, too.
   void set_kernel(const std::vector<int>& points, const std::vector<Point>& places) {
     std::vector<Point> ordered;
     for (const int k : order_) ordered.push_back(places[points[k]]);
@@ -62,7 +63,7 @@ class PartBalance {
   }
 
   // Solves the part; returns false if that fails. A rough solution is computed first, because it usually shows which
-  // values are held at the bound.
+  // stiffnesses are held at their lower bound.
   bool solve() {
     constexpr int most_rounds = 20;
     bool rough = true;
@@ -88,8 +89,8 @@ class PartBalance {
   double value(std::size_t bond) const { return bonds_[bond].value; }
 
  private:
-  // Limit on the largest missing moment after one step, relative to that before the step. Above the limit the equations
-  // contradict each other.
+  // Largest missing third moment after one step, relative to that before the step, with which the iteration goes on. If
+  // more is left, the equations contradict each other.
   static constexpr double largest_remaining_part = 0.1;
 
   struct Bond {
@@ -114,8 +115,8 @@ class PartBalance {
     normal_->at(std::max(b.first, b.second), std::min(b.first, b.second)) -= square;
   }
 
-  // Factorizes the normal matrix. Its diagonal is shifted by about the rounding error, because its rows depend on each
-  // other.
+  // Factorizes the matrix of the normal equations. Its diagonal is increased by about the rounding error first, because
+  // its rows depend on each other.
   bool factorize() {
     for (double shift = 3e-17; shift < 1e-11; shift *= 10) {
       normal_->clear();
@@ -132,8 +133,8 @@ class PartBalance {
     is_rough_ = true;
   }
 
-  // Improves the multipliers and the free values by conjugate gradients; returns the largest missing moment that is
-  // left.
+  // Improves the multipliers and the stiffnesses that are not held at their lower bound by conjugate gradients; returns
+  // the largest missing third moment that is left.
   double approach(int most_rounds, int most_steps) {
     double left = 0, before = HUGE_VAL;
     for (int round = 0; round <= most_rounds; ++round) {
@@ -167,7 +168,7 @@ class PartBalance {
       rz = next;
     }
   }
-  // Product of the normal matrix N with the vector p.
+  // Product of the matrix of the normal equations with the vector p.
   VectorXd product(const VectorXd& p) const {
     VectorXd q = VectorXd::Zero(target_.size());
     for (const Bond& b : bonds_)
@@ -191,11 +192,12 @@ class PartBalance {
     return r;
   }
 
-  // Holds values that the multipliers would take below the bound; returns whether the set of held values changed.
+  // Holds those stiffnesses at their lower bound that the multipliers would take below it, and releases all others.
+  // Returns whether the set of held stiffnesses changed.
   bool update_held() {
     bool changed = false;
     for (Bond& b : bonds_) {
-      // A margin prevents rounding from moving a value in and out of the set for ever.
+      // A margin prevents that rounding moves a stiffness into the set and out of it for ever.
       const bool next = b.start + pull(b, lambda_) < lower_ + (b.held ? 1e-12 : -1e-12);
       changed = changed || next != b.held;
       b.held = next;
@@ -203,7 +205,8 @@ class PartBalance {
     return changed;
   }
 
-  // Adds the set of values held at the bound to `known`; false if it is there already, so that the rounds repeat.
+  // Adds the set of stiffnesses that are held at their lower bound to `known`; returns false if this set is there
+  // already, so that the rounds would repeat.
   bool is_new(std::vector<std::vector<char>>& known) const {
     std::vector<char> held;
     for (const Bond& b : bonds_) held.push_back(b.held);
@@ -212,7 +215,7 @@ class PartBalance {
     return true;
   }
 
-  // Holds all values below the bound at the bound; returns whether there were any.
+  // Holds all stiffnesses that are below their lower bound at this bound; returns whether there were any.
   bool hold_more() {
     bool changed = false;
     for (Bond& b : bonds_)

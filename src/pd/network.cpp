@@ -16,9 +16,9 @@ namespace {
 
 using Eigen::Vector2i;
 
-// Removes thin cells from `cells`: cells where the body is one cell wide. Every thin cell gets a network of nearest
-// neighbours of its own, and the rest of the body has faces where thin cells were. Networks of disjoint parts add up to
-// an exact network, because the right-hand sides of the moment equations are sums over cells.
+// Removes thin cells from `cells`: cells where the body is one cell wide. Every thin cell gets a network of its own
+// between nearest neighbours, and the rest of the body has faces where thin cells were. Networks of disjoint parts of a
+// body add up to an exact network, because the right-hand sides of the moment equations are sums over cells.
 void remove_thin_cells(const CellLattice& lattice, CellGrid& cells) {
   const auto thin = [&](const Vector2i& c) {
     const Vector2i x(1, 0), y(0, 1);
@@ -36,8 +36,8 @@ void remove_thin_cells(const CellLattice& lattice, CellGrid& cells) {
   }
 }
 
-// Stiffness that the network of nearest neighbours gives a bond: C1111 / 3 for each edge and diagonal of a cell.
-// in(cell) tells which cells take part.
+// Stiffness that the network of nearest neighbours gives a bond: C1111 / 3 for each cell of which the bond is an edge
+// or diagonal. Only cells for which in(cell) is true count.
 template <class In>
 double cell_network_stiffness(const Vector2i& from, const Vector2i& step, const In& in) {
   const int a = step.x(), b = step.y();
@@ -50,7 +50,7 @@ double cell_network_stiffness(const Vector2i& from, const Vector2i& step, const 
 }
 
 // Ratio of a bond's stiffness to its bulk stiffness by the templates of the nearest faces along both axes. The changes
-// due to both templates are added, because the moment equations are linear; little is then left to correct at corners.
+// by both templates are added, because the moment equations are linear; little is then left to correct at corners.
 double template_ratio(const LatticeTemplates& templates, const CellGrid& cells, const Vector2i& from,
                       const Vector2i& step) {
   const int a = std::abs(step.x()), b = step.y();

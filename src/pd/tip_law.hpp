@@ -33,7 +33,7 @@ struct TipLaw {
   // is none.
   const crack::HostResistance* function = nullptr;
 
-  // Copy of the law with the toughness at a place, for a tip that has grown by the length `grown` [m].
+  // Copy of this law with the toughness at a place, for a tip that has grown by the length `grown` [m].
   TipLaw at(const Point& place, double grown) const {
     TipLaw there = *this;
     if (energies) there.toughness *= std::sqrt(energies->share(place));

@@ -61,7 +61,8 @@ CellPatches make_patches(const std::vector<Point>& points, const FillingCells& c
   for (std::size_t c = 0; c < cells.size(); ++c)
     if (patch_of[c] < 0) put_alone(static_cast<int>(c));
 
-  // The edges of cells near the outline are listed, to find the patches beside each patch at the outline.
+  // The edges of cells near the outline are collected, so that the patches beside each patch at the outline can be
+  // found.
   std::vector<char> at_outline(made.cells.size(), 0), near(points.size(), 0);
   for (std::size_t c = 0; c < cells.size(); ++c)
     if (*std::min_element(cells[c].begin(), cells[c].end()) < outline_count) at_outline[patch_of[c]] = 1;

@@ -15,11 +15,12 @@ void for_each_edge(const std::array<int, 4>& cell, const Visit& visit) {
 }
 
 // Patches: groups of cells, each with one gradient stencil (cell_stencils.hpp). Each whole lattice cell is a patch.
-// Triangles form pairs across their longest edges; a triangle that is left over joins a pair beside it.
+// Triangles form pairs across their longest edges. A triangle that is left over joins a pair beside it, if there is
+// one.
 struct CellPatches {
   std::vector<std::vector<int>> cells;  // cells of each patch
 
-  // Patches beside each patch that has points on the outline; empty for other patches.
+  // Patches that share an edge with a patch, by patch; empty for a patch without points on the outline.
   std::vector<std::vector<int>> behind_an_edge;
 };
 

@@ -57,7 +57,7 @@ void add_bonds_among(const std::vector<Bond>& bonds, const std::vector<int>& poi
   found.erase(std::unique(found.begin(), found.end()), found.end());
 }
 
-// Orthonormal basis of the linear combinations of values at points that vanish for every linear function.
+// Orthonormal basis of all linear combinations of the values at some points that are zero for every linear function.
 MatrixXd null_space_of_linear(const OutlinedBody& body, const std::vector<int>& points) {
   MatrixXd linear(static_cast<Eigen::Index>(points.size()), 3);
   for (std::size_t k = 0; k < points.size(); ++k) {
@@ -69,9 +69,9 @@ MatrixXd null_space_of_linear(const OutlinedBody& body, const std::vector<int>& 
 }
 
 // Correction of the stencils at the outline, each of which has one gradient vector G for each of its points
-// (cell_stencils.hpp). The smallest changes of these vectors are sought after which the vectors of all stencils at a
-// point add up to the point's surface vector times its balancing factor (surface_balance.hpp). The gradients of linear
-// displacements stay exact.
+// (cell_stencils.hpp). The correction changes these vectors as little as possible so that, at each point, the vectors
+// of all stencils add up to the point's surface vector times its balancing factor (surface_balance.hpp). The gradients
+// of linear displacements stay exact.
 class Correction {
  public:
   Correction(const OutlinedBody& body, const CellPatches& patches) : body_(body) {
@@ -99,7 +99,8 @@ class Correction {
     problem_.lower = -std::numeric_limits<double>::infinity();
   }
 
-  // Calls visit(patch, points, changes of G) for every patch at the outline; returns the largest error that is left.
+  // Calls visit(patch, points, changes of G) for every patch at the outline; returns the largest difference that is
+  // left between a point's sum of vectors G and its surface vector with the factor.
   template <class Visit>
   double solve(const Visit& visit) {
     const auto [x, left_of_x] = component(0);

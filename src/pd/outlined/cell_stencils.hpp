@@ -43,8 +43,9 @@ struct CellStencils {
 // triangles would be too many constraints, with which nearly incompressible bodies could hardly deform.
 CellStencils cell_stencils(const OutlinedBody& body);
 
-// Cell square of a patch of any shape: energy term k/2 (sum of pull_i . u_i)^2 over the points of the patch's stencil
-// (as in cell_squares.hpp).
+// Cell square of a patch of any shape: energy term k/2 (sum of p_i . u_i)^2, with the displacements u_i of the points
+// of the patch's stencil. The vectors p_i (`pull`) are the forces on the points per unit of the square's tension, which
+// is k times the sum (as in cell_squares.hpp).
 struct StencilSquare {
   std::vector<Eigen::Vector2d> pull;
   double stiffness;  // k [N/m], thickness included

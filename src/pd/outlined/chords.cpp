@@ -16,17 +16,18 @@ int chord_count(const Arc& piece) {
   return std::max(1, static_cast<int>(std::max(by_length, by_turn)));
 }
 
-// Fraction of a piece at which node number `node` lies. With a `swing`, the distances between nodes vary along the
-// piece (x from 0 to 1) as 1 + swing (cos 2 pi x - cos 4 pi x), which is 1 at the ends, where corners need equal
-// chords.
+// Fraction of a piece of the outline at which node number `node` lies. With a `swing` that is not 0, the distances
+// between nodes vary along the piece (x from 0 to 1) as 1 + swing (cos 2 pi x - cos 4 pi x), which is 1 at the ends of
+// the piece, because corners need equal chords.
 double node_fraction(int node, int count, double swing) {
   if (node == 0 || node == count) return node == 0 ? 0 : 1;
   const double x = static_cast<double>(node) / count, turn = 2 * std::numbers::pi;
   return x + swing / turn * (std::sin(turn * x) - 0.5 * std::sin(2 * turn * x));
 }
 
-// Mean square of the chord lengths of a piece: sum of l^2 times the chord vectors, over the sum of the vectors. (Both
-// sums point from end to end, by symmetry.) A loop is balanced if all of its pieces have the same mean square.
+// Mean square of the lengths l of a piece's chords: sum of l^2 times the chord vectors, over the sum of the chord
+// vectors. (By symmetry both sums point from the start of the piece to its end.) A loop is balanced if all of its
+// pieces have the same mean square.
 double mean_square(const Arc& piece, double swing) {
   const int count = chord_count(piece);
   Point sum = Point::Zero();
@@ -38,8 +39,8 @@ double mean_square(const Arc& piece, double swing) {
   return sum.dot(whole) / whole.squaredNorm();
 }
 
-// Swing (node_fraction()) with which a piece has the mean square of chord lengths `wanted`, which is larger than that
-// of equal chords; negative if no allowed swing is enough.
+// Swing (node_fraction()) with which the mean square of a piece's chord lengths is `wanted`, which is larger than that
+// of equal chords; negative if the largest swing allowed is not enough.
 double swing_for(const Arc& piece, double wanted) {
   double low = 0, high = 0.3;
   if (mean_square(piece, high) < wanted) return -1;

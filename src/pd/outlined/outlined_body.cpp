@@ -23,8 +23,8 @@ struct Attempt {
 };
 
 // Attempts to build a network, in the order in which they are made. At a horizon ratio of 3 the best networks have
-// small gaps between outline and lattice, and stiffnesses must be free in a layer as deep as the horizon. At larger
-// ratios a layer of 3/4 of that depth comes first, because its errors in thin bodies are smaller.
+// small gaps between outline and lattice, and stiffnesses must be allowed to change in a layer as deep as the horizon.
+// At larger ratios a layer of 3/4 of that depth comes first, because its errors in thin bodies are smaller.
 std::vector<Attempt> attempts_for(int horizon_ratio, bool may_move, bool is_balanced_by_piece) {
   const bool is_short = horizon_ratio == 3;
   const double whole = horizon_ratio, less = is_short ? whole : 0.75 * horizon_ratio;
@@ -54,8 +54,8 @@ double layer_depth(const Attempt& attempt, int horizon_ratio) {
   return longest_bond(horizon_ratio) + attempt.gap + (horizon_ratio == 3 ? 0.75 : 0);
 }
 
-// Layers of bonds that are tried one after the other. Short bonds suffice almost everywhere; their equations are few,
-// and between points close to each other. Longer bonds are added where short bonds do not suffice.
+// Layers of bonds whose stiffnesses may change, tried one after the other. Short bonds suffice almost everywhere; their
+// equations are few, and join points close to each other. The second layer also has longer bonds.
 std::vector<Layer> layers_for(const Attempt& attempt, int horizon_ratio) {
   const double reach = horizon_ratio == 3 ? HUGE_VAL : 0.8 * horizon_ratio;
   return {{attempt.free_depth, layer_depth(attempt, horizon_ratio), reach}, {attempt.free_depth, HUGE_VAL, HUGE_VAL}};
@@ -94,8 +94,8 @@ OutlinedBody build_outlined_body(const Chords& chords, const LatticePlace& place
                                  const PlaneElasticity& elasticity, int threads, const BondKernel& kernel) {
   assert(horizon_ratio >= 3 && horizon_ratio <= 8);
   std::optional<OutlinedBody> best;
-  // Attempts that are balanced piece by piece come second. Only long outlines with chords of different lengths need
-  // them.
+  // Attempts that are balanced piece by piece (balancing_factors()) come second. Only long outlines with chords of
+  // different lengths need them.
   for (const bool is_balanced_by_piece : {false, true}) {
     if (is_balanced_by_piece && balancing_factors(chords, true) == balancing_factors(chords)) break;
     for (const Attempt& attempt : attempts_for(horizon_ratio, !place.fixed, is_balanced_by_piece)) {

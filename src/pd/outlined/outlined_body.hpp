@@ -32,9 +32,10 @@ OutlinedBody build_outlined_body(const Chords& chords, const LatticePlace& place
                                  const BondKernel& kernel = quartic_kernel());
 
 // Corner of an outline whose surface vector (half the sum of the normals of its two chords, times their lengths) cannot
-// be balanced by bonds of positive stiffness. At a corner of the angle alpha <= 180 degrees the sum of the bonds' pulls
-// lies between 30 degrees off one edge and 30 degrees off the other. Proof: over the bonds, with angles theta from an
-// edge, k L sin(3 theta + 60) adds up to zero, so k L sin(theta - 30) has the same sum as k L f(theta) with
+// be balanced by bonds of positive stiffness. Bonds of the stiffness k, length L and unit vector e from the corner
+// balance the surface vector by the sum of k L e. At a corner of at most 180 degrees this sum points at least 30
+// degrees away from both edges, for this reason: let a bond have the angle theta from an edge. Balanced bonds have a
+// zero sum of k L sin(3 theta + 60), so the sum of k L sin(theta - 30) equals the sum of k L f with
 //   f = sin(theta - 30) + sin(3 theta + 60) / sqrt(3) >= 0.
 struct ImpossibleCorner {
   int node;

@@ -23,9 +23,9 @@ struct Layer {
 };
 void mark_layer(const OutlinedPoints& points, const Layer& layer, DraftBonds& bonds);
 
-// Multiplies the stiffness k of every bond in the layer by one factor for each of its two ends, so that points resist a
-// change of volume in proportion to their area. Half of the sum of k L^2 over a point's bonds of lengths L becomes
-// about 8/3 C1111 times the point's area.
+// Multiplies the stiffness of every bond in the layer by one factor for each of its two ends, so that points resist a
+// change of volume in proportion to their area. For each point, half of the sum of k L^2 over its bonds (stiffness k,
+// length L) becomes about 8/3 C1111 times the point's area.
 void share_by_area(const std::vector<double>& areas, DraftBonds& bonds);
 
 }  // namespace bempd::pd

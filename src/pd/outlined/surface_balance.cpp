@@ -16,7 +16,8 @@ using Eigen::VectorXd;
 constexpr double negligible_number = 1e-15;  // of an imbalance, with lengths in units of the loop's size
 constexpr double largest_factor_change = 0.02;
 
-// Trace of the symmetric product of three vectors, times 3: the vector T_kkl that acts on surface vectors.
+// Trace of the symmetric product T of three vectors, times 3. Its scalar product with a surface vector N is 3 T_kkl N_l
+// (surface_balance.hpp).
 Point trace_of(const Point& u, const Point& v, const Point& w) { return u * v.dot(w) + v * u.dot(w) + w * u.dot(v); }
 
 class LoopBalance {
@@ -27,9 +28,10 @@ class LoopBalance {
     for (int i = 0; i < count_; ++i) size_ = std::max(size_, (chords.nodes[first_ + i] - centre_).norm());
   }
 
-  // Contribution of node `i` to three sums of T_kkl N_l, times 3, that have to vanish for a loop (surface_balance.hpp):
-  // those of the Killing tensor fields e_x r r, e_y r r and r r r, which are symmetric products with the rotation r
-  // about the loop's centre. Lengths are in units of the loop's size.
+  // Contribution of node `i`, with the surface vector N, to three sums of T_kkl N_l, times 3, that have to vanish for a
+  // loop (surface_balance.hpp). The Killing tensor fields T of these sums are e_x r r, e_y r r and r r r: symmetric
+  // products of the unit vectors e_x and e_y with the rotation r about the loop's centre. Lengths are in units of the
+  // loop's size.
   std::array<double, 3> numbers(int i) const {
     const Point x = place(i), r(-x.y(), x.x()), n = vector(i);
     return {trace_of({1, 0}, r, r).dot(n), trace_of({0, 1}, r, r).dot(n), trace_of(r, r, r).dot(n)};
@@ -42,8 +44,10 @@ class LoopBalance {
   }
 
   // Makes all chords of the loop count as if they had one length, by factors of the two nodes next to each end of every
-  // piece with four or more chords. Factor changes a (1, -1, .., -1, 1) keep resultant and moment of a straight piece,
-  // and add a l^3 (2 n - 6) to the sum of N s^2, in which chords of another length lack n l (l^2 - wanted) / 6.
+  // piece with four or more chords. Let the piece be straight, with n chords of the length l, and let N be the size of
+  // a node's surface vector and s the node's place along the piece. Changes a (1, -1, .., -1, 1) of the factors keep
+  // resultant and moment of the piece, and add a l^3 (2 n - 6) to the sum of N s^2. This sum lacks n l (w - l^2) / 6,
+  // where w is wanted_square().
   void equalize_chord_lengths(std::vector<double>& factors) const {
     const std::vector<int> pieces = own_pieces();
     const double wanted = wanted_square(pieces);
@@ -60,8 +64,8 @@ class LoopBalance {
   }
 
   // Changes the factors so that the loop is balanced; returns false if that takes too large changes. `moments_a_piece`
-  // is the number of moments of a constant load that every piece keeps: 0, 1 (the resultant) or 2 (the first moment,
-  // too).
+  // is the number of moments of a constant load that every piece keeps: 0, 1 (the resultant) or 2 (the first moment as
+  // well).
   bool change_factors(int moments_a_piece, std::vector<double>& factors) const {
     const std::vector<int> pieces = own_pieces();
     const Eigen::Index rows = 9 + static_cast<Eigen::Index>(pieces.size()) * moments_a_piece;
@@ -102,8 +106,8 @@ class LoopBalance {
     }
     return pieces;
   }
-  // Square of the length that all chords are to count as: the mean over pieces with fewer than four chords, whose
-  // factors cannot be changed, or over all pieces if there are none.
+  // Square of the length that all chords are to count as. It is the mean over the pieces with fewer than four chords,
+  // whose factors cannot be changed, or over all pieces if there are none of these.
   double wanted_square(const std::vector<int>& pieces) const {
     double sum = 0, of_short = 0, length = 0, length_of_short = 0;
     for (const int piece : pieces) {

@@ -22,7 +22,7 @@ namespace bempd::pd {
 // factors of the two nodes next to each end of the piece. The bonds then carry no imbalance over long distances.
 std::vector<double> balancing_factors(const Chords& chords, bool by_piece = false);
 
-// Largest magnitude of the three numbers that have to vanish for each loop, scaled by the size of the loop.
+// Largest magnitude of the three sums of T_kkl N_l that have to vanish for each loop, scaled by the size of the loop.
 double imbalance(const Chords& chords, const std::vector<double>& factors);
 
 }  // namespace bempd::pd
