@@ -26,8 +26,9 @@ double fraction_beyond_ends(const Arc& arc, const Point& p) {
   return arc.straight() ? fraction_on_line(arc, p) : fraction_on_circle(arc, p);
 }
 
-// Points that the circle of `arc` has in common with the line or circle of `other`: the foot on the line of symmetry,
-// plus and minus half the common chord. Circles that miss each other by rounding errors count as touching.
+// Points that the circle of `arc` has in common with the straight line or the circle of `other`. They lie half a common
+// chord on either side of that chord's middle (`foot`). Circles that miss each other by rounding errors count as
+// touching.
 std::vector<Point> common_points(const Arc& arc, const Arc& other) {
   const Point centre = arc.centre();
   const double radius = (arc.start - centre).norm();
@@ -106,7 +107,7 @@ Point Arc::centre() const {
 std::optional<Arc> arc_through(const Point& start, const Point& between, const Point& end) {
   const Point a = between - start, b = end - between;
   const double turning = cross(a, b), along = a.dot(b);
-  // Half the arc's sweep is the angle by which the polyline through the three places turns at `between`.
+  // The polyline through the three places turns at `between` by half the arc's sweep.
   const double half = std::atan2(turning, along);
   constexpr double straight_enough = 1e-12;
   if (!(a.squaredNorm() > 0 && b.squaredNorm() > 0)) return std::nullopt;
@@ -150,7 +151,8 @@ bool in_circular_segment(const Arc& arc, const Point& p) {
   const Point d = arc.end - arc.start;
   const double left = cross(d, p - arc.start);
   if ((arc.sweep > 0) == (left > 0)) return false;
-  // The inscribed angle tells whether the point lies within the circle, without the circle's centre.
+  // The place lies within the circle if the arc's ends appear from it under more than the inscribed angle. This test
+  // does not need the circle's centre, which is far away for a flat arc.
   return (p - arc.start).dot(p - arc.end) < left / std::tan(0.5 * arc.sweep);
 }
 
@@ -173,8 +175,10 @@ std::optional<Point> find_contact(const Arc& a, const Arc& b, double tolerance) 
 }
 
 std::array<Arc, 2> biarc(const Point& start, const Point& start_tangent, const Point& end, const Point& end_tangent) {
-  // The joint is start + d t0 + d e, where e is the unit vector from start + d t0 to end - d t1, so that |end - start -
-  // d (t0 + t1)| = 2 d.
+  // The joint is start + d t0 + d e, with the unit tangents t0 and t1 at the ends and the length d of both tangents,
+  // which meet the common tangent at start + d t0 and end - d t1. These two places are 2 d apart,
+  //   |end - start - d (t0 + t1)| = 2 d,
+  // and e is the unit vector from the first to the second.
   const Point v = end - start, t = start_tangent + end_tangent;
   const double a = 2 * (1 - start_tangent.dot(end_tangent)), b = 2 * v.dot(t), c = -v.squaredNorm();
   const double d = -2 * c / (b + std::sqrt(b * b - 4 * a * c));

@@ -69,7 +69,8 @@ class Arranger {
   }
 
   void compare(int a, int b) {
-    // Edges far from the other body's box are left out, because they cannot lie in the other body or on its boundary.
+    // Edges of each body that are far from the box of the other body are left out, because they cannot lie in the other
+    // body or on its boundary.
     const std::vector<int> near_a = bodies_[a].tree.meeting(widened(boxes_[b]));
     const std::vector<int> near_b = bodies_[b].tree.meeting(widened(boxes_[a]));
     std::map<int, Fractions> splits_a, splits_b;
@@ -96,12 +97,12 @@ class Arranger {
     touch(a, b.end, on_a);
     touch(b, a.start, on_b);
     touch(b, a.end, on_b);
-    // Crossings are not computed for straight edges that touch: such a crossing would be the touching vertex, or
-    // rounding on a shared piece.
+    // Crossings of straight edges that touch are not computed: such a crossing would be the vertex at which they touch,
+    // or a rounding error on a piece that both share.
     if (touching && a.straight() && b.straight()) return;
     for (const Crossing& c : meeting_points(a, b)) {
-      // Crossings with the same tangent are left out, because circles that are equal up to rounding seem to cross
-      // anywhere.
+      // Crossings of touching edges with the same tangent at the crossing are left out, because circles that are equal
+      // up to rounding seem to cross anywhere.
       constexpr double same_direction = 1e-6;
       if (touching && std::abs(cross(a.tangent(c.fraction_a), b.tangent(c.fraction_b))) < same_direction) continue;
       on_a.push_back(snap_to_ends(a, c.fraction_a, tolerance_));
@@ -109,9 +110,9 @@ class Arranger {
     }
   }
 
-  // Classifies the pieces between splits of the edges of body `a` by their middles, because a whole piece lies inside,
-  // outside or on `b`. Shared pieces are found from one body only (`enter_contacts`) and listed for both, so that the
-  // two lists agree.
+  // Classifies the pieces of body `a`'s edges between their splits as inside, outside or on the boundary of body `b`.
+  // The middle of a piece decides for the whole piece. Shared pieces are found from one body only (`enter_contacts`)
+  // and listed for both bodies, so that their lists agree.
   void classify(int a, int b, const std::map<int, Fractions>& splits, bool enter_contacts) {
     for (const auto& [k, fractions] : splits) {
       const Edge& edge = bodies_[a].edges[k];

@@ -48,7 +48,8 @@ Blocks between(const Blocks& blocks) {
   return found;
 }
 
-// Pairs of missing blocks, one of which would join two blocks that meet at a corner only.
+// Pairs of missing blocks at the corners where two blocks meet without a common side. Either block of a pair would join
+// the two blocks.
 std::vector<std::array<Block, 2>> hinges(const Blocks& blocks) {
   std::vector<std::array<Block, 2>> found;
   for (const Block& block : blocks)

@@ -29,7 +29,7 @@ double distance(const Box& box, const Segment& segment);
 
 // Adds blocks, among those for which may_add(block) is true, until no two blocks meet at a corner only, no missing
 // block is enclosed, and no gap of one block is left in a row or a column. Returns false if blocks that meet at a
-// corner, or enclosed ones, remain.
+// corner only, or enclosed missing blocks, remain.
 bool close_gaps(Blocks& blocks, const std::function<bool(const Block&)>& may_add);
 
 // Parts of a set of blocks; the blocks of a part are connected by their sides.

@@ -201,7 +201,7 @@ BodyMesh BodyMesher::result() const {
     if (!triangle.exists || *std::min_element(triangle.points.begin(), triangle.points.end()) < 0) continue;
     const Point &a = point(triangle.points[0]), &b = point(triangle.points[1]), &c = point(triangle.points[2]);
     const double longest = std::max({(b - a).squaredNorm(), (c - b).squaredNorm(), (a - c).squaredNorm()});
-    // Flat triangles are left out; they lie between an edge and points on this edge whose places were rounded.
+    // Flat triangles are left out. They lie between an edge and points on the edge whose places were rounded.
     if (cross(b - a, c - a) > 1e-6 * longest && inside((a + b + c) / 3)) mesh.triangles.push_back(triangle.points);
   }
   for (const Side& side : sides_)

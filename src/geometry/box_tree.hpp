@@ -6,7 +6,8 @@
 
 namespace bempd {
 
-// Tree of the bounding boxes of many items, to find items near something. Each node is halved along its longer side.
+// Tree of the bounding boxes of many items, with which the items near a place or box are found. Each node of the tree
+// is halved along its longer side.
 class BoxTree {
  public:
   BoxTree() = default;

@@ -9,19 +9,19 @@ namespace bempd {
 
 namespace {
 
-// Longest element over the length of the outer loop.
+// Ratio of the length of the longest element to the length of the outer loop.
 constexpr double share_of_outline = 1.0 / 8;
 
-// Longest element over its distance to a part of the boundary that its panel does not meet.
+// Ratio of the length of the longest element to its distance from a part of the boundary that its panel does not meet.
 constexpr double share_of_gap = 2;
 
-// Ratio for two panels with a common corner, below which they count as running beside each other with a gap: their
-// distance at a place over the distance of the place from the corner.
+// Ratio of two distances of a place on a panel: that from a panel with which it has a common corner to that from the
+// corner. Below this ratio both panels count as running beside each other with a gap.
 constexpr double aside = 0.3;
-// Least length of elements beside a neighbouring panel (see `aside`), over the length of their panel.
+// Ratio of the least length of elements beside a neighbouring panel (see `aside`) to the length of the elements' panel.
 constexpr double least_beside = 1.0 / 16;
 
-// Limit on the halvings of a panel's elements; parts of the boundary that touch would need any number of halvings.
+// Largest number of halvings of a panel's elements. Parts of the boundary that touch would need any number of halvings.
 constexpr int most_halvings = 12;
 
 double distance(const Arc& arc, const Point& x) { return (arc.at(closest_fraction(arc, x)) - x).norm(); }

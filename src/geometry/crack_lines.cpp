@@ -54,7 +54,8 @@ std::vector<Point> common_places(const Segment& a, const Segment& b, double tole
 }
 
 void mark_meetings(Path& a, int i, Path& b, int j, double tolerance) {
-  // Segments of one path that follow each other, or between which the path is too short for two different places.
+  // Segments of one path are not compared if one follows the other, or if the path between them is too short to hold
+  // two different places.
   const bool follows = &a == &b && (j == i + 1 || a.ways[j] - a.ways[i + 1] <= 4 * tolerance);
   const std::vector<Point> places = common_places(a.segment(i), b.segment(j), tolerance);
   require(places.size() <= 1, "crack ", a.given.id, " runs along ",
@@ -82,7 +83,7 @@ void mark_mouths(Path& path, const std::vector<Edge>& boundary, double tolerance
   }
 }
 
-// Merges marks at the same place; the merged mark is a crack mouth if one of them is.
+// Merges marks at the same place. The merged mark is a crack mouth if any of the marks is one.
 void merge_marks(Path& path, double tolerance) {
   std::sort(path.marks.begin(), path.marks.end(), [](const Mark& a, const Mark& b) { return a.way < b.way; });
   std::vector<Mark> merged;

@@ -19,7 +19,8 @@ struct CrackPath {
   bool grown(int segment) const { return segment < grown_at_start || segment >= segments() - grown_at_end; }
 };
 
-// Crack line: the piece of a crack between two places at which it ends, meets another crack or reaches the boundary.
+// Crack line: piece of a crack between two places where the crack ends, meets another crack or reaches the boundary,
+// without such a place in between.
 struct CrackLine {
   int crack;  // number of its crack path
   std::vector<Point> points;

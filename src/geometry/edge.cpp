@@ -44,7 +44,8 @@ Box bounding_box(const Edge& edge) {
     box.extend(arc.end);
     if (arc.straight()) continue;
     for (const Point& direction : {Point(1, 0), Point(-1, 0), Point(0, 1), Point(0, -1)}) {
-      // The outermost point of the circle counts if it lies on the arc. The radius of a flat arc may be huge.
+      // The circle's outermost point in each direction extends the box if it lies on the arc, else the arc's end
+      // nearest to it does. The radius of a flat arc may be huge.
       const Point centre = arc.centre();
       const Point outermost = centre + (arc.start - centre).norm() * direction;
       box.extend(arc.at(closest_fraction(arc, outermost)));

@@ -53,8 +53,8 @@ double least_distance(const Edge& edge, const Point& p);
 std::vector<Crossing> meeting_points(const Edge& a, const Edge& b);
 std::optional<Point> find_contact(const Edge& a, const Edge& b, double tolerance);
 
-// Whether the ray from `p` to the right crosses the edge an odd number of times. Of the two ends of the edge only the
-// lower one belongs to it, so that a vertex is not counted twice.
+// Whether the ray from `p` to the right crosses the edge an odd number of times. The lower end of the edge belongs to
+// the edge, its upper end does not, so that the rays of a loop count no vertex twice.
 bool ray_crosses(const Edge& edge, const Point& p);
 
 }  // namespace bempd

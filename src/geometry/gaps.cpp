@@ -28,8 +28,8 @@ class GapFinder {
       all.extend(boxes.back());
     }
     tree_ = BoxTree(boxes);
-    // Regions up to three tolerances apart count as touching, because places that were matched to a third place may be
-    // two apart.
+    // Regions up to three tolerances apart count as touching, because two places that were each matched to a third
+    // place may be two tolerances apart.
     tolerance_ = 3 * geometric_tolerance(all);
   }
 

@@ -70,7 +70,8 @@ class HingeFinder {
   std::vector<std::vector<int>> connected_groups(const std::vector<int>& present, const Point& p) const {
     std::map<int, int> label;
     for (int r : present) label[r] = r;
-    // The reach is larger than that of regions_at(), because the ends of a contact are known only up to the tolerance.
+    // The reach is larger than the tolerance of regions_at(), because the ends of a contact are known only up to the
+    // tolerance.
     const double reach = 3 * tolerance_;
     const Point margin = Point::Constant(reach);
     for (const int region : present)

@@ -11,13 +11,13 @@ namespace bempd {
 
 namespace {
 
-// Growth of a cut's elements per distance from the boundary.
+// Growth of the length of a cut's elements per distance from the boundary.
 constexpr double growth_with_distance = 0.35;
-// Growth of a cut's elements per distance from cracks.
+// Growth of the length of a cut's elements per distance from cracks.
 constexpr double growth_with_distance_from_cracks = 0.2;
-// Smallest distance of a cut from an element on a crack, over the element's length.
+// Ratio of the smallest distance of a cut from an element on a crack to the element's length.
 constexpr double least_clearance_of_cracks = 1;
-// Smallest distance of a cut from a side of the boundary, over the side's length.
+// Ratio of the smallest distance of a cut from a side of the boundary to the side's length.
 constexpr double least_clearance = 0.3;
 // Smallest angles between a cut and the boundary at its ends [rad]: the first is preferred, the others are accepted if
 // no cut is found with larger angles.
@@ -25,10 +25,11 @@ constexpr std::array<double, 3> least_angles{0.8, 0.5, 0.35};
 // Largest angle inside the material at which a cut may end [rad]. Corners with larger angles have singular stresses,
 // which a cut must not meet.
 constexpr double largest_corner = 1.3 * std::numbers::pi;
-// Range and steps of the lines tried for a cut, as shares of the elements: the first line has half of the elements on
-// either side, the next lines deviate more and more.
+// Shares of a subdomain's elements on one side of the straight lines that are tried for a cut: the first line has half
+// of the elements on either side, the next lines deviate from half in steps of `step_of_share`, up to
+// `farthest_from_half`.
 constexpr double farthest_from_half = 0.2, step_of_share = 0.02;
-// Number of divisions found after which the search ends.
+// Number of possible divisions of a subdomain after which the search for others ends.
 constexpr int enough_divisions = 5;
 
 // Angle from one direction to another, counter-clockwise, 0 to 2 pi.
@@ -114,8 +115,9 @@ std::optional<MaterialCutSearch::Division> MaterialCutSearch::along(int axis) co
   return best;
 }
 
-// Sides that a line crosses, in order. Of the two ends of a side only the one with the smaller coordinate belongs to
-// it, so that the line crosses every loop an even number of times.
+// Sides that the straight line x = at (axis 0) or y = at (axis 1) crosses, in order along it. Of the two ends of a side
+// only the one with the smaller coordinate belongs to the side, so that the line crosses every loop an even number of
+// times.
 std::vector<MaterialCutSearch::Hit> MaterialCutSearch::hits(int axis, double at) const {
   std::vector<Hit> found;
   for (int side = 0; side < static_cast<int>(sides_.size()); ++side) {

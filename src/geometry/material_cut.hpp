@@ -19,10 +19,10 @@ struct MaterialCut {
 // Whether a cut keeps its distance from all cracks, and its elements are short enough for cracks near the cut.
 bool is_clear_of(const Stations& cut, const std::vector<Stations>& cracks);
 
-// Search for cuts that divide a subdomain into two halves with about as many elements. The cuts follow a line parallel
-// to an axis wherever this line lies in the material. They end at ends of elements, at no small angle with the
-// boundary. The elements of a cut grow with the distance from the boundary and from cracks, and cuts keep a distance
-// from cracks.
+// Search for cuts that divide a subdomain into two halves with about equal numbers of elements. The cuts follow a
+// straight line parallel to an axis wherever this line lies in the material. They end at ends of elements, at no small
+// angle with the boundary. The elements of a cut become longer with the distance from the boundary and from cracks, and
+// cuts keep a distance from cracks.
 class MaterialCutSearch {
  public:
   MaterialCutSearch(const SubdomainLoops& loops, const std::vector<Point>& positions,
@@ -32,7 +32,7 @@ class MaterialCutSearch {
     std::vector<MaterialCut> cuts;
     double cost;  // number of elements on cuts, times a factor for unequal halves
   };
-  // Best one of some divisions along lines x = constant (axis 0) or y = constant (axis 1); empty if none was found.
+  // Best of the divisions found along lines x = constant (axis 0) or y = constant (axis 1); empty if none was found.
   std::optional<Division> along(int axis) const;
   int longer_axis() const;
 

@@ -86,8 +86,8 @@ Point some_interior_point(const Outline& outline) {
   double width = std::numeric_limits<double>::infinity();
   for (const Segment& edge : edges) {
     if (&edge == &*longest) continue;
-    // Coordinates are taken along the longest edge, from its middle, and inwards; the ray has the coordinate 0 along
-    // the edge.
+    // Coordinates have their origin at the middle of the longest edge, and are taken along this edge and inwards. The
+    // ray runs inwards from the origin.
     const double s = direction.dot(edge.start - middle), e = direction.dot(edge.end - middle);
     if ((s > 0 && e > 0) || (s < 0 && e < 0) || s == e) continue;
     const double fraction = s / (s - e);

@@ -128,8 +128,8 @@ double short_spacing(double exact, const std::vector<double>& lengths, double to
   return 0;
 }
 
-// First spacing measure / parts, for parts = first, first + step, ..., that is a short decimal number within a factor
-// three of `wanted`; else measure / first if that divides all lengths; else 0.
+// First of the spacings measure / parts, with parts = first, first + step, ..., that is a short decimal number; else
+// measure / first if that divides all lengths; else 0. Only spacings within a factor three of `wanted` count.
 double nearest_spacing(double wanted, double measure, double first, double step, const std::vector<double>& lengths,
                        double tolerance) {
   const auto within_reach = [&](double parts) {

@@ -12,8 +12,8 @@ namespace {
 Point middle_tangent(const Point& before, const Point& at, const Point& after) {
   const Point u = at - before, v = after - at;
   const Point sum = u * v.squaredNorm() + v * u.squaredNorm();
-  // Points that run straight back have no tangent. Any direction is good then, because the outline check rejects the
-  // spike.
+  // Three points, the last of which runs straight back to the first, have no tangent. Any direction is good then,
+  // because the outline check rejects the spike.
   return sum.norm() > 0 ? Point(sum.normalized()) : Point(u.normalized());
 }
 

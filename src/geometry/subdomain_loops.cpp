@@ -44,8 +44,8 @@ SubdomainLoop reversed(const SubdomainLoop& cut) {
   return back;
 }
 
-// Sides of a body and both faces of all cuts, which are joined to loops: each side is followed by the next side
-// clockwise around its end.
+// Sides of a body and of both faces of all cuts. They are joined to loops, in which each side is followed by the next
+// side clockwise around its end.
 class SideFaces {
  public:
   SideFaces(const SubdomainLoops& loops, const std::vector<SubdomainLoop>& cuts, const std::vector<Point>& positions)
@@ -61,7 +61,7 @@ class SideFaces {
   }
 
   // Closed loops of all sides. The result is empty if two sides are followed by the same side, because a cut leaves the
-  // body there, or its direction is lost in the rounding of coordinates.
+  // body at that place, or the cut's direction is lost in the rounding of coordinates.
   SubdomainLoops loops() const {
     SubdomainLoops found;
     std::vector<char> done(sides_.size(), 0);

@@ -14,7 +14,7 @@ namespace bempd {
 
 namespace {
 
-// Largest share of the elements that a part may keep after a cut.
+// Largest number of elements of a part after a cut, relative to the number before the cut.
 constexpr double largest_share = 0.85;
 // Limit on the elements of subdomains that cracks have changed, as a multiple of the limit for other subdomains. They
 // are cut less, because cuts beside cracks would cost accuracy.
@@ -80,7 +80,7 @@ class Subdivider {
     return cut;
   }
 
-  // Halves parts that are too large; in a body with cracks, only parts that the cracks have changed.
+  // Halves parts that have too many elements; in a body with cracks, only parts that the cracks have changed.
   void divide(std::vector<SubdomainLoops> waiting) {
     while (!waiting.empty()) {
       SubdomainLoops loops = std::move(waiting.back());

@@ -45,7 +45,7 @@ struct PlacedValues {
 
 using Values = std::variant<SampledValues, BoundaryFunction, PlacedValues>;
 
-// Condition on the boundary: a support or a load, which acts on `components`: 1 x, 2 y, 3 both.
+// Condition on the boundary: a support or a load. It acts on the `components` 1 (x), 2 (y) or 3 (both).
 struct Condition {
   std::shared_ptr<const Place> place;  // null: the condition was removed
   int components = 0;

@@ -10,7 +10,8 @@ namespace bempd::scene {
 
 namespace {
 
-// Values that stay at what they are at the load factor `factor`: constant parts only, the proportional parts are 0.
+// Values that are fixed at what they are at the load factor `factor`: constant parts only, all proportional parts are
+// 0.
 template <class Parts>
 Parts still_at_factor(Parts values, double factor) {
   for (std::size_t i = 0; i < values.constant.size(); ++i) values.constant[i] += factor * values.proportional[i];

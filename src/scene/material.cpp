@@ -11,8 +11,8 @@ namespace bempd::scene {
 
 namespace {
 
-// Smallest and largest modulus that is accepted. They are so far from the ends of the number range that products and
-// ratios of stiffnesses stay within that range.
+// Smallest and largest value accepted for Young's modulus and for its product with the thickness. They are so far from
+// the ends of the number range that products and ratios of stiffnesses stay within that range.
 constexpr double softest = 1e-200, stiffest = 1e200;
 
 bool is_in_range(double stiffness) { return stiffness >= softest && stiffness <= stiffest; }

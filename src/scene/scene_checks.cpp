@@ -27,7 +27,8 @@ void Scene::require_no_overlap(const Region& added) const {
     const Outline& other = region(id).outline();
     const Box box = bempd::bounding_box(other);
     if (region(id).has_elements() || !box.intersects(own)) continue;
-    // Overlaps narrower than this share of a spacing may count as touching in a larger body.
+    // Overlaps narrower than this share of a spacing may lie within the tolerance if the body becomes larger, and count
+    // as touching then.
     if (own.intersection(box).sizes().minCoeff() < 1e-3 * added.resolution()) continue;
     const double tolerance = geometric_tolerance(own.merged(box));
     if (lies_inside(added.outline(), other, tolerance) || lies_inside(other, added.outline(), tolerance)) continue;

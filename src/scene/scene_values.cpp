@@ -9,7 +9,8 @@ namespace {
 
 bool is_function(const Values& values) { return std::holds_alternative<BoundaryFunction>(values); }
 
-// Values at places that stand for samples, which are equally spaced; values at places are returned as they are.
+// Values at places along a boundary part. Samples get equally spaced places; values that already have places are
+// returned as they are.
 PlacedValues placed(const Values& values) {
   if (const auto* already = std::get_if<PlacedValues>(&values)) return *already;
   const auto& samples = std::get<SampledValues>(values);
@@ -28,8 +29,8 @@ BoundaryFunction function_of(const Values& values) {
   return [known = placed(values)](const Point&, double fraction) { return known.at(fraction); };
 }
 
-// Interpolation of values that are linear in the load factor: constant + load factor * proportional through the values
-// `start` at one load factor and `end` at another one.
+// Line through values at two load factors: constant part and proportional part of the values that are linear in the
+// load factor, equal to `start` at one load factor and to `end` at the other.
 class Line {
  public:
   Line(double from, double to) : from_(from), to_(to) {}

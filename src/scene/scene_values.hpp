@@ -11,9 +11,9 @@ struct SceneValues {
   std::vector<Values> supports, loads;
 };
 
-// Whether a condition with the values `other` can get the values `one`: values at places always; samples unless `other`
-// has another number of samples; a function if it is not null and `other` has no samples. Removed conditions have empty
-// samples, which match empty samples only.
+// Whether a condition with the values `other` can get the values `one`. Values at places fit always; samples fit unless
+// `other` has another number of samples; a function fits if it is not null and `other` has no samples. Removed
+// conditions have empty samples, which fit empty samples only.
 bool are_alike(const Values& one, const Values& other);
 
 // Zero values, as of a body at rest, with the same numbers of samples and the same places as `like`.
