@@ -83,7 +83,8 @@ void mark_mouths(Path& path, const std::vector<Edge>& boundary, double tolerance
   }
 }
 
-// Merges marks at the same place. The merged mark is a crack mouth if any of the marks is one.
+// Merges marks (places where crack lines end) at the same place. The merged mark is a crack mouth if any of the marks
+// is one.
 void merge_marks(Path& path, double tolerance) {
   std::sort(path.marks.begin(), path.marks.end(), [](const Mark& a, const Mark& b) { return a.way < b.way; });
   std::vector<Mark> merged;

@@ -29,7 +29,7 @@ constexpr double largest_corner = 1.3 * std::numbers::pi;
 // of the elements on either side, the next lines deviate from half in steps of `step_of_share`, up to
 // `farthest_from_half`.
 constexpr double farthest_from_half = 0.2, step_of_share = 0.02;
-// Number of possible divisions of a subdomain after which the search for others ends.
+// Number of possible divisions of a subdomain after which no more divisions are searched.
 constexpr int enough_divisions = 5;
 
 // Angle from one direction to another, counter-clockwise, 0 to 2 pi.

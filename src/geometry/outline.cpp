@@ -60,7 +60,7 @@ double area(const Outline& outline) { return signed_area(edges_of(outline)); }
 Location locate(const std::vector<Edge>& boundary, const Point& p, double tolerance) {
   bool inside = false;
   for (const Edge& edge : boundary) {
-    // The lower bound is computed faster, but has some rounding error.
+    // The lower bound of the distance is computed faster than the distance, but has some rounding error.
     const bool may_be_near = tolerance == 0 || least_distance(edge, p) <= 2 * tolerance;
     if (may_be_near && distance(edge, p) <= tolerance) return Location::on_boundary;
     // The even-odd rule decides; ray_crosses() counts a vertex once.

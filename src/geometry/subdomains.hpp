@@ -33,11 +33,11 @@ struct Subdivision {
 // has one subdomain if the body cannot be cut.
 Subdivision subdivide(const BoundaryMesh& body, std::size_t most_elements);
 
-// Subdivides a body with cracks, whose mesh has short elements beside the cracks. `cuts` are the cuts through the body
-// without cracks; those that keep a distance from the cracks and end at nodes are made again. Subdomains that are too
-// large because other cuts are missing are cut around the cracks, so that cracks change only the subdomains beside
-// them. `before` is such a subdivision with other cracks (null: none). Its parts between the given cuts are used again
-// if the same cuts were made in the same mesh.
+// Subdivides a body with cracks, whose mesh has short elements beside them. `cuts` are the cuts through the body
+// without cracks; those of them that keep a distance from the cracks and end at nodes are made again. Where a subdomain
+// is too large because a cut could not be made again, it is cut around the cracks, so that cracks change only the
+// subdomains beside them. `before` is a subdivision of the same body with other cracks (null: none). Its parts between
+// the repeated cuts are reused if the same cuts were repeated in the same mesh.
 Subdivision subdivide(const BoundaryMesh& body, std::size_t most_elements, const std::vector<Stations>& cuts,
                       const std::vector<Stations>& cracks, const Subdivision* before = nullptr);
 

@@ -45,8 +45,7 @@ class FacePlaces {
   std::size_t lattice_count() const { return lattices_.size(); }
   double spacing(int lattice) const { return lattices_[static_cast<std::size_t>(lattice)].lattice.spacing; }
 
-  // Number of a lattice in which two nodes are neighbours along a row or a column; empty if no lattice has them as
-  // such.
+  // Number of a lattice in which two nodes are neighbours along a row or a column; empty if there is no such lattice.
   std::optional<int> lattice_of_neighbours(int node, int other) const;
 
   // Function that tells whether the displacement of a node may be used for the face place at `place`.

@@ -136,7 +136,7 @@ void add_strip_fluxes(Equations& equations, const std::vector<Kind>& kinds, cons
 
 // Adds the conditions under which strips of any height N >= 2 m (m: horizon ratio) have the moments of C1111 of the
 // cell network (flux_weight()), as conditions for one face. M0, M1, M2 are the moments, about the face, of the
-// differences between the face's stiffnesses and the bulk ones. About the strip's middle both faces add
+// differences between the stiffnesses near the face and the bulk stiffnesses. About the strip's middle both faces add
 //   F2 = 2 (M2 - N M1 + N^2/4 M0)
 // to the second moment of the bulk stiffnesses. The two heights N = 2 m and N = 2 m + 1 determine M1 and M2.
 void add_face_fluxes(Equations& equations, const std::vector<Kind>& kinds, const Layers& layers, int m) {

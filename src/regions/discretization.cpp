@@ -103,8 +103,8 @@ RegionStatistics Discretization::statistics() const {
 
 namespace {
 
-// Discretization of a scene without regions and nodes, but with the contacts and gaps between outlines. They are taken
-// from `before` (null: none), a discretization with the same outlines.
+// Discretization of a scene that has only the common edges and gaps of its regions. They are copied from `before` if
+// that is not null, because both scenes have the same outlines.
 Discretization arranged(const scene::Scene& scene, const Discretization* before) {
   Discretization d;
   d.tolerance = geometric_tolerance(scene.bounding_box());
@@ -121,7 +121,7 @@ Discretization arranged(const scene::Scene& scene, const Discretization* before)
   return d;
 }
 
-// Adds the regions, cracks and nodes to a discretization that has the contacts between outlines.
+// Builds the regions of a scene, and their cracks, nodes, bonds and ties.
 void build(Discretization& d, const Preparation& preparation) {
   const scene::Scene& scene = preparation.scene;
   for (int id : scene.region_ids()) {

@@ -27,8 +27,9 @@ constexpr int shift_directions = 8;
 // Distance of a tip from another lattice, in spacings, below which bonds of both lattices act on the tip.
 constexpr double beside_lattice = 1.5;
 
-// Copy of a crack that is shifted by `distance` to the right of its first segment, or in the direction at `angle` from
-// there, counter-clockwise. An end on the boundary or outside of the body is also lengthened, so that it stays a mouth.
+// Copy of a crack that is shifted by `distance`. The shift is turned by `angle`, counter-clockwise, from the direction
+// to the right of the crack's first segment. An end on the boundary or outside of the body is also lengthened, so that
+// it stays a mouth.
 scene::Crack moved(const Scene& scene, const Discretization& d, scene::Crack crack, double distance, double angle) {
   std::vector<Point>& points = crack.points;
   const Point first = (points[1] - points[0]).normalized(), last = (points.end()[-1] - points.end()[-2]).normalized();

@@ -126,8 +126,8 @@ double PatchLayout::clearance(const Point& origin) const {
   return least;
 }
 
-// Origin of the grid of blocks. Of the origins tried, the first crack keeps the largest distance from the material
-// points with this one.
+// Origin of the grid of blocks: of the origins that are tried, the one with which the first crack passes the material
+// points at the largest distance.
 Point PatchLayout::origin() const {
   constexpr int parts = 8;            // number of steps of the origin in a spacing
   constexpr double is_better = 1.01;  // ratio of clearances above which an origin is better

@@ -185,8 +185,9 @@ class GrowingPatch {
     return std::ranges::any_of(wanted, [&](const Block& b) { return !own().blocks.contains(b) && may_add(b); });
   }
 
-  // All patches of the scene after this patch has got every block of `wanted` that it may have, and the blocks that
-  // close gaps between them. Empty if the patch gets no block, or lacks a block of `needed` even then.
+  // All patches, with new blocks in this patch: the blocks of `wanted` for which walls and other patches leave room,
+  // and blocks that close gaps. Empty if no block is added, if the patch would fall into parts, or if it would lack
+  // some of the `needed` blocks.
   std::optional<std::vector<Patch>> with_added(const Blocks& wanted, const Blocks& needed) const {
     Blocks blocks = own().blocks;
     for (const Block& block : wanted)

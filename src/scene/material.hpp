@@ -11,7 +11,7 @@ struct Material {
   double critical_stretch = 0;   // 0: not given
   double fracture_energy = 0;    // [J/m^2]; 0: not given
   double thermal_expansion = 0;  // [1/K]
-  // Law of this material's bonds: the stages that a bond goes through from its critical stretch on.
+  // Law of this material's bonds: the damage stages that a bond goes through from its critical stretch on.
   coupling::TermLaw bond_law = coupling::TermLaw::brittle();
   crack::Resistance resistance = {};  // rules for the fracture energy that tips meet, beyond `fracture_energy`
 

@@ -19,7 +19,8 @@ struct OptionDescription {
   const char* choices;  // words of a text option, separated by " | "; empty if any text is allowed
   const char* default_text;
   bool shapes_operators = false;  // whether saved states fit only scenes with the same value
-  // Function that returns the word in effect if the option leaves the choice to other options; null if it never does.
+  // Function that returns the word that is in effect when the option's own word leaves the decision to other options;
+  // null if it never does.
   std::string (*in_effect)(const Options& options) = nullptr;
 };
 

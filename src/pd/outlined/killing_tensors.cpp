@@ -7,8 +7,8 @@ namespace bempd::pd {
 
 namespace {
 
-// Symmetric products of three of the fields translation in x, translation in y and rotation, at a place: the ten cubic
-// Killing tensors, one column each, with the components in the order 111, 112, 122, 222 (mixed ones added up).
+// The ten cubic Killing tensors at a place, one in each column: symmetric products of three of the fields translation
+// in x, translation in y and rotation. The rows are the components 111, 112, 122, 222; mixed components are added up.
 Eigen::Matrix<double, 4, 10> products_at(const Point& x) {
   const std::array<Point, 3> fields{Point(1, 0), Point(0, 1), Point(-x.y(), x.x())};
   Eigen::Matrix<double, 4, 10> all;

@@ -29,9 +29,9 @@ double bonds_of(const Outline& outline, double spacing, int horizon_ratio) {
   return cells_of(outline, spacing) * static_cast<double>(pd::bond_family(horizon_ratio).size());
 }
 
-// Range of Poisson's ratio for regions with cell squares (extra energy terms of lattice cells). Below the range bonds
-// become soft compared with the cell squares, and cracks start too early. Above it hydrostatic tension hardly stretches
-// bonds (docs/materials.md).
+// Range of Poisson's ratio in peridynamic regions. Below the smallest ratio, bonds would be so much softer than cell
+// squares (extra energy terms of lattice cells) that cracks start too early. Above the largest ratio, hydrostatic
+// tension hardly stretches bonds (docs/materials.md).
 constexpr double least_ratio = -0.2, largest_ratio = 0.49;
 
 std::string list_of(const std::vector<double>& values) {
