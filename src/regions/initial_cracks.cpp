@@ -21,7 +21,7 @@ namespace {
 // any place between the same two rows the crack cuts the same bonds.
 constexpr double crack_shift = 1e-3;
 
-// Number of directions in which a shift is tried.
+// Number of directions that are tried for the shift of a crack beside material points.
 constexpr int shift_directions = 8;
 
 // Distance of a tip from another lattice, in spacings, below which bonds of both lattices act on the tip.

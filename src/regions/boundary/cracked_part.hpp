@@ -26,7 +26,7 @@ struct CrackedPart {
   std::shared_ptr<const bem::NormalOpenings> closing;  // null if crack faces cannot close
 
   // Builds the operator and, if `faces_close`, the contact constraints of crack faces. `before` is the part before its
-  // cracks grew (null: none); what has not changed is taken from there.
+  // cracks grew (null: none), from which the unchanged matrices are taken.
   void build(const BoundaryMesh& mesh, const PlaneElasticity& elasticity, const bem::AssemblyOptions& assembly,
              bool faces_close, const CrackedPart* before);
   // Whether some crack has elements in this part and in `other`.

@@ -72,7 +72,7 @@ class SharedBonds {
   void give(int member, std::vector<int> squares);
 
  private:
-  // Bonds of one member as they are collected.
+  // Bonds of one member while they are collected.
   struct Part {
     pd::Network network;
     SceneBonds bonds;

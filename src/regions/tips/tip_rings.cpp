@@ -147,7 +147,7 @@ TipRings::View TipRings::about(double ahead) const {
 // the crack leaves fewer bonds at its faces, so the dual fields are balanced only far from the tip.
 //
 // The motion is found by a fit together with the first terms of Williams' expansion. Without these terms the fit would
-// take part of the terms of power 1/2 for a rigid motion.
+// take part of the displacements that vary as r^(1/2) with the distance r from the tip for a rigid motion.
 Eigen::VectorXd TipRings::around(const Eigen::VectorXd& displacement) const {
   const auto count = static_cast<Eigen::Index>(nodes_.size());
   Eigen::VectorXd own(2 * count);
