@@ -131,12 +131,21 @@ Accuracy::Level Accuracy::solve(int halvings, std::unique_ptr<PreparedScene>& sc
   return level;
 }
 
+// Solves the scene with elements half as long as those of the last mesh. After a failure no mesh is known: without its
+// scene the last one cannot tell the cost of the next.
 void Accuracy::solve_next() {
   const std::uint64_t now = mark();
   if (mark_ != now) forget();
   mark_ = now;
-  finest_.reset();
-  levels_.push_back(solve(static_cast<int>(levels_.size()), finest_));
+  finest_.reset();  // makes room for the next one
+  try {
+    std::unique_ptr<PreparedScene> scene;
+    levels_.push_back(solve(static_cast<int>(levels_.size()), scene));
+    finest_ = std::move(scene);
+  } catch (...) {
+    forget();
+    throw;
+  }
 }
 
 // Solves a small scene that has two meshes with the elements of the second mesh halved. If the errors are larger than
@@ -271,9 +280,10 @@ void Accuracy::prepare() {
   do {
     while (wants_more() && may_refine()) solve_next();
   } while (solve_halved_once_more());
-  chosen_ = plan_of(levels_.back().cost, true);
+  MeshPlan plan = plan_of(levels_.back().cost, true);
   regions::refine(model_.preparation().scene(), {levels_.back().cost.halvings, 0});
   model_.preparation().exchange(std::move(finest_));
+  chosen_ = std::move(plan);
   const char* left_over = chosen_->meets_wish ? ""
                           : stagnates()
                               ? "; they hardly fall with shorter elements: does a support or a force act at a point?"

@@ -1,0 +1,40 @@
+"""A call that fails leaves nothing behind: neither cracks, nor plans, nor factors of a scene that is gone."""
+
+from __future__ import annotations
+
+import bempd
+import pytest
+from bempd import TipEnd
+
+
+class Enough(Exception):
+    """Raised by a function of the host to cancel a call."""
+
+
+@pytest.mark.parametrize("share", [0.6, 0.999])
+def test_a_plan_that_was_cancelled_in_a_late_mesh_is_made_anew(share: float) -> None:
+    def square(most_calls: float) -> tuple[bempd.Model, list[int]]:
+        calls = [0]
+
+        def pull(x: float, y: float) -> tuple[tuple[float, float], tuple[float, float]]:
+            calls[0] += 1
+            if calls[0] == most_calls:
+                raise Enough
+            return (0, 0), (1, 0)
+
+        model = bempd.Model(options={"error.wanted": 0.05, "test.halvings": 2}, log=lambda level, message: None)
+        body = model.add_body(model.add_material(young_modulus=1, poisson_ratio=0.3), bempd.rectangle(0, 0, 1, 1))
+        model.fix_edge(body, 4)
+        model.add_traction_function(body, 2, pull)
+        return model, calls
+
+    undisturbed, calls = square(0)
+    undisturbed.prepare()
+    model, _ = square(int(share * calls[0]))
+    with pytest.raises(Enough):
+        model.prepare()
+    assert model.plan().boundary_elements > 0
+    model.prepare()
+    assert model.plan().boundary_elements == undisturbed.plan().boundary_elements
+    model.step(1), undisturbed.step(1)
+    assert (model.reaction(1) == undisturbed.reaction(1)).all()
