@@ -94,7 +94,7 @@ RunAnswers run_answers(const fracture::EvolutionState& state) {
 }
 
 double rise_above_peak(const RunAnswers& run, const RunAnswers& other) {
-  if (other.places.empty()) return 0;
+  if (run.places.empty() || other.places.empty()) return 0;
   const double peak = peak_until(run.places, run.places.back().grown).resistance;
   const double highest = peak_until(other.places, other.places.back().grown).resistance;
   return peak > 0 ? std::max(0.0, highest / peak - 1) : 0;
@@ -108,14 +108,21 @@ double largest_turn_of(const RunAnswers& run) {
   return largest;
 }
 
+// The difference of loads of first growth is 1 if cracks have grown in one of the runs only: the other load is unknown.
 RunDifference difference(const RunAnswers& run, const RunAnswers& other) {
   RunDifference found;
-  const double end = run.places.back().grown;
-  const RunAnswers::Place peak = peak_until(run.places, end), other_peak = peak_until(other.places, end);
-  found.peak = over(peak.resistance - other_peak.resistance, peak.resistance);
-  found.is_at_start = peak.grown == 0 && other_peak.grown == 0;
-  const double first = run.extensions.front().load_factor;
-  found.first_growth = other.extensions.empty() ? 1 : over(first - other.extensions.front().load_factor, first);
+  if (!run.places.empty()) {
+    const double end = run.places.back().grown;
+    const RunAnswers::Place peak = peak_until(run.places, end), other_peak = peak_until(other.places, end);
+    found.peak = over(peak.resistance - other_peak.resistance, peak.resistance);
+    found.is_at_start = peak.grown == 0 && other_peak.grown == 0;
+  }
+  if (run.extensions.empty() || other.extensions.empty()) {
+    found.first_growth = run.extensions.empty() && other.extensions.empty() ? 0 : 1;
+  } else {
+    const double first = run.extensions.front().load_factor;
+    found.first_growth = over(first - other.extensions.front().load_factor, first);
+  }
   const std::map<crack::TipId, TipPath> paths = paths_of(run.extensions), others = paths_of(other.extensions);
   const auto consider = [&](const crack::TipId& tip, double apart) {
     if (apart > found.path) found.path = apart, found.crack = tip.crack;

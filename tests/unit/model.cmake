@@ -1,0 +1,1 @@
+bempd_add_unit_test(model_test model_run_answers_test.cpp)
