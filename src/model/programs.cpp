@@ -87,6 +87,9 @@ StepResult LoadDriver::run_program(const scene::LoadTable& table, fracture::Goal
     }
     return sum;
   } catch (...) {
+    // The host's wish to cancel has been heard: it does not end the way back.
+    const CancellationScope no_cancel(nullptr);
+    const ListeningScope no_listener(nullptr);
     model_.states().restore(start);
     throw;
   }

@@ -38,3 +38,28 @@ def test_a_plan_that_was_cancelled_in_a_late_mesh_is_made_anew(share: float) -> 
     assert model.plan().boundary_elements == undisturbed.plan().boundary_elements
     model.step(1), undisturbed.step(1)
     assert (model.reaction(1) == undisturbed.reaction(1)).all()
+
+
+def test_a_program_that_was_cancelled_after_growth_is_taken_back() -> None:
+    model = bempd.Model(options={"stepping.control": "load", "crack.step": 0.2})
+    glass = model.add_material(young_modulus=1, poisson_ratio=0.3, fracture_energy=1e-3)
+    beam = model.add_bem_region(glass, [(0, 0), (4, 0), (4, 1), (0, 1), (0, 0.5)], 0.5)
+    crack = model.add_crack([(0, 0.5), (1, 0.5)])
+    model.fix_edge(beam, 2)
+    model.prescribe_edge(beam, 4, "y", 1)
+    model.prescribe_edge(beam, 5, "y", -1)
+    model.step(0.1)
+    before, grown = model.history(), list[int]()
+
+    def cancel_in_the_second_row(time: float, events: int, broken_bonds: int) -> None:
+        if time > 1:
+            grown.append(events)
+            model.request_cancel()
+
+    model.progress = cancel_in_the_second_row
+    with pytest.raises(bempd.CancelledError):
+        model.run_program([1, 2], [0.24, 0.5])
+    assert grown == [2]  # the first event was in the first row
+    assert model.load_factor == 0.1 and model.crack_length(crack) == 1 and (model.history() == before).all()
+    model.progress = None
+    assert model.step_to_next_event(1).load_factor == pytest.approx(0.184, rel=0.02)
