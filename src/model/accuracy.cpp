@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <string_view>
 #include <utility>
 
 #include "error.hpp"
+#include "hash.hpp"
 #include "model/model.hpp"
 #include "regions/memory_limit.hpp"
 #include "scene/moved_values.hpp"
@@ -55,7 +57,15 @@ double Accuracy::step_share() const { return step_share_ * model_.options().numb
 std::uint64_t Accuracy::mark() const {
   Hash hash;
   const SceneFingerprint found = fingerprint(model_.scene(), model_.options());
-  hash.add(found.body), hash.add(found.supports), hash.add(found.loads);
+  hash.add(found.body), hash.add(found.supports), hash.add(found.loads), hash.add(mark_of_growth());
+  return hash.value();
+}
+
+std::uint64_t Accuracy::mark_of_growth() const {
+  Hash hash;
+  for (const char* option : {"crack.criterion", "crack.load"})
+    hash.add(std::string_view(model_.options().text_value(option)));
+  for (const crack::TipId& tip : model_.growth().frozen()) hash.add(tip.crack), hash.add(tip.end);
   return hash.value();
 }
 
@@ -253,22 +263,6 @@ const MeshPlan& Accuracy::plan() {
 const PreparedScene& Accuracy::scene_of_plan() {
   if (!model_.prepared_or_null() && regions::has_bodies(model_.scene())) plan();
   return model_.prepared_or_null() || !finest_ ? model_.prepared() : *finest_;
-}
-
-// Raises the error of each tip's factors to that of the mesh. The chosen plan has an error for each tip, which holds as
-// long as the tip has not grown and there are no constant loads; else the plan's error relative to the largest factors
-// of all tips holds.
-void Accuracy::raise_errors(std::vector<regions::TipValues>& tips) const {
-  if (!chosen_) return;
-  double largest = 0;
-  for (const regions::TipValues& tip : tips) largest = std::max(largest, tip.factors.norm());
-  for (regions::TipValues& tip : tips) {
-    double error = chosen_->errors.intensity * largest;
-    for (const TipErrors& own : chosen_->errors.tips)
-      if (own.tip == crack::TipId{tip.crack, tip.end} && own.place == tip.place && tip.constant_factors.isZero(0))
-        error = own.relative() * tip.factors.norm();
-    tip.error = std::max(tip.error, error);
-  }
 }
 
 void Accuracy::prepare() {

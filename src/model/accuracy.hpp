@@ -89,6 +89,8 @@ class Accuracy {
 
   // Drops all meshes and plans, because the scene or its loads have changed.
   void forget();
+  // Hash of what decides when tips grow beside the scene: options, and tips that the host has frozen.
+  std::uint64_t mark_of_growth() const;
 
  private:
   friend class TwinRun;

@@ -81,7 +81,7 @@ void CrackTreatments::require_elements() const {
 
 void CrackTreatments::add_patches() {
   const std::vector<regions::LatticeCrack> cracks = in_lattices();
-  if (cracks != lattice_cracks_) remove_patches();
+  if (cracks != lattice_cracks_ || mark_of_growth_ != model_.accuracy().mark_of_growth()) remove_patches();
   require_elements();
   if (cracks.empty()) return;
   const scene::Options& options = model_.options();
@@ -103,7 +103,7 @@ void CrackTreatments::add_patches() {
     throw;
   }
   patches_ = {patches, patches};
-  lattice_cracks_ = cracks;
+  lattice_cracks_ = cracks, mark_of_growth_ = model_.accuracy().mark_of_growth();
 }
 
 void CrackTreatments::remove_patches() noexcept {

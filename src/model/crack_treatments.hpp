@@ -74,6 +74,7 @@ class CrackTreatments {
   std::map<int, regions::BodyLattice> lattices_;
   Laid patches_;
   std::vector<regions::LatticeCrack> lattice_cracks_;  // cracks for which the patches were laid
+  std::uint64_t mark_of_growth_ = 0;                   // Accuracy::mark_of_growth() when they were laid
   std::vector<TipLoad> loads_of_elements_;
 };
 

@@ -11,7 +11,7 @@ scene::Scene& Model::editable_scene() {
     fail(Failure::order,
          "the model is prepared and its scene can no longer change; add everything before the first step or result, or "
          "create a new model");
-  treatments_.remove_patches();
+  treatments_.remove_patches(), accuracy_.forget();
   return preparation_.scene();
 }
 

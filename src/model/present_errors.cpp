@@ -170,4 +170,20 @@ PlaceErrors errors_at(Model& model, const std::vector<Point>& places, const resu
   return errors;
 }
 
+// Raises the error of each tip's factors to that of the mesh. The chosen plan has an error for each tip, which holds as
+// long as the tip has not grown and there are no constant loads; else the plan's error relative to the largest factors
+// of all tips holds.
+void Accuracy::raise_errors(std::vector<regions::TipValues>& tips) const {
+  if (!chosen_) return;
+  double largest = 0;
+  for (const regions::TipValues& tip : tips) largest = std::max(largest, tip.factors.norm());
+  for (regions::TipValues& tip : tips) {
+    double error = chosen_->errors.intensity * largest;
+    for (const TipErrors& own : chosen_->errors.tips)
+      if (own.tip == crack::TipId{tip.crack, tip.end} && own.place == tip.place && tip.constant_factors.isZero(0))
+        error = own.relative() * tip.factors.norm();
+    tip.error = std::max(tip.error, error);
+  }
+}
+
 }  // namespace bempd::model

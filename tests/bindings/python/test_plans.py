@@ -25,6 +25,29 @@ def freeze(model: bempd.Model, crack: int) -> None:
         model.set_tip_frozen(crack, end)
 
 
+def test_a_plan_names_no_tip_that_has_been_frozen_since() -> None:
+    model, first, second = body()
+    load = model.plan().growth_load_factor
+    assert model.plan().growth_crack == first
+    freeze(model, first)
+    assert model.plan().growth_crack == second and model.plan().growth_load_factor > load
+    model.prepare()
+    assert model.plan().growth_crack == second
+    other = body()[0]
+    freeze(other, first)
+    assert other.plan().growth_load_factor == model.plan().growth_load_factor
+
+
+def test_parts_have_loads_of_the_present_function_of_resistance() -> None:
+    model, first, _ = body()
+    glass = 1
+    loads = []
+    for factor in (1, 4):
+        model.set_resistance_function(glass, lambda *tip, factor=factor: factor * 1e-3)
+        loads.append(model.plan().growth_load_factor)
+    assert loads[1] == pytest.approx(2 * loads[0], rel=1e-6)
+
+
 def test_errors_of_a_run_are_told_if_its_crack_grows_in_the_lattice_alone() -> None:
     model = bempd.Model(options={"stepping.control": "load", "crack.load": "fit", "error.wanted": 0.1},
                         log=lambda level, message: None)
