@@ -115,7 +115,7 @@ bempd_status bempd_set_option_text(bempd_model* model, const char* name, const c
   return with_model(model, __func__, [&](model::Model& m) {
     require(name != nullptr, "name is NULL; give an option's name");
     require(value != nullptr, "value is NULL; give one of the option's words");
-    m.options().set_text(name, value);
+    m.set_option_text(name, value);
   });
 }
 

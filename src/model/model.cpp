@@ -2,9 +2,18 @@
 
 #include "error.hpp"
 #include "linalg/blas.hpp"
+#include "model/growth_options.hpp"
 #include "regions/memory_limit.hpp"
 
 namespace bempd::model {
+
+void Model::set_option_text(std::string_view name, std::string_view value) {
+  const KinkCriterion before = growth_criterion(options_);
+  options_.set_text(name, value);
+  if (growth_criterion(options_) == before) return;
+  growth_.forget_factors();  // tips that are known have load factors by the other criterion
+  preparation_.has_changed();
+}
 
 scene::Scene& Model::editable_scene() {
   if (preparation_.prepared())

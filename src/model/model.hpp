@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <string_view>
 
 #include "model/accuracy.hpp"
 #include "model/answers.hpp"
@@ -35,6 +36,8 @@ class Model {
  public:
   scene::Options& options() { return options_; }
   const scene::Options& options() const { return options_; }
+  // Sets a text option; results that it changes are out of date then.
+  void set_option_text(std::string_view name, std::string_view value);
   // Names that the host gave to parts of the scene; messages and files show them.
   scene::Names& names() { return names_; }
   const scene::Names& names() const { return names_; }

@@ -38,6 +38,29 @@ def test_a_plan_names_no_tip_that_has_been_frozen_since() -> None:
     assert other.plan().growth_load_factor == model.plan().growth_load_factor
 
 
+def test_loads_of_growth_are_those_of_the_present_criterion() -> None:
+    other, _, second = body(**{"crack.criterion": "energy"})
+    freeze(other, 1)
+    model = body()[0]
+    freeze(model, 1)
+    before = model.plan().growth_load_factor
+    model.options["crack.criterion"] = "energy"
+    planned = model.plan().growth_load_factor
+    assert planned != before and planned == other.plan().growth_load_factor
+    # The tips of a prepared body, under its own loads and under a combination of cases, have them as well.
+    case = model.add_load_case(supports=[2])
+    loads = []
+    for criterion in ("energy", "hoop"):
+        model.options["crack.criterion"] = criterion
+        own, combined = model.tips()[-1], model.combine({case: 1}).tips[-1]
+        assert own.crack == combined.crack == second
+        loads.append((own.critical_load_factor, combined.critical_load_factor))
+    (own_energy, case_energy), (own_hoop, case_hoop) = loads
+    assert own_energy != own_hoop and case_energy != case_hoop
+    assert own_energy == pytest.approx(case_energy) and own_hoop == pytest.approx(case_hoop)
+    assert math.isclose(own_energy, own_hoop, rel_tol=0.05)
+
+
 def test_parts_have_loads_of_the_present_function_of_resistance() -> None:
     model, first, _ = body()
     glass = 1
