@@ -9,9 +9,20 @@
 #include "crack/cannot_grow.hpp"
 #include "error.hpp"
 #include "model/element_growth.hpp"
+#include "model/kept_cracks.hpp"
 #include "model/model.hpp"
 
 namespace bempd::model {
+
+namespace {
+
+void tell_of_loaded_part(Model& model, const crack::FreesLoadedPart& error) {
+  say([&] {
+    model.reports().log(1, text(error.what(), "; without it the body is separated, and the run ends just before"));
+  });
+}
+
+}  // namespace
 
 TimeSpent time_spent_in(const PreparedScene& prepared) {
   const coupling::SolverCounters& counters = prepared.system->counters();
@@ -69,29 +80,26 @@ std::size_t ElementCarrier::index_of(const crack::TipId& tip) const {
 
 // Scene with longer cracks that `grow` prepares. If there is no such scene, the cracks of the model are `before` again.
 Grown ElementCarrier::grown(const std::vector<scene::Crack>& before, const std::function<Grown()>& grow) {
+  KeptCracks kept(model_.preparation().scene(), before);
   try {
-    return grow();
+    Grown next = grow();
+    kept.release();
+    return next;
   } catch (const crack::CannotGrow& error) {
-    model_.preparation().scene().set_cracks(before);
     say([&] { model_.reports().log(1, error.what()); });
     throw;
   } catch (const crack::FreesLoadedPart& error) {
-    model_.preparation().scene().set_cracks(before);
-    say([&] {
-      model_.reports().log(1, text(error.what(), "; without it the body is separated, and the run ends just before"));
-    });
+    tell_of_loaded_part(model_, error);
     throw;
   }
 }
 
 Grown ElementCarrier::longer(const std::vector<scene::Crack>& before, const Growing& growing,
                              ExtensionDirections directions) {
-  try {
-    return model_.growth().grown(before, growing, directions, on_way_);
-  } catch (...) {
-    model_.preparation().scene().set_cracks(before);
-    throw;
-  }
+  KeptCracks kept(model_.preparation().scene(), before);
+  Grown next = model_.growth().grown(before, growing, directions, on_way_);
+  kept.release();
+  return next;
 }
 
 // Lets the tip of `step` grow, together with the tips that tie with it. If they cannot grow together, those tips are
@@ -118,9 +126,6 @@ crack::Advance ElementCarrier::advance(const crack::Step& step) {
     if (stopped.empty()) stopped.push_back(step.tip);
     body().events().stop(stopped);
     return {{}, true};
-  } catch (const EventGivenUp&) {
-    model_.preparation().scene().set_cracks(before);
-    throw;
   }
 }
 
@@ -131,12 +136,15 @@ std::vector<crack::TipId> ElementCarrier::tips_that_cannot_grow(const Growing& g
   for (std::size_t k = 0; k < growing.tips.size() && growing.tips.size() > 1; ++k) {
     Growing one = growing;
     one.tips = {growing.tips[k]}, one.extensions = {growing.extensions[k]}, one.lengths = {growing.lengths[k]};
+    const KeptCracks kept(model_.preparation().scene(), before);
     try {
       model_.growth().extended_scene(before, one, on_way_);
     } catch (const crack::CannotGrow&) {
       stopped.push_back({growing.tips[k].crack, growing.tips[k].end});
+    } catch (const crack::FreesLoadedPart& error) {
+      tell_of_loaded_part(model_, error);
+      throw;
     }
-    model_.preparation().scene().set_cracks(before);
   }
   return stopped;
 }

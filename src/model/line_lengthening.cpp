@@ -5,6 +5,7 @@
 
 #include "crack/cannot_grow.hpp"
 #include "geometry/turning.hpp"
+#include "model/kept_cracks.hpp"
 
 namespace bempd::model {
 
@@ -196,11 +197,10 @@ bool LineLengthening::continue_in_elements(const Lengthened& one, LongerCracks& 
   std::vector<scene::Crack> cracks;
   in_scene_of(&longer, [&] {
     if (one.tip.method == regions::TipMethod::elements || !behind_border(one.tip)) return;
-    const std::vector<scene::Crack> present = model_.scene().cracks();
+    const KeptCracks kept(model_.preparation().scene(), model_.scene().cracks());
     scene().evolution->sources().bring_up_to_date();
     next = carrier_.continued_in_elements({one.tip.crack, one.tip.end}, false);
     cracks = model_.scene().cracks();
-    model_.preparation().scene().set_cracks(present);
     if (!next)
       throw crack::CannotGrow(text("crack ", one.tip.crack, " has come to boundary elements in which it cannot go on"));
   });

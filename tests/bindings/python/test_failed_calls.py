@@ -63,3 +63,30 @@ def test_a_program_that_was_cancelled_after_growth_is_taken_back() -> None:
     assert model.load_factor == 0.1 and model.crack_length(crack) == 1 and (model.history() == before).all()
     model.progress = None
     assert model.step_to_next_event(1).load_factor == pytest.approx(0.184, rel=0.02)
+
+
+def test_a_growth_that_would_separate_the_body_leaves_its_crack() -> None:
+    """Two tips tie: one cannot grow, and the other one would cut off a corner that has weight."""
+    model = bempd.Model(options={"stepping.control": "load", "crack.tie_share": 1e9, "contact": "none"}, log=lambda level, message: None)
+    glass = model.add_material(young_modulus=1, poisson_ratio=1 / 3, fracture_energy=1)
+    elements = model.add_bem_region(glass, bempd.rectangle(0, 0, 30, 48), 3)
+    lattice = model.add_pd_region(glass, bempd.rectangle(30, 0, 48, 48), 1.0, 3)
+    standing = model.add_crack([(28.5, 28.9), (32.5, 32.6)])
+    blocked = model.add_crack([(16, 30.1), (28, 30.1)])  # by the one before, at the first points of the lattice
+    cutter = model.add_crack([(0, 42), (5.9, 47.9)])
+    for crack, end in ((standing, TipEnd.START), (standing, TipEnd.END), (blocked, TipEnd.START)):
+        model.set_tip_frozen(crack, end)
+    for region, part in ((elements, (0, 0.7)), (lattice, (0, 1))):
+        model.prescribe_edge(region, 1, "y", -1.0)
+        model.prescribe_edge(region, 3, "y", 1.0, part=part)
+    weight = model.add_body_force(elements, "y", 1e-3)
+    model.fix_point((0, 0), "x")
+    assert model.step_to_next_event(1e9).stop_reason is bempd.StopReason.SEPARATED
+    assert model.extensions() == []
+    # No corner comes off when another tip grows without the weight, while this tip is kept where it is.
+    model.set_load_values(weight, 0)
+    for crack in (blocked, cutter):
+        model.set_tip_frozen(crack, TipEnd.END)
+    model.set_tip_frozen(blocked, TipEnd.START, False)
+    report = model.step_to_next_event(1e9)
+    assert [one.crack for one in model.extensions()] == [blocked] and report.fragments == 0
