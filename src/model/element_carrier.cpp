@@ -158,6 +158,7 @@ void ElementCarrier::change_scene(std::unique_ptr<PreparedScene> next,
                                   const std::function<void(const PreparedScene&)>& tell) {
   spent_.add(time_spent_in(model_.prepared()));
   next = model_.preparation().exchange(std::move(next));
+  model_.growth().forget_factors();
   model_.preparation().has_changed();
   is_known_ = false;
   say([&] { tell(*next); });
@@ -232,6 +233,7 @@ void ElementCarrier::take_back() noexcept {
   model_.preparation().scene().set_cracks(std::move(cracks_));
   model_.treatments().go_back_to(std::move(patches_));
   if (start_) model_.preparation().exchange(std::move(start_));
+  model_.growth().forget_factors();
   model_.preparation().has_changed();
 }
 

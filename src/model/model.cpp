@@ -69,6 +69,7 @@ void Model::call_failed(bool was_prepared, bool unsolvable) noexcept {
   const bool has_begun = state.in_equilibrium || !state.history.empty() || state.load_factor != 0;
   if (was_prepared && (has_begun || !unsolvable)) return;
   preparation_.exchange(nullptr);
+  growth_.forget_factors();
   treatments_.remove_patches(), accuracy_.forget();
   loads_.present() = {};
   results_.forget();

@@ -65,6 +65,27 @@ def test_a_program_that_was_cancelled_after_growth_is_taken_back() -> None:
     assert model.step_to_next_event(1).load_factor == pytest.approx(0.184, rel=0.02)
 
 
+def test_growth_after_a_failed_call_asks_the_present_material() -> None:
+    """The scene of the failed call may have been where that of the next one is."""
+    loads = []
+    for _ in range(8):
+        model = bempd.Model(options={"stepping.control": "path"})
+        glass = model.add_material(young_modulus=1, poisson_ratio=0.3, fracture_energy=1e-3)
+        plate = model.add_bem_region(glass, bempd.rectangle(0, 0, 2, 2), 1)
+        crack = model.add_crack([(0, 1), (0.4, 1)])
+        model.fix_edge(plate, 1)
+        model.prescribe_edge(plate, 3, "y", 1)
+        for end in TipEnd:
+            model.set_tip_frozen(crack, end)
+        with pytest.raises(bempd.ArgumentError, match="frozen"):
+            model.grow_cracks(0.1)
+        for end in TipEnd:
+            model.set_tip_frozen(crack, end, False)
+        model.set_resistance_curve(glass, [0], [4e-3])
+        loads.append(model.grow_cracks(0.1).load_factor)
+    assert loads == pytest.approx([loads[0]] * len(loads)) and loads[0] > 0.1  # 0.065 at the material's own energy
+
+
 def test_a_growth_that_would_separate_the_body_leaves_its_crack() -> None:
     """Two tips tie: one cannot grow, and the other one would cut off a corner that has weight."""
     model = bempd.Model(options={"stepping.control": "load", "crack.tie_share": 1e9, "contact": "none"}, log=lambda level, message: None)
