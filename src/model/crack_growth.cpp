@@ -68,7 +68,7 @@ bool CrackGrowth::is_driven_by(const fracture::SteppingOptions& stepping) const 
 }
 
 void CrackGrowth::set_frozen(int crack, int end, bool frozen) {
-  if (crack > model_.cracks().count()) model_.scene().crack(crack);  // throws
+  if (crack < 1 || crack > model_.cracks().count()) model_.scene().crack(crack);  // throws
   if (frozen) {
     frozen_.insert({crack, end});
   } else {

@@ -306,6 +306,8 @@ static void misuse(void) {
   add_crack(model, -0.4, 0, 0.4, 0);
   pull(model);
   CHECK_FAILS(model, BEMPD_ERROR_ARGUMENT, "crack 2", bempd_set_tip_frozen(model, 2, BEMPD_CRACK_END, 1));
+  CHECK_FAILS(model, BEMPD_ERROR_ARGUMENT, "crack 0", bempd_set_tip_frozen(model, 0, BEMPD_CRACK_END, 1));
+  CHECK_FAILS(model, BEMPD_ERROR_ARGUMENT, "crack -1", bempd_set_tip_frozen(model, -1, BEMPD_CRACK_END, 0));
   CHECK_FAILS(model, BEMPD_ERROR_ARGUMENT, "end is 3", bempd_set_tip_frozen(model, 1, 3, 1));
   CHECK_FAILS(model, BEMPD_ERROR_ARGUMENT, "frozen is 2", bempd_set_tip_frozen(model, 1, BEMPD_CRACK_END, 2));
   CHECK_FAILS(model, BEMPD_ERROR_ARGUMENT, "count", bempd_extension_count(model, NULL));
