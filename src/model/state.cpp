@@ -15,24 +15,7 @@
 
 namespace bempd::model {
 
-bool is_sound(const fracture::GrowingTip& tip) {
-  const auto is_ratio = [](double ratio) { return ratio >= 0 && std::isfinite(ratio); };
-  return tip.place.allFinite() && std::abs(tip.direction.norm() - 1) < 1e-6 && tip.law >= 0 && tip.id.crack >= 1 &&
-         (tip.id.end == 0 || tip.id.end == 1) && std::isfinite(tip.even_ahead.value_or(0)) && tip.grown >= 0 &&
-         std::isfinite(tip.grown) && tip.state <= crack::TipState::carried_on &&
-         std::all_of(tip.energy_ratios.begin(), tip.energy_ratios.end(), is_ratio);
-}
-
 namespace {
-
-// Throws Error (argument) for a state of format 15 or older if the scene places the cuts of initial cracks by their
-// effective tips, because versions of that format did not do so.
-void require_same_ends(const SavedState& saved, const regions::LatticeCracks& cracks) {
-  const bool are_placed = std::ranges::any_of(cracks.even_ahead, [](const auto& ends) { return ends[0] || ends[1]; });
-  require(saved.format > 15 || !are_placed, "the state has format version ", saved.format,
-          ", in which initial cracks of lattices acted up to 0.6 spacings longer; repeat the run, or go on with the "
-          "version of bempd that wrote it");
-}
 
 // Throws Error (argument) unless a state belongs to this body: numbers that are consistent may be those of another
 // body.
@@ -238,34 +221,25 @@ std::unique_ptr<PreparedScene> States::as_grown(const fracture::EvolutionState& 
   return grown;
 }
 
-void States::grow_as(const SavedState& state) {
-  const std::vector<scene::Crack> cracks = model_.scene().cracks();
-  const std::vector<regions::Patch> patches = model_.treatments().patches();
+void States::grow_as(const SavedState& state, const std::function<void()>& go_on) {
+  std::vector<scene::Crack> cracks = model_.scene().cracks();
+  std::vector<regions::Patch> patches = model_.treatments().patches();
+  std::unique_ptr<PreparedScene> before;
   try {
     std::unique_ptr<PreparedScene> grown = as_grown(state.evolution);
     require_fit(state, grown ? *grown : model_.prepared());
-    if (grown) model_.preparation().exchange(std::move(grown));
+    if (grown) before = model_.preparation().exchange(std::move(grown));
+    go_on();
   } catch (...) {
-    model_.preparation().scene().set_cracks(cracks);
-    model_.treatments().go_back_to(patches);
+    if (before) model_.preparation().exchange(std::move(before));
+    model_.growth().forget_factors();
+    model_.preparation().scene().set_cracks(std::move(cracks));
+    model_.treatments().go_back_to(std::move(patches));
     throw;
   }
 }
 
-void States::restore_body(const SavedState& state) {
-  const SceneFingerprint& present = model_.prepared().fingerprint;
-  std::vector<RememberedOverload> overloads = overloads_of(state.overloads);
-  require(state.scene.body == (state.format == 14 ? present.body_of_format_14 : present.body),
-          "the state belongs to another scene; restore it into the model that was saved or one built in the same way");
-  require_same_ends(state, model_.prepared().in_lattices);
-  require(state.scene.supports == present.supports,
-          "the state was saved with other supports, or with the same ones in another order; add those of the model "
-          "that was saved, in its order");
-  grow_as(state);
-  fracture::EvolutionState copy = state.evolution;
-  fracture::Continuation continuation = state.continuation;
-  std::vector<results::TipRecord> tips = state.tips;
-  RunJournal journal = RunJournal::continued(state.journal);
+LoadValues::ActingValues States::take_loads(const SavedState& state, fracture::EvolutionState& evolution) {
   LoadValues::ActingValues loads;
   if (state.in_force) loads.in_force = fitted(*state.in_force, model_.scene().values());
   regions::DofConditions conditions = model_.loads().conditions_under(model_.scene().values());
@@ -276,8 +250,8 @@ void States::restore_body(const SavedState& state) {
   const bool known = loads.acting == Acting::values || are_known(state.acting_values, model_.scene().values());
   if (!known) {  // unknown functions, or other loads: the present values act at once
     if (loads.acting == Acting::earlier) loads.acting = Acting::values;
-    copy.in_equilibrium = false;
-    copy.first_unit_energy = -1;
+    evolution.in_equilibrium = false;
+    evolution.first_unit_energy = -1;
   }
   if (loads.acting != Acting::values) {
     scene::SceneValues acting = fitted(state.acting_values, model_.scene().values());
@@ -289,6 +263,24 @@ void States::restore_body(const SavedState& state) {
     }
   }
   model_.loads().replace(std::move(conditions), loads.acting);
+  return loads;
+}
+
+void States::restore_body(const SavedState& state) {
+  const SceneFingerprint& present = model_.prepared().fingerprint;
+  std::vector<RememberedOverload> overloads = overloads_of(state.overloads);
+  require(state.scene.body == (state.format == 14 ? present.body_of_format_14 : present.body),
+          "the state belongs to another scene; restore it into the model that was saved or one built in the same way");
+  require_same_ends(state, model_.prepared().in_lattices);
+  require(state.scene.supports == present.supports,
+          "the state was saved with other supports, or with the same ones in another order; add those of the model "
+          "that was saved, in its order");
+  fracture::EvolutionState copy = state.evolution;
+  fracture::Continuation continuation = state.continuation;
+  std::vector<results::TipRecord> tips = state.tips;
+  RunJournal journal = RunJournal::continued(state.journal);
+  LoadValues::ActingValues loads;
+  grow_as(state, [&] { loads = take_loads(state, copy); });
   model_.prepared().evolution->restore(std::move(copy), std::move(continuation));
   model_.loads().present() = std::move(loads);
   model_.cracks().set_history(std::move(tips));

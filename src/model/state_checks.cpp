@@ -127,4 +127,19 @@ void require_consistent(const SavedState& state) {
   }
 }
 
+bool is_sound(const fracture::GrowingTip& tip) {
+  const auto is_ratio = [](double ratio) { return ratio >= 0 && std::isfinite(ratio); };
+  return tip.place.allFinite() && std::abs(tip.direction.norm() - 1) < 1e-6 && tip.law >= 0 && tip.id.crack >= 1 &&
+         (tip.id.end == 0 || tip.id.end == 1) && std::isfinite(tip.even_ahead.value_or(0)) && tip.grown >= 0 &&
+         std::isfinite(tip.grown) && tip.state <= crack::TipState::carried_on &&
+         std::all_of(tip.energy_ratios.begin(), tip.energy_ratios.end(), is_ratio);
+}
+
+void require_same_ends(const SavedState& saved, const regions::LatticeCracks& cracks) {
+  const bool are_placed = std::ranges::any_of(cracks.even_ahead, [](const auto& ends) { return ends[0] || ends[1]; });
+  require(saved.format > 15 || !are_placed, "the state has format version ", saved.format,
+          ", in which initial cracks of lattices acted up to 0.6 spacings longer; repeat the run, or go on with the "
+          "version of bempd that wrote it");
+}
+
 }  // namespace bempd::model

@@ -10,6 +10,10 @@ void require_consistent(const SavedState& state);
 
 bool is_sound(const fracture::GrowingTip& tip);
 
+// Throws Error (argument) for a state of format 15 or older if the scene places the cuts of initial cracks by their
+// effective tips, because versions of that format did not do so.
+void require_same_ends(const SavedState& saved, const regions::LatticeCracks& cracks);
+
 // Whether a continuation fits the saved state and the scene (continuation_checks.cpp).
 bool fits(const fracture::Continuation& continuation, const fracture::EvolutionState& state,
           const PreparedScene& scene);

@@ -1,9 +1,11 @@
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <vector>
 
 #include "crack/extension.hpp"
+#include "model/load_values.hpp"
 #include "model/prepared_scene.hpp"
 #include "model/saved_state.hpp"
 
@@ -22,9 +24,11 @@ class States {
 
  private:
   void restore_body(const SavedState& state);
-  // Prepares the scene with the crack growth of a saved state, and checks that the state fits the scene. After a
-  // failure the scene is as before.
-  void grow_as(const SavedState& state);
+  // Prepares the scene with the crack growth of a saved state, checks that the state fits the scene, and calls `go_on`
+  // in it. After a failure the scene is as before.
+  void grow_as(const SavedState& state, const std::function<void()>& go_on);
+  // Lets the loads of a saved state act on the prepared scene, as far as they are known. `evolution` is the state's.
+  LoadValues::ActingValues take_loads(const SavedState& state, fracture::EvolutionState& evolution);
   // Scene with the crack growth of a saved state; null if the present scene has this growth already.
   std::unique_ptr<PreparedScene> as_grown(const fracture::EvolutionState& state);
   bool has_grown_as(const fracture::EvolutionState& state) const;
