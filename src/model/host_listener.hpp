@@ -24,6 +24,7 @@ class HostListener final : public PhaseListener {
 
   void tell(Function function) { function_ = std::move(function); }
   void write(Log log) { log_ = std::move(log); }
+  Log exchange_log(Log log) noexcept { return std::exchange(log_, std::move(log)); }
 
   // Returns this listener, or null if the host has given no function.
   PhaseListener* or_null() { return function_ || log_ ? this : nullptr; }

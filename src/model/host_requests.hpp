@@ -25,13 +25,15 @@ class HostRequests {
   }
   void set_phase_progress(HostListener::Function function) { phases_.tell(std::move(function)); }
   const Log& log() const { return log_; }
-  // Functions for progress and log. While they are exchanged for empty functions, a call reports nothing.
+  // Functions for progress and log, also for the log of phases. While they are exchanged for empty functions, a call
+  // reports nothing but its phases to the host's phase function.
   struct Listeners {
     Progress progress;
-    Log log;
+    Log log, log_of_phases;
   };
   Listeners exchange(Listeners next) noexcept {
-    return {std::exchange(progress_, std::move(next.progress)), std::exchange(log_, std::move(next.log))};
+    return {std::exchange(progress_, std::move(next.progress)), std::exchange(log_, std::move(next.log)),
+            phases_.exchange_log(std::move(next.log_of_phases))};
   }
   PhaseListener* phase_listener() { return phases_.or_null(); }
   // Calls the host's progress function; returns false if the function asks to stop.

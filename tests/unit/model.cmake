@@ -1,1 +1,1 @@
-bempd_add_unit_test(model_test model_run_answers_test.cpp)
+bempd_add_unit_test(model_test model_host_requests_test.cpp model_run_answers_test.cpp)
