@@ -4,6 +4,9 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <tuple>
+
+#include "cancellation.hpp"
 
 namespace bempd {
 
@@ -15,27 +18,55 @@ Block beside(const Block& block, const Block& step, int count = 1) {
   return {block[0] + count * step[0], block[1] + count * step[1]};
 }
 
-// Missing blocks that `blocks` enclose.
+// Blocks of a column that are not in a set, from the row `low` to `high`, and the number of their connected part.
+struct FreeRows {
+  int column, low, high, part;
+};
+
+// Gaps in the columns of a set of blocks and in one column on either side. Each reaches at most one row past the set.
+std::vector<FreeRows> free_rows_beside(const Blocks& blocks) {
+  int lowest = (*blocks.begin())[1], highest = lowest;
+  for (const Block& block : blocks) lowest = std::min(lowest, block[1]), highest = std::max(highest, block[1]);
+  const int first = (*blocks.begin())[0] - 1, last = (*blocks.rbegin())[0] + 1;
+  std::vector<FreeRows> gaps;
+  auto block = blocks.begin();
+  for (int column = first; column <= last; ++column) {
+    int low = lowest - 1;
+    const auto add = [&](int high) {
+      if (low <= high) gaps.push_back({column, low, high, static_cast<int>(gaps.size())});
+    };
+    for (; block != blocks.end() && (*block)[0] == column; ++block) add((*block)[1] - 1), low = (*block)[1] + 1;
+    add(highest + 1);
+  }
+  return gaps;
+}
+
+// Missing blocks that `blocks` enclose. The gaps of neighbouring columns are joined where they have a row in common, so
+// that the work grows with the number of blocks, and not with the box around them.
 Blocks enclosed(const Blocks& blocks) {
   if (blocks.empty()) return {};
-  Block low = *blocks.begin(), high = low;
-  for (const Block& block : blocks)
-    for (int k = 0; k < 2; ++k) low[k] = std::min(low[k], block[k] - 1), high[k] = std::max(high[k], block[k] + 1);
-  Blocks outside{low};
-  std::vector<Block> waiting{low};
-  while (!waiting.empty()) {
-    const Block block = waiting.back();
-    waiting.pop_back();
-    for (const Block& side : sides) {
-      const Block next = beside(block, side);
-      const bool within = next[0] >= low[0] && next[0] <= high[0] && next[1] >= low[1] && next[1] <= high[1];
-      if (within && !blocks.count(next) && outside.insert(next).second) waiting.push_back(next);
+  std::vector<FreeRows> gaps = free_rows_beside(blocks);
+  const auto part_of = [&](int gap) {
+    while (gaps[static_cast<std::size_t>(gap)].part != gap) {
+      int& part = gaps[static_cast<std::size_t>(gap)].part;
+      gap = part = gaps[static_cast<std::size_t>(part)].part;
+    }
+    return gap;
+  };
+  for (std::size_t one = 0, other = 0; one < gaps.size(); ++one) {
+    const FreeRows& gap = gaps[one];
+    while (other < gaps.size() &&
+           (gaps[other].column <= gap.column || (gaps[other].column == gap.column + 1 && gaps[other].high < gap.low)))
+      ++other;
+    for (std::size_t k = other; k < gaps.size() && gaps[k].column == gap.column + 1 && gaps[k].low <= gap.high; ++k) {
+      const int a = part_of(static_cast<int>(one)), b = part_of(static_cast<int>(k));
+      gaps[static_cast<std::size_t>(std::max(a, b))].part = std::min(a, b);
     }
   }
   Blocks found;
-  for (int i = low[0]; i <= high[0]; ++i)
-    for (int j = low[1]; j <= high[1]; ++j)
-      if (!blocks.count({i, j}) && !outside.count({i, j})) found.insert({i, j});
+  for (std::size_t k = 0; k < gaps.size(); ++k)
+    if (part_of(static_cast<int>(k)) != 0)
+      for (int row = gaps[k].low; row <= gaps[k].high; ++row) found.insert({gaps[k].column, row});
   return found;
 }
 
@@ -73,15 +104,25 @@ double distance(const Box& box, const Segment& segment) {
   return least;
 }
 
+// Only the part of the segment beside a column is looked at there, so that the work grows with the segment's length.
 Blocks BlockGrid::near(const Segment& segment, double reach) const {
   const auto number = [&](double coordinate, int axis) {
     return static_cast<int>(std::floor((coordinate - origin[axis]) / size));
   };
   const Point low = segment.start.cwiseMin(segment.end), high = segment.start.cwiseMax(segment.end);
+  const double run = segment.end.x() - segment.start.x();
   Blocks found;
-  for (int i = number(low.x() - reach, 0); i <= number(high.x() + reach, 0); ++i)
-    for (int j = number(low.y() - reach, 1); j <= number(high.y() + reach, 1); ++j)
+  for (int i = number(low.x() - reach, 0); i <= number(high.x() + reach, 0); ++i) {
+    check_cancelled();
+    const double left = corner(i, 0).x() - reach - 0.5 * size, right = corner(i + 1, 0).x() + reach + 0.5 * size;
+    double bottom = low.y(), top = high.y();
+    if (std::abs(run) > right - left) {
+      const auto height = [&](double x) { return segment.at(std::clamp((x - segment.start.x()) / run, 0.0, 1.0)).y(); };
+      std::tie(bottom, top) = std::minmax({height(left), height(right)});
+    }
+    for (int j = number(bottom - reach, 1); j <= number(top + reach, 1); ++j)
       if (distance(box({i, j}), segment) < reach) found.insert({i, j});
+  }
   return found;
 }
 

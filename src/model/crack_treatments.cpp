@@ -88,7 +88,7 @@ void CrackTreatments::add_patches() {
   require(options.text_value("scheme") == "symmetric", "lattice patches need the option scheme = symmetric; it is ",
           options.text_value("scheme"));
   if (!patches().empty()) return;
-  std::vector<regions::Patch> patches = regions::lay_out_patches(model_.scene(), cracks, lattices_);
+  std::vector<regions::Patch> patches = regions::lay_out_patches(model_.scene(), options, cracks, lattices_);
   loads_of_elements_.clear();
   try {
     loads_of_elements_ = model_.accuracy().loads_of_elements();

@@ -4,7 +4,10 @@
 #include <cmath>
 #include <limits>
 
+#include "cancellation.hpp"
 #include "error.hpp"
+#include "regions/lattice/peridynamic_description.hpp"
+#include "regions/memory_limit.hpp"
 
 namespace bempd::regions {
 
@@ -25,6 +28,9 @@ constexpr double blocks_of_room = 3;
 // Distance from a mouth (end of a crack on an edge), in blocks, within which the crack may have elements in place of
 // lattice.
 constexpr double blocks_at_mouth = 5;
+
+// Loop of a wall that is a crack in a lattice.
+constexpr int other_lattice_crack = -2;
 
 std::string name_of(const CrackInBody& crack) { return text("crack ", crack.crack.id); }
 
@@ -76,8 +82,8 @@ std::vector<Segment> pieces_between(const std::vector<Point>& points, const std:
   return pieces;
 }
 
-PatchLayout::PatchLayout(const scene::Scene& scene, int body, std::vector<CrackInBody> cracks,
-                         const BodyLattice& lattice)
+PatchLayout::PatchLayout(const scene::Scene& scene, const scene::Options& options, int body,
+                         std::vector<CrackInBody> cracks, const BodyLattice& lattice)
     : body_(body), cracks_(std::move(cracks)), walls_(scene.region(body).outline()) {
   for (int id = 1; id <= static_cast<int>(scene.cracks().size()); ++id) {
     const std::vector<Point>& points = scene.cracks()[static_cast<std::size_t>(id) - 1].points;
@@ -85,30 +91,60 @@ PatchLayout::PatchLayout(const scene::Scene& scene, int body, std::vector<CrackI
         std::any_of(cracks_.begin(), cracks_.end(), [&](const CrackInBody& c) { return c.crack.id == id; });
     for (std::size_t i = 0; i + 1 < points.size(); ++i) {
       const Segment piece{points[i], points[i + 1]};
-      is_ours ? own_cracks_.push_back({piece, -1, text("crack ", id)}) : walls_.add_crack(piece, id);
+      is_ours ? own_cracks_.push_back({piece, other_lattice_crack, text("crack ", id)}) : walls_.add_crack(piece, id);
     }
   }
   ratio_ = lattice.horizon_ratio > 0 ? lattice.horizon_ratio : usual_horizon_ratio;
-  spacing_ = lattice.spacing > 0 ? lattice.spacing : chosen_spacing();
+  std::string reason;
+  spacing_ = lattice.spacing > 0 ? lattice.spacing : chosen_spacing(reason);
+  require_memory_of_bands(scene.material_of(body), reason, options);
   grid_ = {origin(), 2 * ratio_ * spacing_};
 }
 
 // Largest lattice spacing with which every crack is long enough in spacings, and the blocks around the tips have room.
-double PatchLayout::chosen_spacing() const {
+// `reason` becomes the wall or the other crack that asks for so small a spacing, if one does.
+double PatchLayout::chosen_spacing(std::string& reason) const {
   const double spacings_between_cracks = 3 * ratio_;
   const double room = blocks_of_room * 2 * ratio_;  // in spacings
   double spacing = std::numeric_limits<double>::infinity();
   for (const CrackInBody& crack : cracks_) {
     const double points = least_per_tip * std::max<double>(1, static_cast<double>(crack.tips.size()));
-    spacing = std::min(spacing, crack.length() / std::max(points, crack.mouths.empty() ? 0 : room));
+    const double along = crack.length() / std::max(points, crack.mouths.empty() ? 0 : room);
+    if (along < spacing) spacing = along, reason.clear();
     for (const CrackInBody::Tip& tip : crack.tips) {
-      for (const Wall& wall : walls_.all()) spacing = std::min(spacing, distance(wall.piece, tip.place) / room);
+      const auto leave_room = [&](const Wall& wall, double spacings) {
+        const double apart = distance(wall.piece, tip.place);
+        if (apart / spacings >= spacing) return;
+        spacing = apart / spacings;
+        reason = text(", because ", name_of(crack), " ends ", apart, " away from ", wall.name);
+        require(apart > 0, name_of(crack), " ends on ", wall.name, " at (", tip.place.x(), ", ", tip.place.y(),
+                "), so that no spacing of its lattice patch leaves room between them; give it another treatment",
+                wall.loop == other_lattice_crack ? ", or choose the spacing with bempd_set_body_lattice()" : "");
+      };
+      for (const Wall& wall : walls_.all()) leave_room(wall, room);
       for (const Wall& wall : own_cracks_)
-        if (wall.name != name_of(crack))
-          spacing = std::min(spacing, distance(wall.piece, tip.place) / spacings_between_cracks);
+        if (wall.name != name_of(crack)) leave_room(wall, spacings_between_cracks);
     }
   }
   return spacing;
+}
+
+// Throws Error (argument) if the blocks along one crack need more memory than there is, before any are laid.
+void PatchLayout::require_memory_of_bands(const scene::Material& material, const std::string& reason,
+                                          const scene::Options& options) const {
+  constexpr double most_bonds = std::numeric_limits<int>::max();
+  double longest = 0;  // in blocks, without what mouths leave out
+  for (const CrackInBody& crack : cracks_)
+    longest = std::max(
+        longest, crack.length() / (2 * ratio_ * spacing_) - blocks_at_mouth * static_cast<double>(crack.mouths.size()));
+  const double cells_of_block = std::pow(2 * ratio_, 2);
+  scene::SizeEstimate least;
+  add_size_of_cells(material, 2 * least_patch_reach * longest * cells_of_block, ratio_, least);
+  const std::string spacing = text(" with a spacing of ", spacing_, reason);
+  const std::string advice = "choose a larger spacing with bempd_set_body_lattice(), or another treatment of the crack";
+  require(least.bonds <= most_bonds, "lattice patches of body ", body_, " would have more than ", least.bonds, " bonds",
+          spacing, "; the limit is ", most_bonds, ": ", advice);
+  require_memory_for(least.bytes, text("lattice patches of body ", body_, spacing), advice, options);
 }
 
 // Distance of the first crack from the material points if the lattice has this origin, in spacings, at most 1.
@@ -118,6 +154,7 @@ double PatchLayout::clearance(const Point& origin) const {
     const Segment scaled{(piece.start - origin) / spacing_, (piece.end - origin) / spacing_};
     const int count = static_cast<int>(std::ceil(4 * scaled.length()));
     for (int i = 0; i <= count; ++i) {
+      if (i % 1024 == 0) check_cancelled();
       const Point cell = scaled.at(static_cast<double>(i) / count).array().floor();
       for (const Point& corner : {Point(0, 0), Point(1, 0), Point(0, 1), Point(1, 1)})
         least = std::min(least, distance(scaled, cell + corner));
@@ -149,6 +186,7 @@ Point PatchLayout::origin() const {
 // crack. Walls of the boundary loop on which a mouth of the crack lies nearby are allowed, unless `along` is a tip.
 void PatchLayout::require_room(const CrackInBody& crack, const Segment& along, bool is_tip) {
   for (const Block& block : grid_.near(along, grid_.size * less_rounding)) {
+    check_cancelled();
     const Wall* wall = walls_.nearest_to(grid_.box(block));
     if (!wall) continue;
     const Point centre = grid_.box(block).center();

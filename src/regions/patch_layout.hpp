@@ -16,7 +16,7 @@ inline constexpr double less_rounding = 1 - 1e-9;
 // Wall: straight piece of an edge of a body or of a crack with elements, from which lattice patches keep a distance.
 struct Wall {
   Segment piece;
-  int loop;          // number of the outline's loop; -1: a crack
+  int loop;          // number of the outline's loop; below 0: a crack
   std::string name;  // name for messages
 };
 
@@ -69,12 +69,16 @@ struct CrackInBody {
 // Lays out the lattice patches of one body: blocks of lattice cells around its cracks.
 class PatchLayout {
  public:
-  PatchLayout(const scene::Scene& scene, int body, std::vector<CrackInBody> cracks, const BodyLattice& lattice);
+  // Throws Error (argument) if its lattices need more memory than there is.
+  PatchLayout(const scene::Scene& scene, const scene::Options& options, int body, std::vector<CrackInBody> cracks,
+              const BodyLattice& lattice);
 
   std::vector<Patch> patches();
 
  private:
-  double chosen_spacing() const;
+  double chosen_spacing(std::string& reason) const;
+  void require_memory_of_bands(const scene::Material& material, const std::string& reason,
+                               const scene::Options& options) const;
   double clearance(const Point& origin) const;
   Point origin() const;
   bool is_allowed(const Block& block) const { return !walls_.nearest_to(grid_.box(block)); }

@@ -44,7 +44,8 @@ CrackInBody part_of(const scene::Scene& scene, int region, const LatticeCrack& c
 
 }  // namespace
 
-std::vector<Patch> lay_out_patches(const scene::Scene& scene, const std::vector<LatticeCrack>& cracks,
+std::vector<Patch> lay_out_patches(const scene::Scene& scene, const scene::Options& options,
+                                   const std::vector<LatticeCrack>& cracks,
                                    const std::map<int, BodyLattice>& lattices) {
   const double tolerance = 10 * geometric_tolerance(scene.bounding_box());
   std::map<int, std::vector<CrackInBody>> in_body;
@@ -67,7 +68,8 @@ std::vector<Patch> lay_out_patches(const scene::Scene& scene, const std::vector<
   std::vector<Patch> all;
   for (auto& [body, inside_it] : in_body) {
     const auto lattice = lattices.find(body);
-    PatchLayout layout(scene, body, std::move(inside_it), lattice == lattices.end() ? BodyLattice{} : lattice->second);
+    PatchLayout layout(scene, options, body, std::move(inside_it),
+                       lattice == lattices.end() ? BodyLattice{} : lattice->second);
     for (Patch& patch : layout.patches()) all.push_back(std::move(patch));
   }
   return all;

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "geometry/blocks.hpp"
+#include "scene/options.hpp"
 #include "scene/scene.hpp"
 
 namespace bempd::regions {
@@ -39,10 +40,10 @@ struct Patch {
 };
 
 // Lays out the lattice patches of cracks that are to run in lattices, by the rules of docs/bodies.md. Cracks in
-// peridynamic regions get no patch. Throws Error (argument) where a patch has no room, or a crack does not lie in one
-// body.
-std::vector<Patch> lay_out_patches(const scene::Scene& scene, const std::vector<LatticeCrack>& cracks,
-                                   const std::map<int, BodyLattice>& lattices);
+// peridynamic regions get no patch. Throws Error (argument) where a patch has no room or not enough memory, or a crack
+// does not lie in one body.
+std::vector<Patch> lay_out_patches(const scene::Scene& scene, const scene::Options& options,
+                                   const std::vector<LatticeCrack>& cracks, const std::map<int, BodyLattice>& lattices);
 
 // Tip of a crack in a lattice after a step of its growth, and the unit vector of the step.
 struct SteppedTip {

@@ -1,3 +1,3 @@
 bempd_add_unit_test(geometry_test geometry_test.cpp geometry_arc_test.cpp geometry_arrangement_test.cpp
-  geometry_body_mesh_test.cpp geometry_crack_lines_test.cpp geometry_gaps_test.cpp geometry_many_test.cpp geometry_coarse_sizes_test.cpp
+  geometry_blocks_test.cpp geometry_body_mesh_test.cpp geometry_crack_lines_test.cpp geometry_gaps_test.cpp geometry_many_test.cpp geometry_coarse_sizes_test.cpp
   geometry_outline_test.cpp geometry_rectilinear_test.cpp geometry_subdomains_test.cpp)

@@ -25,8 +25,18 @@ constexpr double bytes_per_square = 320;
 
 double cells_of(const Outline& outline, double spacing) { return area(outline) / (spacing * spacing); }
 
-double bonds_of(const Outline& outline, double spacing, int horizon_ratio) {
-  return cells_of(outline, spacing) * static_cast<double>(pd::bond_family(horizon_ratio).size());
+double bonds_of(double cells, int horizon_ratio) {
+  return cells * static_cast<double>(pd::bond_family(horizon_ratio).size());
+}
+
+double squares_per_cell_of(const scene::Material& material) {
+  return static_cast<double>(pd::cell_squares(material.elasticity).size());
+}
+
+void add_size_of(double cells, int horizon_ratio, double squares_per_cell, scene::SizeEstimate& size) {
+  const double bonds = bonds_of(cells, horizon_ratio);
+  size.bonds += bonds;
+  size.bytes += bytes_per_bond * bonds + bytes_per_square * squares_per_cell * cells;
 }
 
 // Range of Poisson's ratio in peridynamic regions. Below the smallest ratio, bonds would be so much softer than cell
@@ -81,7 +91,7 @@ Outline checked_outline(int material_id, const scene::Material& material, Outlin
   require(std::isfinite(spacing) && spacing > 0, "spacing is ", spacing, "; it must be > 0");
   scene::require_sound(outline);
   const double cells = cells_of(outline, spacing);
-  const double bonds = bonds_of(outline, spacing, horizon_ratio);
+  const double bonds = bonds_of(cells, horizon_ratio);
   require(bonds <= most_bonds, "spacing ", spacing, " would need ", cells, " cells with ", bonds, " bonds, about ",
           bonds * bytes_per_bond / 1e9, " GB; the limit is ", most_bonds, " bonds: choose a larger one");
   return outline;
@@ -110,7 +120,7 @@ PeridynamicDescription::PeridynamicDescription(int material_id, const scene::Mat
       spacing_(spacing),
       horizon_ratio_(horizon_ratio),
       choice_(choice),
-      squares_per_cell_(static_cast<double>(pd::cell_squares(material.elasticity).size())),
+      squares_per_cell_(squares_per_cell_of(material)),
       lattice_(lattice_along(this->outline())) {}
 
 std::optional<LatticeOutline> PeridynamicDescription::lattice_along(const Outline& outline) const {
@@ -135,9 +145,11 @@ std::optional<scene::NodeGrid> PeridynamicDescription::node_grid() const {
 }
 
 void PeridynamicDescription::add_size(scene::SizeEstimate& size) const {
-  const double bonds = bonds_of(outline(), spacing_, horizon_ratio_);
-  size.bonds += bonds;
-  size.bytes += bytes_per_bond * bonds + bytes_per_square * squares_per_cell_ * cells_of(outline(), spacing_);
+  add_size_of(cells_of(outline(), spacing_), horizon_ratio_, squares_per_cell_, size);
+}
+
+void add_size_of_cells(const scene::Material& material, double cells, int horizon_ratio, scene::SizeEstimate& size) {
+  add_size_of(cells, horizon_ratio, squares_per_cell_of(material), size);
 }
 
 void PeridynamicDescription::identify(Hash& hash) const {

@@ -53,6 +53,9 @@ class PeridynamicDescription : public scene::Region {
   std::optional<LatticeOutline> lattice_;
 };
 
+// Adds the size of a lattice of so many cells to an estimate.
+void add_size_of_cells(const scene::Material& material, double cells, int horizon_ratio, scene::SizeEstimate& size);
+
 // Adds a peridynamic region with the outline `vertices` to the scene and returns its id; `bulges` make edges curved.
 int add_peridynamic_region(scene::Scene& scene, int material, const std::vector<Point>& vertices, double spacing,
                            int horizon_ratio, const PointChoice& choice = {}, const std::vector<double>& bulges = {});
