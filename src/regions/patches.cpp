@@ -76,7 +76,7 @@ std::vector<Patch> lay_out_patches(const scene::Scene& scene, const scene::Optio
 }
 
 int lattice_around(const scene::Scene& scene, int crack) {
-  if (scene.crack(crack).points.empty()) return 0;
+  if (scene.cracks()[static_cast<std::size_t>(crack) - 1].points.empty()) return 0;  // it was removed
   const double tolerance = 10 * geometric_tolerance(scene.bounding_box());
   for (const int id : scene.region_ids())
     if (!scene.region(id).has_elements() && !part_of(scene, id, {crack, {}}, tolerance).pieces.empty()) return id;

@@ -50,3 +50,12 @@ def test_the_layout_of_a_fine_lattice_hears_a_cancel():
     with pytest.raises(bempd.CancelledError):
         model.prepare()
     assert time.monotonic() - begin < 5
+
+
+def test_a_treatment_goes_with_its_crack():
+    for treatment in ("elements", "lattice", "frozen"):
+        model = square([[(0.3, 0.5), (0.7, 0.5)]])
+        model.set_crack_treatment(1, treatment)
+        model.remove_crack(1)
+        model.prepare()
+        assert len(model.parts()) == 1
