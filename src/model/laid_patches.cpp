@@ -1,7 +1,9 @@
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <optional>
+#include <span>
 #include <unordered_map>
 #include <utility>
 
@@ -27,11 +29,16 @@ std::optional<std::uint64_t> key_of(const Point& place, const regions::LatticeGr
   return (static_cast<std::uint64_t>(number(whole.x())) << 32U) | number(whole.y());
 }
 
-// Node of a region that is nearest to a place.
-int nearest(const regions::Region& region, const std::vector<Point>& positions, const Point& place) {
-  const auto off = [&](int node) { return (positions[static_cast<std::size_t>(node)] - place).squaredNorm(); };
-  const std::vector<int>& nodes = region.nodes();
-  return *std::min_element(nodes.begin(), nodes.end(), [&](int a, int b) { return off(a) < off(b); });
+// Node of some regions that is nearest to a place.
+int nearest(std::span<const regions::Region* const> regions, const std::vector<Point>& positions, const Point& place) {
+  int found = -1;
+  double least = std::numeric_limits<double>::infinity();
+  for (const regions::Region* region : regions)
+    for (const int node : region->nodes()) {
+      const double apart = (positions[static_cast<std::size_t>(node)] - place).squaredNorm();
+      if (found < 0 || apart < least) least = apart, found = node;
+    }
+  return found;
 }
 
 // Relation of the nodes of a scene to those of the previous scene. Material points of patches keep their places on the
@@ -81,7 +88,7 @@ class NodeMatch {
       if (same != at.end()) {
         match(node, same->second);
       } else {
-        former.node[static_cast<std::size_t>(node)] = nearest(*old.front(), before_.positions, place(node));
+        former.node[static_cast<std::size_t>(node)] = nearest(old, before_.positions, place(node));
       }
     }
   }
@@ -93,11 +100,12 @@ class NodeMatch {
     const auto of = [](const Point& point) { return std::pair(point.x(), point.y()); };
     for (auto node = old.nodes().rbegin(); node != old.nodes().rend(); ++node)
       at[of(before_.positions[static_cast<std::size_t>(*node)])].push_back(*node);
+    const regions::Region* const all[] = {&old};
     for (const int node : region.nodes()) {
       const auto same = at.find(of(place(node)));
       if (former.node[static_cast<std::size_t>(node)] >= 0) continue;
       if (same == at.end() || same->second.empty()) {
-        former.node[static_cast<std::size_t>(node)] = nearest(old, before_.positions, place(node));
+        former.node[static_cast<std::size_t>(node)] = nearest(all, before_.positions, place(node));
       } else {
         match(node, same->second.back());
         same->second.pop_back();
