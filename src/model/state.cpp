@@ -272,6 +272,7 @@ void States::restore_body(const SavedState& state) {
   require(state.scene.body == (state.format == 14 ? present.body_of_format_14 : present.body),
           "the state belongs to another scene; restore it into the model that was saved or one built in the same way");
   require_same_ends(state, model_.prepared().in_lattices);
+  require_nearby(state.evolution.extensions, model_.scene().bounding_box());
   require(state.scene.supports == present.supports,
           "the state was saved with other supports, or with the same ones in another order; add those of the model "
           "that was saved, in its order");

@@ -142,4 +142,12 @@ void require_same_ends(const SavedState& saved, const regions::LatticeCracks& cr
           "version of bempd that wrote it");
 }
 
+void require_nearby(const std::vector<crack::Extension>& extensions, const Box& scene) {
+  const double margin = scene.diagonal().norm();
+  const auto is_near = [&](double x, double y) { return scene.exteriorDistance(Point(x, y)) <= margin; };
+  require(
+      std::ranges::all_of(extensions, [&](const auto& e) { return is_near(e.x, e.y) && is_near(e.from_x, e.from_y); }),
+      "cracks of the state have grown far outside of the scene; its bytes were altered");
+}
+
 }  // namespace bempd::model

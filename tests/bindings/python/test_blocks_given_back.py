@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import struct
 from typing import NamedTuple
 
 import numpy as np
@@ -96,6 +97,27 @@ def test_states_have_what_was_given_back() -> None:
     model.restore(early)
     assert len(model.parts()) == 2
     assert run(model, 70).loads[-10:] == pytest.approx(loads, rel=1e-8)
+
+
+def signed(data: bytearray) -> bytes:
+    """With the checksum of a state: FNV-1a over all but the last eight bytes."""
+    found = 14695981039346656037
+    for byte in data[:-8]:
+        found = (found ^ byte) * 1099511628211 % 2**64
+    return bytes(data[:-8]) + struct.pack("<Q", found)
+
+
+def test_places_far_outside_are_refused() -> None:
+    (model, _), (other, _) = plate("one end"), plate("one end")
+    run(model, 46)
+    assert len(model.parts()) == 3  # blocks were given back, along the path of the crack
+    data = bytearray(model.save().to_bytes())
+    place = struct.pack("<d", model.extensions()[10].x)
+    assert data.count(place) >= 1
+    altered = bempd.State.from_bytes(signed(data.replace(place, struct.pack("<d", 1e12))))
+    with pytest.raises(bempd.ArgumentError, match="far outside of the scene"):
+        other.restore(altered)
+    other.restore(bempd.State.from_bytes(signed(data)))
 
 
 def test_a_cancelled_run_takes_elements_back() -> None:
