@@ -13,8 +13,10 @@ class CrackEvolution;
 // a new body with the longer crack.
 class BodyCarrier : public crack::Carrier {
  public:
-  // Body in which the run continues at present. The first body of a run lives until the run has ended.
+  // Body in which the run continues at present, and the number of bodies before it. Only the first body of a run lives
+  // until the run has ended: a later body may have the address of one that is gone.
   virtual CrackEvolution& body() = 0;
+  virtual int bodies_before() const = 0;
 
   // Enlarges lattice patches (lattices in a body of boundary elements) around bonds that have broken by themselves near
   // a patch border. `broken` holds the changes of the body's terms (bonds and cell squares). Returns whether some patch

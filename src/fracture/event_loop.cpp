@@ -178,6 +178,7 @@ std::optional<StopReason> EventLoop::after_event(bool crack_has_stopped,
 // Ends a run just before a growth that leaves no equilibrium. The body counts as separated; a step whose goal is a load
 // factor ends without equilibrium, because it has not reached its target.
 StopReason EventLoop::separated_before_growth() {
+  follow_body();
   body_->records().set_separated();
   return end_with(goal_ == Goal::load_factor ? StopReason::no_equilibrium : StopReason::separated);
 }
@@ -228,7 +229,8 @@ StopReason EventLoop::end_with(StopReason reason) {
 }
 
 void EventLoop::follow_body() {
-  if (!options_.elements || &options_.elements->body() == body_) return;
+  if (!options_.elements || options_.elements->bodies_before() == bodies_before_) return;
+  bodies_before_ = options_.elements->bodies_before();
   body_ = &options_.elements->body();
   has_begun_ = false;
   reversals_ = {};

@@ -6,6 +6,7 @@
 #include <limits>
 #include <optional>
 
+#include "fracture/body_carrier.hpp"
 #include "fracture/crack_evolution.hpp"
 
 namespace bempd::fracture {
@@ -35,7 +36,13 @@ class EventLoop {
 
   EventLoop(CrackEvolution& body, double target, Goal goal, const SteppingOptions& options, const OnEvent& on_event,
             const OnEnd& on_end)
-      : body_(&body), target_(target), goal_(goal), options_(options), on_event_(on_event), on_end_(on_end) {}
+      : body_(&body),
+        bodies_before_(options.elements ? options.elements->bodies_before() : 0),
+        target_(target),
+        goal_(goal),
+        options_(options),
+        on_event_(on_event),
+        on_end_(on_end) {}
 
   // Runs to the target or goal. If the run fails, or if the host asks for the end before the first equilibrium is found
   // (EventGivenUp is thrown), the body with which the run began is as it was before.
@@ -56,6 +63,7 @@ class EventLoop {
   void time_event();
 
   CrackEvolution* body_;   // body in which the run is at present
+  int bodies_before_;      // number of that body, as BodyCarrier counts them
   bool has_begun_ = true;  // whether RunEvents::begin() was called in this body
   double target_;
   Goal goal_;

@@ -160,6 +160,7 @@ void ElementCarrier::change_scene(std::unique_ptr<PreparedScene> next,
   next = model_.preparation().exchange(std::move(next));
   model_.growth().forget_factors();
   model_.preparation().has_changed();
+  ++changes_;
   is_known_ = false;
   say([&] { tell(*next); });
   if (!start_) start_ = std::move(next);

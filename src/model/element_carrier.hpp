@@ -46,6 +46,7 @@ class ElementCarrier final : public fracture::BodyCarrier {
   void go_on_in(std::unique_ptr<PreparedScene> next, const fracture::Growth& growth);
 
   fracture::CrackEvolution& body() override;
+  int bodies_before() const override { return changes_; }
   bool follow_breaks(const std::vector<coupling::StageChange>& broken) override;
   bool take_over_lines(bool run_ends) override;
 
@@ -75,6 +76,7 @@ class ElementCarrier final : public fracture::BodyCarrier {
   std::vector<regions::Patch> patches_;   // patches of the scene when the carrier was made
   std::unique_ptr<PreparedScene> start_;  // scene when the carrier was made; null: no crack has grown yet
   TimeSpent spent_;
+  int changes_ = 0;  // of the scene
   std::size_t extensions_seen_;
 
   // Whether the values of the tips are known. They are computed again only after an event or a change of contact.

@@ -6,6 +6,7 @@
 #include <memory>
 #include <vector>
 
+#include "crack/cannot_grow.hpp"
 #include "model/model.hpp"
 #include "regions/lattice/peridynamic_description.hpp"
 #include "regions/places/edge_part.hpp"
@@ -17,7 +18,7 @@ using crack::Candidate, crack::Control, crack::LoadWay, crack::Tip, crack::TipId
 using fracture::Goal, fracture::StopReason;
 
 // Tips with factors that are proportional to the load factor. They note their steps and do not grow.
-class SomeTips final : public fracture::BodyCarrier {
+class SomeTips : public fracture::BodyCarrier {
  public:
   explicit SomeTips(model::Model& model) : model_(model) {}
 
@@ -45,13 +46,16 @@ class SomeTips final : public fracture::BodyCarrier {
     return std::vector<Point>(fractions.size());
   }
   fracture::CrackEvolution& body() override { return *model_.prepared().evolution; }
+  int bodies_before() const override { return 0; }
   bool follow_breaks(const std::vector<coupling::StageChange>&) override { return false; }
   bool take_over_lines(bool) override { return false; }
 
   std::vector<crack::Step> steps;
 
- private:
+ protected:
   model::Model& model_;
+
+ private:
   std::vector<Tip> tips_;
 };
 
@@ -119,6 +123,66 @@ TEST(CrackCarrier, grow_where_they_are_overloaded_and_downwards) {
   below.add({2, 0}, -4 / line);
   EXPECT_EQ(advance(*other, below, -line), StopReason::crack_stopped);
   EXPECT_NEAR(other->load_factor(), -0.5 * line, 1e-9 * line);
+}
+
+// Tips whose first step has made two bodies. The second one lies where the body before the step lay.
+class TwiceChanged final : public SomeTips {
+ public:
+  using SomeTips::SomeTips;
+  crack::Advance advance(const crack::Step& step) override {
+    bodies_ = 2;
+    body().events().begin({});
+    steps.push_back(step);
+    crack::Advance done;
+    done.extensions.emplace_back().crack = step.tip.crack;
+    return done;
+  }
+  std::vector<Candidate> candidates(const LoadWay& way) override {
+    return steps.empty() ? SomeTips::candidates(way) : std::vector<Candidate>();
+  }
+  int bodies_before() const override { return bodies_; }
+
+ private:
+  int bodies_ = 0;
+};
+
+TEST(CrackCarrier, frozen_tips_stay_in_a_new_body_at_the_address_of_the_former_one) {
+  const double line = load_of_line();
+  const auto model = cracked_lattice();
+  model->prepare();
+  TwiceChanged tips(*model);
+  tips.add({7, 1}, 4 / line);
+  fracture::SteppingOptions options;
+  options.elements = &tips, options.frozen = {{1, 0}, {1, 1}};
+  model->prepared().evolution->advance(2 * line, Goal::load_factor, options, {}, {});
+  EXPECT_EQ(tips.steps.size(), 1U);
+  EXPECT_TRUE(model->prepared().evolution->progress().extensions.empty());
+}
+
+// Lets the run go on in another model after an event, and then finds that it would set a loaded part free.
+class Freeing final : public SomeTips {
+ public:
+  Freeing(model::Model& model, model::Model& next) : SomeTips(model), next_(next) {}
+  fracture::CrackEvolution& body() override { return has_changed_ ? *next_.prepared().evolution : SomeTips::body(); }
+  int bodies_before() const override { return has_changed_ ? 1 : 0; }
+  bool follow_breaks(const std::vector<coupling::StageChange>&) override {
+    has_changed_ = true;
+    return false;
+  }
+  bool take_over_lines(bool) override { throw crack::FreesLoadedPart("it would set a part free"); }
+
+ private:
+  model::Model& next_;
+  bool has_changed_ = false;
+};
+
+TEST(CrackCarrier, a_run_that_ends_before_a_part_is_free_ends_in_the_present_body) {
+  const auto model = cracked_lattice(), next = cracked_lattice();
+  next->prepare();
+  Freeing tips(*model, *next);
+  EXPECT_EQ(advance(*model, tips, 1e6), StopReason::separated);
+  EXPECT_FALSE(model->prepared().evolution->progress().separated);
+  EXPECT_TRUE(next->prepared().evolution->progress().separated);
 }
 
 TEST(CrackCarrier, a_range_that_all_tips_share) {
