@@ -214,7 +214,7 @@ bool ElementCarrier::follow_breaks(const std::vector<coupling::StageChange>& bro
 }
 
 // Continues the run with other lattice patches and, if given, other cracks in elements. Returns false and leaves the
-// patches as they are if that scene is impossible, or for lack of memory.
+// patches as they are if that scene is impossible, exceeds the memory limit, or has no equilibrium that can be found.
 bool ElementCarrier::change_patches(std::vector<regions::Patch> patches,
                                     std::optional<std::vector<scene::Crack>> cracks, std::int64_t layout) {
   body().sources().bring_up_to_date();
@@ -222,7 +222,9 @@ bool ElementCarrier::change_patches(std::vector<regions::Patch> patches,
   try {
     next = model_.growth().with_patches(std::move(patches), std::move(cracks), on_way_, layout);
   } catch (const Error& error) {
-    if (error.failure() != Failure::argument && error.failure() != Failure::unsolvable) throw;
+    if (error.failure() != Failure::argument && error.failure() != Failure::unsolvable &&
+        error.failure() != Failure::convergence)
+      throw;
     if (!regions::gives_back(layout)) say([&] { model_.reports().warn_of_patch(error.what()); });
     return false;
   }
