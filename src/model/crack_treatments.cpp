@@ -80,7 +80,7 @@ void CrackTreatments::require_elements() const {
 }
 
 void CrackTreatments::add_patches() {
-  const std::vector<regions::LatticeCrack> cracks = in_lattices();
+  std::vector<regions::LatticeCrack> cracks = in_lattices();
   if (cracks != lattice_cracks_ || mark_of_growth_ != model_.accuracy().mark_of_growth()) remove_patches();
   require_elements();
   if (cracks.empty()) return;
@@ -96,19 +96,17 @@ void CrackTreatments::add_patches() {
     if (error.failure() == Failure::cancelled) throw;
   }
   const int own = model_.scene().region_count();
-  try {
-    regions::add_patches(model_.preparation().scene(), patches);
-  } catch (...) {
-    regions::remove_patches(model_.preparation().scene(), own);
-    throw;
-  }
-  patches_ = {patches, patches};
-  lattice_cracks_ = cracks, mark_of_growth_ = model_.accuracy().mark_of_growth();
+  regions::PatchedBodies bodies(model_.scene(), patches, own);
+  Laid laid{patches, patches, {}};
+  mark_of_growth_ = model_.accuracy().mark_of_growth();
+  bodies.exchange(model_.preparation().scene());
+  laid.without = std::move(bodies);
+  patches_ = std::move(laid), lattice_cracks_ = std::move(cracks);
 }
 
 void CrackTreatments::remove_patches() noexcept {
   if (patches().empty()) return;
-  regions::remove_patches(model_.preparation().scene(), own_regions());
+  patches_.without.exchange(model_.preparation().scene());
   patches_ = {}, lattice_cracks_.clear();
   model_.accuracy().forget();
 }
@@ -154,28 +152,28 @@ bool CrackTreatments::repeat_layouts(std::span<const std::int64_t>& layouts, std
 }
 
 void CrackTreatments::replace_patches(std::vector<regions::Patch> next) {
-  const int own = own_regions();
-  try {
-    regions::move_patches(model_.preparation().scene(), next, own);
-  } catch (...) {
-    regions::move_patches(model_.preparation().scene(), patches(), own);
-    throw;
-  }
+  regions::PatchedBodies bodies(model_.scene(), next, own_regions());
+  bodies.exchange(model_.preparation().scene());
   patches_.present = std::move(next);
 }
 
-void CrackTreatments::go_back_to(std::vector<regions::Patch> before) noexcept {
-  const auto same = [](const regions::Patch& a, const regions::Patch& b) { return a.blocks == b.blocks; };
-  if (!std::ranges::equal(before, patches(), same)) replace_patches(std::move(before));
+CrackTreatments::Copy CrackTreatments::copy() const {
+  return {patches(), regions::PatchedBodies(model_.scene(), patches(), own_regions())};
 }
 
-CrackTreatments::Laid CrackTreatments::set_aside() {
-  if (!patches().empty()) regions::remove_patches(model_.preparation().scene(), own_regions());
+void CrackTreatments::go_back_to(Copy before) noexcept {
+  before.bodies.exchange(model_.preparation().scene());
+  patches_.present = std::move(before.patches);
+}
+
+CrackTreatments::Laid CrackTreatments::set_aside() noexcept {
+  if (patches().empty()) return {};
+  patches_.without.exchange(model_.preparation().scene());
   return std::exchange(patches_, {});
 }
 
-void CrackTreatments::bring_back(Laid aside) {
-  if (!aside.present.empty()) regions::add_patches(model_.preparation().scene(), aside.present);
+void CrackTreatments::bring_back(Laid aside) noexcept {
+  aside.without.exchange(model_.preparation().scene());
   patches_ = std::move(aside);
 }
 

@@ -53,15 +53,23 @@ class CrackTreatments {
                       std::vector<scene::Crack>& cracks);
   // Replaces the patches in the scene by `next`, which have other blocks. The prepared scene stays as it is.
   void replace_patches(std::vector<regions::Patch> next);
-  void go_back_to(std::vector<regions::Patch> before) noexcept;
+  // Copy of the scene's patches. To go back from other patches to the copied ones takes no memory.
+  struct Copy {
+    std::vector<regions::Patch> patches;
+    regions::PatchedBodies bodies;
+  };
+  Copy copy() const;
+  void go_back_to(Copy before) noexcept;
 
-  // Patches in the scene: as they are at present, and as they were first laid.
+  // Patches in the scene: as they are at present, and as they were first laid. `without` describes the bodies without
+  // patches.
   struct Laid {
     std::vector<regions::Patch> present, first;
+    regions::PatchedBodies without;
   };
   // Takes the patches out of the scene for a while and returns them; bring_back() adds them again.
-  Laid set_aside();
-  void bring_back(Laid aside);
+  Laid set_aside() noexcept;
+  void bring_back(Laid aside) noexcept;
   // Load factors of growth with boundary elements in place of the patches; empty if that scene cannot be solved.
   const std::vector<TipLoad>& loads_of_elements() const { return loads_of_elements_; }
 

@@ -34,7 +34,6 @@ ElementCarrier::ElementCarrier(Model& model, const scene::SceneValues* on_way, b
       on_way_(on_way),
       grows_(grows),
       cracks_(model.scene().cracks()),
-      patches_(model.treatments().patches()),
       extensions_seen_(model.cracks().extensions().size()) {}
 
 ElementCarrier::~ElementCarrier() = default;
@@ -219,6 +218,7 @@ bool ElementCarrier::change_patches(std::vector<regions::Patch> patches,
                                     std::optional<std::vector<scene::Crack>> cracks, std::int64_t layout) {
   body().sources().bring_up_to_date();
   std::unique_ptr<PreparedScene> next;
+  if (!patches_) patches_ = model_.treatments().copy();
   try {
     next = model_.growth().with_patches(std::move(patches), std::move(cracks), on_way_, layout);
   } catch (const Error& error) {
@@ -234,7 +234,7 @@ bool ElementCarrier::change_patches(std::vector<regions::Patch> patches,
 
 void ElementCarrier::take_back() noexcept {
   model_.preparation().scene().set_cracks(std::move(cracks_));
-  model_.treatments().go_back_to(std::move(patches_));
+  if (patches_) model_.treatments().go_back_to(std::move(*patches_));
   if (start_) model_.preparation().exchange(std::move(start_));
   model_.growth().forget_factors();
   model_.preparation().has_changed();

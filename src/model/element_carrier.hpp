@@ -9,6 +9,7 @@
 #include "crack/carrier.hpp"
 #include "fracture/body_carrier.hpp"
 #include "fracture/crack_evolution.hpp"
+#include "model/crack_treatments.hpp"
 #include "model/driven_growth.hpp"
 #include "regions/patches.hpp"
 #include "regions/region.hpp"
@@ -72,11 +73,11 @@ class ElementCarrier final : public fracture::BodyCarrier {
   Model& model_;
   const scene::SceneValues* on_way_;
   bool grows_;
-  std::vector<scene::Crack> cracks_;      // cracks of the scene when the carrier was made
-  std::vector<regions::Patch> patches_;   // patches of the scene when the carrier was made
-  std::unique_ptr<PreparedScene> start_;  // scene when the carrier was made; null: no crack has grown yet
+  std::vector<scene::Crack> cracks_;              // cracks of the scene when the carrier was made
+  std::optional<CrackTreatments::Copy> patches_;  // patches of that scene; empty: the patches have not changed
+  std::unique_ptr<PreparedScene> start_;          // scene when the carrier was made; null: no crack has grown yet
   TimeSpent spent_;
-  int changes_ = 0;  // of the scene
+  int changes_ = 0;  // number of scenes before the present one
   std::size_t extensions_seen_;
 
   // Whether the values of the tips are known. They are computed again only after an event or a change of contact.

@@ -180,8 +180,8 @@ std::unique_ptr<PreparedScene> CrackGrowth::with_patches(std::vector<regions::Pa
                                                          const scene::SceneValues* on_way, std::int64_t layout) {
   const PreparedScene& before = model_.prepared();
   Preparation& preparation = model_.preparation();
-  std::vector<regions::Patch> patches_before = model_.treatments().patches();
-  const std::vector<scene::Crack> cracks_before = model_.scene().cracks();
+  CrackTreatments::Copy patches_before = model_.treatments().copy();
+  std::vector<scene::Crack> cracks_before = model_.scene().cracks();
   const auto build = [&] {
     regions::require_memory(model_.scene(), model_.options());
     return preparation.build(&before, Preparation::Operators::anew);
@@ -199,7 +199,7 @@ std::unique_ptr<PreparedScene> CrackGrowth::with_patches(std::vector<regions::Pa
     continue_in(*next, before, model_.scene(), layout);
     return next;
   } catch (...) {
-    preparation.scene().set_cracks(cracks_before);
+    preparation.scene().set_cracks(std::move(cracks_before));
     model_.treatments().go_back_to(std::move(patches_before));
     throw;
   }

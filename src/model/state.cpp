@@ -91,8 +91,7 @@ bool are_known(const scene::SceneValues& values, const scene::SceneValues& prese
 bool grew_in_lattice(const Model& model, const crack::Extension& e) {
   const scene::Scene& scene = model.scene();
   const double tolerance = model.prepared_or_null()->discretization.tolerance;
-  const std::vector<int> ids = scene.region_ids();
-  const auto lies_in_elements = [&](double x, double y) {
+  const auto lies_in_elements = [&, ids = scene.region_ids()](double x, double y) {
     return std::any_of(ids.begin(), ids.end(), [&](int id) {
       return scene.region(id).has_elements() &&
              locate(scene.region(id).outline(), {x, y}, tolerance) == Location::inside;
@@ -187,7 +186,7 @@ std::unique_ptr<PreparedScene> States::as_grown(const fracture::EvolutionState& 
   const double tolerance = model_.prepared().discretization.tolerance;
   Preparation& preparation = model_.preparation();
   preparation.scene().set_cracks(cracks);
-  model_.treatments().go_back_to(model_.treatments().first_patches());
+  model_.treatments().replace_patches(model_.treatments().first_patches());
   std::unique_ptr<PreparedScene> grown;
   bool is_built = false;
   const auto build_anew = [&] {
@@ -223,7 +222,7 @@ std::unique_ptr<PreparedScene> States::as_grown(const fracture::EvolutionState& 
 
 void States::grow_as(const SavedState& state, const std::function<void()>& go_on) {
   std::vector<scene::Crack> cracks = model_.scene().cracks();
-  std::vector<regions::Patch> patches = model_.treatments().patches();
+  CrackTreatments::Copy patches = model_.treatments().copy();
   std::unique_ptr<PreparedScene> before;
   try {
     std::unique_ptr<PreparedScene> grown = as_grown(state.evolution);

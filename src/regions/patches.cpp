@@ -85,49 +85,46 @@ int lattice_around(const scene::Scene& scene, int crack) {
 
 namespace {
 
-void cut_out(scene::Scene& scene, const std::vector<Patch>& patches) {
-  std::map<int, std::vector<std::vector<Point>>> loops;
-  for (const Patch& patch : patches) loops[patch.body].push_back(patch.outline);
-  for (const auto& of_body : loops) {
-    const int body = of_body.first;
-    const auto first = std::find_if(patches.begin(), patches.end(), [&](const Patch& p) { return p.body == body; });
-    boundary_in(scene, body)->cut_out(of_body.second, first->horizon_ratio * first->spacing);
-  }
+// Copy of a body's description with patches cut out.
+std::unique_ptr<BoundaryDescription> cut_body(const BoundaryDescription& body, int id,
+                                              const std::vector<Patch>& patches) {
+  auto cut = std::make_unique<BoundaryDescription>(body);
+  cut->fill_cut_outs();
+  std::vector<std::vector<Point>> loops;
+  double horizon = 0;  // the same in all patches of a body
+  for (const Patch& patch : patches)
+    if (patch.body == id) horizon = patch.horizon_ratio * patch.spacing, loops.push_back(patch.outline);
+  if (!loops.empty()) cut->cut_out(loops, horizon);
+  return cut;
 }
 
-void add_part(scene::Scene& scene, const Patch& patch) {
+std::unique_ptr<scene::Region> part_of_body(const scene::Scene& scene, const Patch& patch) {
   const scene::Region& body = scene.region(patch.body);
   auto part = std::make_unique<PeridynamicDescription>(
       body.material(), scene.material_of(patch.body), Outline{{patch.outline}, {}}, patch.spacing, patch.horizon_ratio);
   part->make_part_of(patch.body);
   part->set_fracture_energies(body.fracture_energies());
-  scene.add_region(std::move(part));
+  return part;
 }
 
 }  // namespace
 
-void add_patches(scene::Scene& scene, const std::vector<Patch>& patches) {
-  for (const Patch& patch : patches) add_part(scene, patch);
-  cut_out(scene, patches);
+PatchedBodies::PatchedBodies(const scene::Scene& scene, const std::vector<Patch>& patches, int count)
+    : count_(count), regions_(static_cast<std::size_t>(count)) {
+  for (int id = 1; id <= count; ++id)
+    if (const auto* body = dynamic_cast<const BoundaryDescription*>(scene.region_or_null(id)); body && body->is_body())
+      bodies_.emplace_back(id, cut_body(*body, id, patches));
+  for (const Patch& patch : patches) regions_.push_back(part_of_body(scene, patch));
 }
 
-void move_patches(scene::Scene& scene, const std::vector<Patch>& patches, int count) {
-  for (const int id : scene.region_ids())
-    if (BoundaryDescription* boundary = boundary_in(scene, id)) boundary->fill_cut_outs();
-  if (scene.region_count() > count + static_cast<int>(patches.size()))
-    remove_parts(scene, count + static_cast<int>(patches.size()));
-  int id = count;
-  for (const Patch& patch : patches) {
-    if (++id > scene.region_count()) add_part(scene, patch);
-    const_cast<scene::Region&>(scene.region(id)).set_outline(Outline{{patch.outline}, {}});
-  }
-  cut_out(scene, patches);
-}
+PatchedBodies::PatchedBodies(PatchedBodies&&) noexcept = default;
+PatchedBodies& PatchedBodies::operator=(PatchedBodies&&) noexcept = default;
+PatchedBodies::~PatchedBodies() = default;
 
-void remove_patches(scene::Scene& scene, int count) {
-  remove_parts(scene, count);
-  for (const int id : scene.region_ids())
-    if (BoundaryDescription* boundary = boundary_in(scene, id)) boundary->fill_cut_outs();
+void PatchedBodies::exchange(scene::Scene& scene) noexcept {
+  exchange_parts(scene, regions_, count_);
+  for (auto& [id, body] : bodies_)
+    static_cast<BoundaryDescription*>(scene.region_or_null(id))->exchange_cut_outs(*body);
 }
 
 namespace {

@@ -4,7 +4,9 @@
 #include <cstddef>
 #include <cstdint>
 #include <map>
+#include <memory>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "geometry/blocks.hpp"
@@ -94,12 +96,26 @@ std::optional<std::vector<Patch>> grown_around(const scene::Scene& scene, const 
 // Id of the first region without boundary elements through which a crack runs; 0 if there is no such region.
 int lattice_around(const scene::Scene& scene, int crack);
 
-// Cuts patches out of their bodies and adds them to the scene, as regions with the next ids.
-void add_patches(scene::Scene& scene, const std::vector<Patch>& patches);
-// Replaces the patches of the scene, which are the regions with ids above `count`, by the patches of a list. The
-// patches get the ids from count + 1 on, in the order of the list.
-void move_patches(scene::Scene& scene, const std::vector<Patch>& patches, int count);
-// Removes all patches from the scene, which then has `count` regions.
-void remove_patches(scene::Scene& scene, int count);
+class BoundaryDescription;
+
+// Descriptions of a scene's bodies with patches cut out, and of the patches, which are the regions with ids above
+// `count`. They are made beside the scene. To put them in the place of those in the scene takes no memory, so that this
+// can be undone after any failure.
+class PatchedBodies {
+ public:
+  PatchedBodies() = default;
+  PatchedBodies(const scene::Scene& scene, const std::vector<Patch>& patches, int count);
+  PatchedBodies(PatchedBodies&& other) noexcept;
+  PatchedBodies& operator=(PatchedBodies&& other) noexcept;
+  ~PatchedBodies();
+
+  // Exchanges these descriptions with those of the scene, whatever patches it has. Refinements of elements stay.
+  void exchange(scene::Scene& scene) noexcept;
+
+ private:
+  int count_ = 0;
+  std::vector<std::unique_ptr<scene::Region>> regions_;                       // null but for patches
+  std::vector<std::pair<int, std::unique_ptr<BoundaryDescription>>> bodies_;  // with their ids
+};
 
 }  // namespace bempd::regions

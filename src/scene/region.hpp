@@ -86,6 +86,7 @@ class Region {
 
  protected:
   void take_outline(Outline outline) { outline_ = std::move(outline); }
+  void exchange_outlines(Region& other) noexcept { std::swap(outline_, other.outline_); }
 
  private:
   double outline_size() const { return bounding_box(outline_).diagonal().norm(); }

@@ -77,7 +77,10 @@ int Scene::crack_nearest(const Point& place) const {
   return nearest;
 }
 
-void remove_parts(Scene& scene, int count) { scene.regions_.resize(static_cast<std::size_t>(count)); }
+void exchange_parts(Scene& scene, std::vector<std::unique_ptr<Region>>& other, int count) noexcept {
+  for (std::size_t k = 0; k < static_cast<std::size_t>(count); ++k) scene.regions_[k].swap(other[k]);
+  scene.regions_.swap(other);
+}
 
 std::vector<int> with_parts(const Scene& scene, int region) {
   std::vector<int> ids;

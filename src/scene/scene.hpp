@@ -89,8 +89,12 @@ class Scene {
   // Bounding box of the whole scene.
   Box bounding_box() const;
 
-  // Removes all regions after the first `count` regions, of which they are parts.
-  friend void remove_parts(Scene& scene, int count);
+  // Region number `id`; null if it was removed.
+  const Region* region_or_null(int id) const noexcept { return regions_[static_cast<std::size_t>(id) - 1].get(); }
+  Region* region_or_null(int id) noexcept { return regions_[static_cast<std::size_t>(id) - 1].get(); }
+  // Exchanges all regions after the first `count` regions, of which they are parts, for the entries of `other` after
+  // its first `count` entries, which are null.
+  friend void exchange_parts(Scene& scene, std::vector<std::unique_ptr<Region>>& other, int count) noexcept;
 
  private:
   Region& mutable_region(int id);

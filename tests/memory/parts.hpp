@@ -14,10 +14,12 @@ Call create();
 Call free_model();
 Call text_option(const char* name, const char* word);
 Call number_option(const char* name, double value);
-Call add_material(const bempd_material& values);  // a modulus of 0 stands for that of the lattices
-bempd_material with_fracture_energy();
+Call add_material(const bempd_material& values);          // a modulus of 0 stands for that of the lattices
+bempd_material with_fracture_energy(double value = 1e6);  // steps do not reach the usual one
 Call bem(int place, std::vector<double> vertices, double element_length);
 Call pd(int place, std::vector<double> vertices, double spacing, int horizon_ratio);
+Call body(int place, std::vector<double> vertices);
+Call lattice_patch(int body, double spacing);  // around the first crack
 Call hole(int place, std::vector<double> vertices);
 Call crack(std::vector<double> points);
 Call fix(int place, int region, int32_t edge);
@@ -42,6 +44,7 @@ Call step_by(double increment);
 Call next_event();
 Call run();
 Call grow(double length);
+Call run_errors();
 
 // Results.
 Call field(int region, int32_t which);

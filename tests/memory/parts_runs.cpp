@@ -108,6 +108,18 @@ Call grow(double length) {
           first(2)};
 }
 
+Call run_errors() {
+  return repeatable({"run_error_estimate",
+                     [](Host& h) {
+                       bempd_run_errors errors;
+                       bempd_run_errors_init(&errors, sizeof errors);
+                       const bempd_status status = bempd_run_error_estimate(h.model, 1e6, &errors);
+                       h.numbers[0] = errors.lattice_first_growth;
+                       return status;
+                     },
+                     first(1)});
+}
+
 Call field(int region, int32_t which) {
   return repeatable({"copy_field",
                      [=](Host& h) {

@@ -41,12 +41,12 @@ Call number_option(const char* name, double value) {
   return {"set_option", [=](Host& h) { return bempd_set_option(h.model, name, value); }, {}};
 }
 
-bempd_material with_fracture_energy() {
+bempd_material with_fracture_energy(double value) {
   bempd_material material;
   bempd_material_init(&material, sizeof material);
   material.young_modulus = 1;
   material.poisson_ratio = 0.3;
-  material.fracture_energy = 1e6;  // steps do not reach it
+  material.fracture_energy = value;
   return material;
 }
 
@@ -75,6 +75,22 @@ Call pd(int place, std::vector<double> vertices, double spacing, int horizon_rat
           [=](Host& h) {
             return bempd_add_pd_region(h.model, h.material, half(vertices), vertices.data(), spacing, horizon_ratio,
                                        &h.region[place]);
+          },
+          {}};
+}
+
+Call body(int place, std::vector<double> vertices) {
+  return {
+      "add_body",
+      [=](Host& h) { return bempd_add_body(h.model, h.material, half(vertices), vertices.data(), &h.region[place]); },
+      {}};
+}
+
+Call lattice_patch(int body, double spacing) {
+  return {"set_body_lattice, set_crack_treatment",
+          [=](Host& h) {
+            const bempd_status status = bempd_set_body_lattice(h.model, h.region[body], spacing, 3);
+            return status == BEMPD_OK ? bempd_set_crack_treatment(h.model, 1, BEMPD_TREATMENT_LATTICE) : status;
           },
           {}};
 }

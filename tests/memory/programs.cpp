@@ -140,6 +140,18 @@ Program cracks() {
   return program;
 }
 
+// A crack in a lattice patch of a body: at its first step the patch gets more blocks.
+Program patches() {
+  Program program{
+      "patches",
+      {create(), number_option("error.wanted", 0.05), text_option("stepping.control", "path"),
+       add_material(with_fracture_energy(1e-6)), body(0, {0, 0, 40, 0, 40, 90, 0, 90}), crack({20.3, 0, 20.3, 20}),
+       lattice_patch(0, 1), fix(0, 0, 4), prescribe(1, 0, 2, {1, 1}), listen()}};
+  add(program, {prepare(), next_event(), save(), next_event(), tips(), run_errors(), statistics(), restore(),
+                next_event(), reaction(1), free_state(), free_model()});
+  return program;
+}
+
 Program paper() {
   Program program{
       "paper",
@@ -183,7 +195,7 @@ Program threads() {
 }  // namespace
 
 std::vector<Program> all_programs() {
-  return {coupled(), windows(), lines(), plain(), cracks(), paper(), mistakes(), threads()};
+  return {coupled(), windows(), lines(), plain(), cracks(), patches(), paper(), mistakes(), threads()};
 }
 
 }  // namespace memory_test

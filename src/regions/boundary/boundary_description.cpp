@@ -103,6 +103,14 @@ void BoundaryDescription::fill_cut_outs() {
   whole_.reset();
 }
 
+void BoundaryDescription::exchange_cut_outs(BoundaryDescription& other) noexcept {
+  exchange_outlines(other);
+  std::swap(element_length_, other.element_length_);
+  own_mesh_.swap(other.own_mesh_);
+  whole_.swap(other.whole_);
+  std::swap(whole_edges_, other.whole_edges_);
+}
+
 void BoundaryDescription::set_edge_mesh(int edge, const scene::EdgeMesh& mesh) {
   require_element_length(mesh.element_length, this->edge(edge).length());
   require(std::isfinite(mesh.grading) && mesh.grading >= 1 && mesh.grading <= 4, "grading is ", mesh.grading,
@@ -162,10 +170,10 @@ int halvings_of(const scene::Region& region) {
   return boundary ? boundary->halvings() : 0;
 }
 
-Refinement refine(scene::Scene& scene, const Refinement& refinement) {
+Refinement refine(scene::Scene& scene, const Refinement& refinement) noexcept {
   Refinement before;
-  for (const int id : scene.region_ids()) {
-    BoundaryDescription* boundary = boundary_in(scene, id);
+  for (int id = 1; id <= scene.region_count(); ++id) {
+    auto* const boundary = dynamic_cast<BoundaryDescription*>(scene.region_or_null(id));
     if (!boundary) continue;
     before = boundary->refinement();
     boundary->refine(refinement);

@@ -36,6 +36,8 @@ class BoundaryDescription final : public scene::Region {
   void cut_out(const std::vector<std::vector<Point>>& loops, double element_length);
   // Fills the holes that cut_out() has made.
   void fill_cut_outs();
+  // Exchanges the holes that cut_out() has made, and the elements on them, with another description of the same body.
+  void exchange_cut_outs(BoundaryDescription& other) noexcept;
   const Outline& whole_outline() const { return whole_ ? *whole_ : outline(); }
   bool borders_patch(int edge) const { return whole_ && edge > whole_edges_; }
   void set_edge_mesh(int edge, const scene::EdgeMesh& mesh) override;
@@ -64,7 +66,7 @@ bool is_body(const scene::Region& region);
 bool has_bodies(const scene::Scene& scene);
 int halvings_of(const scene::Region& region);
 // Sets the refinement of all boundary element regions, and returns the refinement that they had before.
-Refinement refine(scene::Scene& scene, const Refinement& refinement);
+Refinement refine(scene::Scene& scene, const Refinement& refinement) noexcept;
 
 // Adds a boundary element region with the outline `vertices` to the scene and returns its id; `bulges` make edges
 // curved.

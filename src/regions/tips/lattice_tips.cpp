@@ -25,7 +25,7 @@ constexpr double inner_part = 0.5;
 // Limits on the radius of the largest ring, in horizons. A smaller ring is affected by the lattice; a larger one gives
 // nothing new and takes longer.
 constexpr double least_horizons = 2, most_horizons = 10;
-constexpr double just_below_one = 1 - 1e-9;  // so that rounding does not decide about equal lengths
+constexpr double almost_one = 1 - 1e-9;  // so that rounding does not decide about equal lengths
 
 // Radius of the largest ring, relative to the radius of a circle that contains only this tip and the crack behind it.
 constexpr double part_of_clear = 0.9;
@@ -90,7 +90,7 @@ bool is_shut(const BondedBody& body, const LatticeTip& tip, const TipValues& val
 
 TipValues values_of(const BondedBody& body, const LatticeTip& tip, double toughness, const Solution& solution) {
   TipValues values = without_contours(tip);
-  if (tip.clear < just_below_one * least_horizons * tip.horizon) return values;
+  if (tip.clear < almost_one * least_horizons * tip.horizon) return values;
   const std::optional<coupling::Affine> free = free_displacement(body, tip);
   if (!free) return values;
   const double radius = std::min(part_of_clear * tip.clear, most_horizons * tip.horizon);
