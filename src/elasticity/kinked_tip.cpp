@@ -130,7 +130,7 @@ double growth_load_factor(const Point& constant, const Point& proportional, doub
   if (!(slope > 0)) return no_growth;
   // The upper bound is a load factor at which growth is certain: both criteria are convex, so that the equivalent
   // factor is at least the load factor times `slope`, less the most that the constant part can subtract.
-  double low = 0, high = 2 * (toughness + 2 * constant.norm()) / slope;
+  double low = 0, high = 2 * (toughness + 2 * constant.stableNorm()) / slope;
   for (int i = 0; i < 100; ++i) (excess(0.5 * (low + high)) < 0 ? low : high) = 0.5 * (low + high);
   return high;
 }

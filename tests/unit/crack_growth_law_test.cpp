@@ -7,6 +7,8 @@
 #include <random>
 
 #include "crack/growth_law.hpp"
+#include "crack/laws/resistance_curve.hpp"
+#include "elasticity/griffith.hpp"
 
 namespace {
 
@@ -97,6 +99,37 @@ TEST(CrackGrowthLaw, agrees_with_the_smallest_load_factor_of_growth) {
               growth_load_factor(factors.constant, factors.proportional, 1, criterion));
 }
 
+TEST(CrackGrowthLaw, straight_growth_begins_where_the_energy_release_rate_is_enough) {
+  EXPECT_NEAR(straight_load_factor({0, 0}, {3, 4}, 10), 2, 1e-15);
+  EXPECT_NEAR(straight_load_factor({-2, 1}, {3, 1}, 5), 2, 1e-15);  // (3 f - 2)^2 + (f + 1)^2 = 25
+  EXPECT_EQ(straight_load_factor({3, 4}, {1, 0}, 5), 0);
+  EXPECT_GT(straight_load_factor({1, 2}, {0, 0}, 5), 1e300);
+  EXPECT_GT(straight_load_factor({0, 0}, {3, 4}, 0), 1e300);
+}
+
+// Squares of the factors overflow or vanish in these units.
+TEST(CrackGrowthLaw, factors_of_any_size_grow_alike) {
+  const Point constant(-1, 0.4), proportional(0.8, 1);
+  for (const double unit : {1e-200, 1e-160, 1e160, 1e200}) {
+    EXPECT_NEAR(straight_load_factor(unit * constant, proportional, 3 * unit) / unit,
+                straight_load_factor(constant, proportional, 3), 1e-12);
+    for (const KinkCriterion criterion : both) {
+      const Kink kink = kink_of(proportional, criterion), same = kink_of(unit * proportional, criterion);
+      EXPECT_NEAR(same.angle, kink.angle, 2e-7);
+      EXPECT_NEAR(same.equivalent_factor / unit, kink.equivalent_factor, 1e-12);
+      EXPECT_NEAR(growth_load_factor(unit * constant, unit * proportional, 0.2 * unit, criterion),
+                  growth_load_factor(constant, proportional, 0.2, criterion), 1e-12);
+    }
+  }
+}
+
+TEST(CrackGrowthLaw, load_factor_of_growth_may_be_far_above_or_below_one) {
+  for (const KinkCriterion criterion : both) {
+    EXPECT_NEAR(growth_load_factor({-1, 0}, {50, 0}, 3, criterion), 0.08, 1e-15);
+    EXPECT_NEAR(growth_load_factor({-1, 0}, {0.01, 0}, 3, criterion), 400, 1e-10);
+  }
+}
+
 TEST(CrackGrowthLaw, material_that_does_not_break_never_grows) {
   for (const double toughness : {0.0, infinity}) {
     const GrowthRange range = growth_range({{1, 0}, {1, 1}}, toughness, KinkCriterion::hoop_stress);
@@ -148,6 +181,24 @@ TEST(CrackGrowthLaw, weak_plane_is_taken_below_the_ratio_of_its_energy_release_r
           const GrowthLaw law{2, 1, criterion, &directions, heading};
           EXPECT_NEAR(law.range({{0, 0}, {1, 0}}).highest, 2 * std::min(1.0, std::sqrt(share)), 1e-9);
         }
+}
+
+// Two directions are worth nearly the same: one is in the table, the other lies between the angles that are tried.
+TEST(CrackGrowthLaw, best_direction_between_trial_angles_is_found_beside_a_weak_plane) {
+  for (const KinkCriterion criterion : both)
+    for (double two = -0.3; two < 0.31; two += 0.05) {
+      const Point factors(1, two);
+      const Kink smooth = kink_of(factors, criterion);
+      const double plane = smooth.angle + (two < 0 ? -0.6 : 0.6);
+      for (const double worth : {1 - 1e-6, 1 + 1e-6}) {
+        const double share =
+            std::pow(factor_of_kink(factors, plane, criterion) / (worth * smooth.equivalent_factor), 2);
+        const crack::ResistanceDirections directions({plane - 1e-3, plane, plane + 1e-3}, {1, share, 1});
+        const Kink found = directions.kink(factors, 0, criterion);
+        EXPECT_NEAR(found.angle, worth < 1 ? smooth.angle : plane, 1e-6) << two;
+        EXPECT_NEAR(found.equivalent_factor, std::max(1.0, worth) * smooth.equivalent_factor, 1e-9);
+      }
+    }
 }
 
 TEST(CrackGrowthLaw, directions_without_a_sense_are_the_same) {
