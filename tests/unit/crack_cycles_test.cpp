@@ -49,6 +49,31 @@ TEST(RateLaws, laws_are_those_of_their_sources) {
   EXPECT_NEAR(p.closure.opening(1), 1, 1e-12);
 }
 
+// f of Newman, Int. J. Fract. 24, 1984, computed by hand for alpha 2.5 and 1 and S_max / flow stress 0.3.
+TEST(RateLaws, nasgro_opens_a_crack_at_the_share_of_newman) {
+  const Nasgro::Closure near_strain{2.5, 0.3}, stress{1, 0.3};
+  EXPECT_NEAR(near_strain.opening(0), 0.2745302482, 1e-10);
+  EXPECT_NEAR(near_strain.opening(0.5), 0.5211713741, 1e-10);
+  EXPECT_NEAR(stress.opening(0), 0.4766884904, 1e-10);
+  EXPECT_NEAR(stress.opening(0.1), 0.4907004127, 1e-10);
+  EXPECT_NEAR(stress.opening(0.7), 0.7464663139, 1e-10);
+  // The share is a line below R = 0, and constant below R = -2.
+  EXPECT_NEAR(near_strain.opening(-1), 0.2745302482 - 0.07125, 1e-10);
+  EXPECT_NEAR(near_strain.opening(-2), 0.2745302482 - 0.1425, 1e-10);
+  EXPECT_EQ(near_strain.opening(-3), near_strain.opening(-2));
+  // The curve meets the line f = R, which is the least that f can be, at R = 1.
+  EXPECT_NEAR((stress.opening(1) - stress.opening(1 - 1e-4)) / 1e-4, 1, 1e-3);
+  EXPECT_EQ((Nasgro::Closure{3, 0.8}.opening(0.7)), 0.7);
+}
+
+TEST(RateLaws, nasgro_knows_the_load_ratio_by_closure_alone) {
+  RateParameters p = parameters(RateParameters::Kind::nasgro, 2, 3);
+  p.closure = {2.5, 0.3}, p.p = 0.5, p.q = 0.25, p.threshold = 0.8;
+  const double effective = (1 - 0.5211713741) / 0.5 * 2;  // K from 2 to 4
+  const double expected = 2 * std::pow(effective, 3) * std::sqrt(1 - 0.4) / std::pow(1 - 0.5, 0.25);
+  EXPECT_NEAR(make_rate_law(p)->rate(cycle(4, 2, 8)), expected, 1e-9 * expected);
+}
+
 TEST(RateLaws, tips_below_the_threshold_or_pressed_together_do_not_grow) {
   RateParameters p = parameters(RateParameters::Kind::paris_walker, 2, 3);
   p.threshold = 3;
@@ -98,6 +123,91 @@ TEST(CyclesOnStep, reversed_loads_without_contact_have_the_closed_form) {
   EXPECT_NEAR(found.cycles, exact(0.1, 0.2, 8e-6), 1e-6 * found.cycles);
   const LevelFactors middle = tips[0].at(0.05, 0);
   EXPECT_NEAR(middle.factors.x(), -std::sqrt(M_PI * 0.15), 1e-3);
+}
+
+// A tip that takes part of a cycle for its whole way is stopped within that cycle.
+TEST(CyclesOnStep, a_part_of_a_cycle_has_the_closed_form) {
+  const double rate = exact(0.1, 0.2, 1) / 0.75;
+  const auto law = make_rate_law(parameters(RateParameters::Kind::paris_walker, rate, 3));
+  const std::vector<TipOnStep> tips = wide_plate(*law, 0.1, 0.2);
+  const std::vector<Block> blocks{{1, 0, 1}};
+  const CyclesOnStep found = CycleIntegration(CycleProgram(blocks), tips).run({}, {0}, 0, 0.1, infinity);
+  EXPECT_EQ(found.end, CyclesEnd::growth);
+  EXPECT_NEAR(found.cycles, 0.75, 1e-6);
+  EXPECT_NEAR(found.growth[0], 0.1, 1e-9);
+}
+
+// ln K = ln 0.02 + 0.4 x + 0.1 x^2 with x = ln(a / 0.1), known at x = -0.1, 0 and 0.3, is met between them.
+TEST(TipOnStep, factors_bend_as_through_the_step_before) {
+  const auto law = make_rate_law(parameters(RateParameters::Kind::paris_walker, 1, 3));
+  const auto level = [](double x) {
+    const double k = 0.02 * std::exp(0.4 * x + 0.1 * x * x);
+    return std::vector<LevelFactors>{{{k, 0}, k}};
+  };
+  TipOnStep tip;
+  tip.law = law.get(), tip.length = 0.1;
+  tip.growth = tip.crack_growth = 0.1 * std::expm1(0.3), tip.past_growth = -0.1 * std::expm1(-0.1);
+  tip.past = level(-0.1), tip.before = level(0), tip.after = level(0.3);
+  EXPECT_NEAR(tip.bend(0), 0.1, 1e-9);
+  for (const double x : {0.05, 0.15, 0.25})
+    EXPECT_NEAR(tip.at(0.1 * std::expm1(x), 0).equivalent, level(x)[0].equivalent, 1e-12);
+  tip.past_growth = 0.071;  // much longer than this step: it tells nothing
+  EXPECT_EQ(tip.bend(0), 0);
+}
+
+// What a law of the host is told of a cycle, a third of the way along a step.
+TEST(TipOnStep, places_and_lengths_of_a_cycle_change_evenly) {
+  TipOnStep tip;
+  tip.length = 2, tip.growth = 0.3, tip.crack_growth = 0.6, tip.from = {1, 2}, tip.to = {1.3, 1.7};
+  tip.before = {{{1, 0.5}, 1, 0, 6}, {}}, tip.after = {{{1, 0.5}, 1, 0, 9}, {}};
+  const TipCycle third = tip.cycle(0.1, {0, 1, 1});
+  EXPECT_NEAR((third.place - Point(1.1, 1.9)).norm(), 0, 1e-15);
+  EXPECT_NEAR(third.length, 2.2, 1e-15);
+  EXPECT_NEAR(third.t_stress, 7, 1e-14);
+  EXPECT_NEAR((third.high - Point(1, 0.5)).norm(), 0, 1e-15);
+}
+
+TEST(TipOnStep, critical_factors_are_linear_between_even_shares_of_the_step) {
+  TipOnStep tip;
+  tip.growth = 0.4, tip.critical = {9, 7, 1, 2, 4};
+  for (int k = 0; k < 5; ++k) EXPECT_NEAR(tip.critical_at(0.1 * k), tip.critical[k], 1e-12) << k;
+  EXPECT_NEAR(tip.critical_at(0.05), 8, 1e-12);
+  EXPECT_NEAR(tip.critical_at(0.375), 3.5, 1e-12);
+  EXPECT_NEAR(tip.critical_at(0.5), 4, 1e-12);  // as at the end
+  tip.critical = {9, 7};
+  EXPECT_NEAR(tip.critical_at(0.1), 8.5, 1e-12);
+  EXPECT_NEAR(tip.critical_at(0.4), 7, 1e-12);
+  tip.critical = {9, infinity};  // nothing is known of one end
+  EXPECT_EQ(tip.critical_at(0.2), 9);
+}
+
+TEST(CycleProgram, place_after_cycles_is_that_of_going_on) {
+  const std::vector<Block> blocks{{1, 0, 3}, {2, 0, 5}, {3, 0, 2}};
+  const CycleProgram program(blocks);
+  const CycleProgram::Place in_second = program.place_after(24), in_third = program.place_after(8.5);
+  EXPECT_EQ(in_second.block, 1u);
+  EXPECT_EQ(in_second.done, 1);
+  EXPECT_EQ(in_third.block, 2u);
+  EXPECT_EQ(in_third.done, 0.5);
+  EXPECT_EQ(program.place_after(10).block, 0u);
+  CycleProgram::Place place;
+  for (int cycle = 1; cycle <= 25; ++cycle) {
+    program.go_on(place, 1);
+    const CycleProgram::Place found = program.place_after(cycle);
+    EXPECT_EQ(found.block, place.block) << cycle;
+    EXPECT_EQ(found.done, place.done) << cycle;
+  }
+}
+
+TEST(CycleProgram, mean_rate_leaves_out_blocks_that_break_the_tip) {
+  const auto law = make_rate_law(parameters(RateParameters::Kind::paris_walker, 1e-6, 3));
+  std::vector<TipOnStep> tips = wide_plate(*law, 0.1, 0.2);
+  const double once = 1e-6 * std::pow(M_PI * 0.1, 1.5);  // by a cycle between the levels 0 and 1
+  const std::vector<Block> blocks{{1, 0, 3}, {2, 0, 5}};
+  EXPECT_NEAR(mean_rate(tips[0], 0, CycleProgram(blocks)), once * (3 + 5 * 8) / 8, 1e-12 * once);
+  EXPECT_NEAR(mean_rate(tips[0], 0, CycleProgram({&blocks[1], 1})), 8 * once, 1e-12 * once);
+  tips[0].critical = {1.5 * std::sqrt(M_PI * 0.1)};
+  EXPECT_NEAR(mean_rate(tips[0], 0, CycleProgram(blocks)), once * 3 / 8, 1e-12 * once);
 }
 
 // Many short programs at once, and long blocks one by one, take the growth of their blocks.
