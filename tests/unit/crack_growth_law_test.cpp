@@ -107,10 +107,10 @@ TEST(CrackGrowthLaw, straight_growth_begins_where_the_energy_release_rate_is_eno
   EXPECT_GT(straight_load_factor({0, 0}, {3, 4}, 0), 1e300);
 }
 
-// Squares of the factors overflow or vanish in these units.
+// Squares of the factors overflow or vanish in some of these units.
 TEST(CrackGrowthLaw, factors_of_any_size_grow_alike) {
   const Point constant(-1, 0.4), proportional(0.8, 1);
-  for (const double unit : {1e-200, 1e-160, 1e160, 1e200}) {
+  for (const double unit : {1e-200, 1e-160, 1e-3, 1e3, 1e160, 1e200}) {
     EXPECT_NEAR(straight_load_factor(unit * constant, proportional, 3 * unit) / unit,
                 straight_load_factor(constant, proportional, 3), 1e-12);
     for (const KinkCriterion criterion : both) {
@@ -127,6 +127,7 @@ TEST(CrackGrowthLaw, load_factor_of_growth_may_be_far_above_or_below_one) {
   for (const KinkCriterion criterion : both) {
     EXPECT_NEAR(growth_load_factor({-1, 0}, {50, 0}, 3, criterion), 0.08, 1e-15);
     EXPECT_NEAR(growth_load_factor({-1, 0}, {0.01, 0}, 3, criterion), 400, 1e-10);
+    EXPECT_EQ(growth_load_factor({3.5, 0}, {-1, 0}, 3, criterion), 0);  // it grows without any load
   }
 }
 
@@ -208,6 +209,25 @@ TEST(CrackGrowthLaw, directions_without_a_sense_are_the_same) {
   EXPECT_DOUBLE_EQ(table.share(0.9), 0.4);
   EXPECT_NEAR(table.share(0.5), 0.7, 1e-12);
   EXPECT_NEAR(table.share((2.2 + 0.1 + std::numbers::pi) / 2), 1.5, 1e-12);  // between the last row and the first
+}
+
+// A fracture energy of 0.6 K_I is met where K_I^2 / 2 = 0.6 K_I: at K_I = 1.2.
+TEST(CrackGrowthLaw, load_factors_of_a_host_function_are_those_of_its_energy) {
+  const crack::HostResistance growing([](const crack::TipCycle& held) { return 0.6 * held.highest; });
+  const crack::HostResistance large([](const crack::TipCycle&) { return 5e11; });
+  GrowthLaw law{1, 2};
+  law.asking.function = &growing;
+  for (const KinkCriterion criterion : both) {
+    law.criterion = criterion;
+    const GrowthRange range = law.range({{0.2, 0}, {0.1, 0}});
+    EXPECT_NEAR(range.highest, 10, 1e-9);
+    EXPECT_EQ(range.lowest, -infinity);
+    EXPECT_NEAR(law.first_load_factor({{0.2, 0}, {0.1, 0}}), 10, 1e-9);
+    EXPECT_NEAR(law.range({{0.2, 0}, {-0.1, 0}}).lowest, -10, 1e-9);
+    EXPECT_EQ(law.first_load_factor({{1.3, 0}, {0.1, 0}}), 0);
+  }
+  law.asking.function = &large;  // a million times the number that the law begins with
+  EXPECT_NEAR(law.range({{0, 0}, {1, 0}}).highest, 1e6, 1e-4);
 }
 
 TEST(CrackGrowthLaw, resistance_curve_is_linear_between_its_rows) {

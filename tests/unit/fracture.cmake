@@ -1,1 +1,2 @@
-bempd_add_unit_test(fracture_test fracture_test.cpp fracture_window_test.cpp fracture_trial_energy_test.cpp fracture_told_test.cpp fracture_kink_shape_test.cpp)
+bempd_add_unit_test(fracture_test fracture_test.cpp fracture_window_test.cpp fracture_trial_energy_test.cpp fracture_told_test.cpp fracture_kink_shape_test.cpp
+  fracture_line_load_test.cpp fracture_williams_fit_test.cpp)
