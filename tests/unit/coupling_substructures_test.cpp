@@ -124,13 +124,13 @@ TEST(LowerBlocks, sum_up_packed_triangles_as_full_matrices) {
   full.add(matrix, places), half.add(packed, places);
   const auto below = [](const Eigen::MatrixXd& sum) { return Eigen::MatrixXd(sum.triangularView<Eigen::Lower>()); };
   EXPECT_EQ(below(full.eliminated), below(half.eliminated));
-  EXPECT_EQ(full.mixed, half.mixed);
-  EXPECT_EQ(below(full.others), below(half.others));
+  EXPECT_EQ(full.coupling, half.coupling);
+  EXPECT_EQ(below(full.remaining), below(half.remaining));
   // The unknowns at 0 and 1 are eliminated; the matrix has them as its second and its last.
   EXPECT_EQ(half.eliminated(1, 0), matrix(3, 1));
-  EXPECT_EQ(half.mixed(1, 0), matrix(1, 0));
-  EXPECT_EQ(half.others(2, 1), matrix(2, 0));
-  EXPECT_EQ(half.others(2, 2), matrix(2, 2));
+  EXPECT_EQ(half.coupling(1, 0), matrix(1, 0));
+  EXPECT_EQ(half.remaining(2, 1), matrix(2, 0));
+  EXPECT_EQ(half.remaining(2, 2), matrix(2, 2));
 }
 
 TEST(Substructures, solve_like_a_dense_matrix) {
