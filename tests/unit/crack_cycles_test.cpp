@@ -303,6 +303,31 @@ TEST(Retardation, wheelers_share_is_one_at_the_end_of_the_zone) {
   EXPECT_EQ(law->retardation()->after(overload, overload.end - 0.9 * own, 4).highest, 4);
 }
 
+// K stays the same, so the rate of Wheeler is a power of the distance to the end of the zone until the zones meet. The
+// same cycles in two blocks are passed by whole programs.
+TEST(Retardation, cycles_in_the_zone_of_an_overload_have_the_closed_form) {
+  RateParameters p = slowed(RateParameters::Retarding::wheeler);
+  p.coefficient = 1e-6;
+  const auto law = make_rate_law(p);
+  constexpr double way = 0.08, once = 8e-6;  // growth, and its rate under K = 2 without retardation
+  TipOnStep tip;
+  tip.law = law.get(), tip.length = 1, tip.growth = tip.crack_growth = way;
+  tip.before = tip.after = {{}, {{2, 0}, 2}};
+  tip.overload = law->retardation()->after({}, 0, 6);
+  const double end = tip.overload.end, own = law->retardation()->zone(2);
+  const double inside = (std::pow(end, 2.5) - std::pow(own, 2.5)) / (2.5 * std::pow(own, 1.5) * once);
+  const double expected = inside + (way - (end - own)) / once;
+  const std::vector<TipOnStep> tips{tip};
+  const std::vector<Block> blocks{{1, 0, 10}, {1, 0, 30}};
+  for (const std::size_t count : {1, 2}) {
+    const CycleProgram program({blocks.data(), count});
+    const CyclesOnStep found = CycleIntegration(program, tips).run({}, {0}, 0, way, infinity);
+    EXPECT_EQ(found.end, CyclesEnd::growth);
+    EXPECT_NEAR(found.cycles, expected, 1e-4 * expected) << count;
+    EXPECT_NEAR(found.overloads[0].highest, 2, 0);
+  }
+}
+
 TEST(Retardation, willenborgs_overload_by_the_shutoff_ratio_stops_a_tip) {
   const auto law = make_rate_law(slowed(RateParameters::Retarding::willenborg));
   // phi = (1 - 1 / 4) / (3 - 1), and both factors are less by phi (8 - 4).
