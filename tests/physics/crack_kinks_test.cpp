@@ -36,6 +36,20 @@ TEST(Kink, factors_of_amestoy_and_leblond_are_those_of_a_tiny_kink) {
   }
 }
 
+// A stress along a straight crack gives no factors before the crack kinks, and then a multiple of the root of the
+// kink's length (Amestoy and Leblond 1992, G).
+TEST(Kink, growth_by_a_stress_along_the_crack_is_that_of_a_short_kink) {
+  Eigen::Matrix2d along;
+  along << 1, 0, 0, 0;
+  constexpr double length = 1e-3;
+  for (const double degrees : {20.0, 50.0, 75.0, -60.0}) {
+    const Point found = kinked(degrees * degree, length, along) * std::sqrt(pi / length);
+    const Point known = kink_growth(degrees * degree);
+    std::printf("%g degrees: %.5f %.5f, known %.5f %.5f\n", degrees, found.x(), found.y(), known.x(), known.y());
+    EXPECT_LE((found - known).norm(), 1e-3) << degrees;
+  }
+}
+
 TEST(Kink, goes_to_the_largest_energy_release_rate) {
   using enum KinkCriterion;
   // Pure shear: 75.6 degrees, between hoop stress (70.5) and vanishing K_II (77.3); Amestoy and Leblond 1992.
