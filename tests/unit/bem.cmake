@@ -1,2 +1,2 @@
-bempd_add_unit_test(bem_test bem_close_pairs_test.cpp bem_crack_grading_test.cpp bem_kernels_test.cpp bem_operator_test.cpp
+bempd_add_unit_test(bem_test bem_close_pairs_test.cpp bem_crack_field_test.cpp bem_crack_grading_test.cpp bem_kernels_test.cpp bem_operator_test.cpp
   bem_quadrature_test.cpp)

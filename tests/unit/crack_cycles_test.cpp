@@ -39,6 +39,8 @@ TEST(RateLaws, laws_are_those_of_their_sources) {
   EXPECT_EQ(critical_of(p, 10), 10);
   p.critical = 7;
   EXPECT_EQ(critical_of(p, 10), 7);
+  p.critical = 0.5;
+  EXPECT_EQ(critical_of(p, 10), 0.5);
   p = parameters(Kind::sustained, 2, 3);
   EXPECT_NEAR(make_rate_law(p)->rate(cycle(4, 4)), 2 * 64, 1e-12);
   // Plane stress without load, R = 0: f = A0 = 0.535.

@@ -189,6 +189,21 @@ TEST(TipFit, corners_count_by_their_share_of_a_cell) {
   EXPECT_NEAR(inner / inside, 1, 0.2);
 }
 
+// A pressure across a crack midway between two rows is symmetric: it opens the tip and does not shear it.
+TEST(TipFit, pressure_across_a_crack_has_no_shear) {
+  const double far = 14;
+  const Lattice lattice(square(far), {{{-far, 0.5}, {0.5, 0.5}}}, 3);
+  const coupling::Affine at_rest = coupling::Affine::Zero(2 * static_cast<Eigen::Index>(lattice.d.positions.size()), 2);
+  const Eigen::RowVector2d pressure(2, 5);
+  const AffineIntensity fitted = lattice.stress->fitted(lattice.tip, lattice.law, at_rest, pressure).factors(3);
+  const AffineIntensity ahead = lattice.stress->closely_ahead_of(lattice.tip, lattice.law, at_rest, pressure);
+  for (const AffineIntensity& found : {fitted, ahead}) {
+    EXPECT_GT(found.one[1], 0);
+    EXPECT_NEAR(found.one[0] / found.one[1], 0.4, 1e-12);
+    EXPECT_NEAR(found.two.norm(), 0, 1e-12 * found.one.norm());
+  }
+}
+
 // Points that stand for an endless lattice lie deep inside, also where a turned lattice has points on its outline: some
 // points beside it have more neighbours than those inside. With these, trial steps counted 4 % too much length.
 TEST(DeepPoints, lie_away_from_outlines_of_turned_lattices) {
