@@ -116,7 +116,6 @@ struct ElementGeometry {
     Point derivative;
     std::array<double, 3> shape, shape_derivative;
   };
-  Values values(double xi) const { return values(xi, basis.at(xi)); }
   // Divided differences (f(xi) - f(from)) / (xi - from) of the position and of the shape functions, without
   // cancellation. The shape functions' differences are not valid for elements at a tip.
   struct Quotients {

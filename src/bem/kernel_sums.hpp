@@ -25,7 +25,6 @@ struct SingularPoints {
     std::array<Values, 3> difference;  // the element's part of (N_b(y) - N_b(x)) / radius
   };
 
-  const Side& outer_at(int angle) const { return outer[outer_ignores_angle ? 0 : angle]; }
   const Side& inner_at(int angle) const { return inner[inner_ignores_angle ? 0 : angle]; }
 
   int radii = 0, angles = 0;

@@ -18,7 +18,6 @@ class OpeningSchurComplement {
 
   const Eigen::MatrixXd& stiffness() const { return stiffness_; }                // on displacements
   Eigen::MatrixXd solve(const Eigen::Ref<const Eigen::MatrixXd>& forces) const;  // K_ww^-1 forces
-  Eigen::Index size() const { return factor_.rows(); }
 
  private:
   Eigen::Index take_over(const OpeningSchurComplement& before, Eigen::Index displacements,

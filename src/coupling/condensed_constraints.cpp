@@ -100,9 +100,4 @@ void CondensedOperators::add_gap_function(Eigen::Index constraint, Eigen::Vector
   });
 }
 
-std::vector<char> CondensedOperators::closed_on(const std::vector<int>& nodes) const {
-  const int number = number_on(nodes);
-  return number < 0 ? std::vector<char>() : list_[static_cast<std::size_t>(number)].closed();
-}
-
 }  // namespace bempd::coupling

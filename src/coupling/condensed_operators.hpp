@@ -65,9 +65,6 @@ class CondensedOperators {
   double work_due_to_multipliers(const Eigen::VectorXd& displacement, double load_factor) const;
   // Adds to `weights` the gap of a constraint as a linear function of displacements, without its constant offset.
   void add_gap_function(Eigen::Index constraint, Eigen::VectorXd& weights) const;
-  // Flags of the constraints of the operator that has exactly these nodes, 1 if closed; empty if there is no such
-  // operator.
-  std::vector<char> closed_on(const std::vector<int>& nodes) const;
 
  private:
   enum class Condensed : char { nothing, operators, operators_and_load };

@@ -43,7 +43,6 @@ class SystemFactor {
   bool keeps(const std::vector<int>& nodes) const;
   const std::vector<int>& kept_nodes() const { return kept_nodes_; }
 
-  FactorState state() const { return state_; }
   bool exists() const { return state_ != FactorState::none; }
   bool is_current() const { return state_ == FactorState::factorized || state_ == FactorState::updated; }
   void forget() {

@@ -27,11 +27,6 @@ class TermStages {
     return terms_.law_of(static_cast<std::size_t>(change.term)).stiffness_share(change.stage) *
            terms_.stiffness[change.term];
   }
-  // Critical elongation of a term in its present stage, as a share of the term's nominal critical elongation.
-  double critical_share(int term) const {
-    return terms_.law_of(static_cast<std::size_t>(term)).critical_share(numbers_[term]);
-  }
-
   // Stage change of a term that has reached the critical elongation of its present stage.
   StageChange after_critical(int term) const {
     return {term, terms_.law_of(static_cast<std::size_t>(term)).after_critical(numbers_[term])};

@@ -16,13 +16,6 @@ struct GrowthRange {
 
   bool is_empty() const { return lowest > highest; }  // true: the tip grows at every load factor
   bool holds(double load_factor) const { return lowest < load_factor && load_factor < highest; }
-
-  // Load factor at which the tip grows next if the load factor rises (`upwards`) or falls. If the present load factor
-  // lies outside the range, it is that load factor; infinite if the tip does not grow in this direction.
-  double next(double present, bool upwards) const {
-    if (!holds(present)) return present;
-    return upwards ? highest : lowest;
-  }
 };
 
 // Growth law of a tip at its present place: the criterion for kinks, and the properties of the material around the tip.

@@ -24,9 +24,6 @@ class FreeSwelling {
   // Displacement at a place [m]: column 0 is the constant part, column 1 the part that is multiplied by the load
   // factor.
   Eigen::Matrix2d displacement(const Point& place) const;
-  Point displacement(const Point& place, double load_factor) const {
-    return displacement(place) * Eigen::Vector2d(1, load_factor);
-  }
 
  private:
   FreeSwelling(const Point& centre, const Eigen::Matrix<double, 3, 2>& coefficients)

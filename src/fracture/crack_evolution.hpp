@@ -65,9 +65,7 @@ class CrackEvolution {
   RunLoads& loads() { return loads_; }
   RunEvents& events() { return events_; }
   RunRecords& records() { return records_; }
-  const RunRecords& records() const { return records_; }
   BodyGrowth& growth() { return growth_; }
-  const BodyGrowth& growth() const { return growth_; }
   EventSources& sources() { return sources_; }
 
   // Runs to a target or goal (event_loop.hpp). `on_event` is called after every event, `on_end` at the end. If a

@@ -37,7 +37,6 @@ class LoadedBody {
   BodyResponse& response() { return response_; }
   const BodyResponse& response() const { return response_; }
   BodyLoads& loads() { return loads_; }
-  const BodyLoads& loads() const { return loads_; }
   const SupportForces& supports() const { return supports_; }
   PartHolder& holder() { return holder_; }
   BodyContact& contact() { return contact_; }

@@ -73,29 +73,4 @@ Location locate(const Outline& outline, const Point& p, double tolerance) {
   return locate(edges_of(outline), p, tolerance);
 }
 
-Point some_interior_point(const Outline& outline) {
-  std::vector<Segment> edges;
-  for (const Edge& edge : edges_of(outline)) edges.push_back({edge.start, edge.end});
-  assert(!edges.empty() && outline.curved.empty());
-  const auto longest = std::max_element(edges.begin(), edges.end(), [](const Segment& a, const Segment& b) {
-    return a.direction().squaredNorm() < b.direction().squaredNorm();
-  });
-  const Point direction = longest->direction().normalized();
-  const Point inward(-direction.y(), direction.x());
-  const Point middle = longest->at(0.5);
-  double width = std::numeric_limits<double>::infinity();
-  for (const Segment& edge : edges) {
-    if (&edge == &*longest) continue;
-    // Coordinates have their origin at the middle of the longest edge, and are taken along this edge and inwards. The
-    // ray runs inwards from the origin.
-    const double s = direction.dot(edge.start - middle), e = direction.dot(edge.end - middle);
-    if ((s > 0 && e > 0) || (s < 0 && e < 0) || s == e) continue;
-    const double fraction = s / (s - e);
-    const double depth = inward.dot(edge.at(fraction) - middle);
-    if (depth > 0) width = std::min(width, depth);
-  }
-  assert(width < std::numeric_limits<double>::infinity());
-  return middle + 0.5 * width * inward;
-}
-
 }  // namespace bempd

@@ -40,8 +40,4 @@ enum class Location { inside, on_boundary, outside };
 Location locate(const std::vector<Edge>& boundary, const Point& p, double tolerance);
 Location locate(const Outline& outline, const Point& p, double tolerance);
 
-// Point well inside a sound outline of straight edges: on the ray inwards from the middle of its longest edge, half way
-// to the next edge on this ray.
-Point some_interior_point(const Outline& outline);
-
 }  // namespace bempd

@@ -31,7 +31,6 @@ class Operand {
     static_assert(Derived::InnerStrideAtCompileTime == 1 && !Derived::IsVectorAtCompileTime);
   }
 
-  Eigen::Index rows() const { return rows_; }
   Eigen::Index cols() const { return cols_; }
   Operand middle_rows(Eigen::Index first, Eigen::Index count) const {
     return {data_ + first * (is_transposed_ ? stride_ : 1), count, cols_, stride_, is_transposed_};

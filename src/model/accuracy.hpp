@@ -80,7 +80,6 @@ class Accuracy {
 
   // Record of the steps of the run so far, which run_errors.hpp repeats.
   RunJournal& journal() { return journal_; }
-  const RunJournal& journal() const { return journal_; }
   // Number of times that the elements of bodies are halved at present.
   regions::Refinement refinement() const { return {chosen_ ? chosen_->cost.halvings : 0, 0}; }
   // Factor on the lengths of extensions that the library chooses: 1, except in tests and in runs that are repeated to

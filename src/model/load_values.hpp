@@ -54,7 +54,6 @@ class LoadValues {
     std::optional<scene::SceneValues> earlier;
   };
   ActingValues& present() { return present_; }
-  const ActingValues& present() const { return present_; }
 
   // Loads before a change, to which go_back_to() returns.
   struct Before {

@@ -19,7 +19,6 @@ std::string quoted_if_needed(const std::string& text) {
   return quoted += '"';
 }
 
-std::string field_text(double value) { return to_text(value); }
 std::string field_text(const std::string& value) { return quoted_if_needed(value); }
 std::string field_text(const CsvValue& value) {
   if (const auto* text = std::get_if<std::string>(&value)) return quoted_if_needed(*text);
@@ -40,11 +39,6 @@ void append_line(std::string& text, const std::vector<Value>& values) {
 
 CsvTable::CsvTable(const std::vector<std::string>& columns) : column_count_(columns.size()) {
   append_line(text_, columns);
-}
-
-void CsvTable::add_row(const std::vector<double>& values) {
-  assert(values.size() == column_count_);
-  append_line(text_, values);
 }
 
 void CsvTable::add_row(const std::vector<CsvValue>& values) {

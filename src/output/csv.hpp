@@ -15,10 +15,7 @@ class CsvTable {
  public:
   explicit CsvTable(const std::vector<std::string>& columns);
 
-  void add_row(const std::vector<double>& values);
   void add_row(const std::vector<CsvValue>& values);
-
-  const std::string& text() const { return text_; }
 
   // Writes the table to a file. Throws std::system_error if this fails.
   void save(const std::filesystem::path& path) const;

@@ -98,17 +98,7 @@ Solved by_quadratic_programme(model::Model& model, const bem::FaceTraction& face
 Eigen::VectorXd openings(model::Model& model) {
   const bem::CrackMesh& cracks = operator_of(model).cracks();
   Eigen::VectorXd all(2 * static_cast<Eigen::Index>(cracks.nodes.size()));
-  const model::PreparedScene& p = model.prepared();
-  const fracture::EvolutionState& state = p.evolution->state();
-  const regions::Solution solution{state.total_displacement,
-                                   p.system->terms(),
-                                   p.system->stages().intact(),
-                                   p.conditions.body_forces(state.load_factor),
-                                   &state.displacement,
-                                   &p.conditions.crack_loads,
-                                   state.load_factor,
-                                   &p.system->stages().numbers(),
-                                   {p.system->operators().closed_on(model.results().region(1).nodes())}};
+  const regions::Solution solution = model::solution_of(model.prepared());
   // Pictures have the nodes of elements one after another, crack by crack.
   const auto& region = static_cast<const regions::BoundaryRegion&>(model.results().region(1));
   const std::vector<regions::CrackPicture> pictures = region.crack_elements()->pictures(solution);

@@ -80,18 +80,6 @@ TEST(Outline, points_are_located_in_a_ring_at_any_size_and_place) {
   }
 }
 
-TEST(Outline, some_interior_point_is_inside) {
-  const Outline ring{{box_loop(0, 0, 4, 4), reversed(box_loop(0.1, 0.1, 3.9, 3.9))}};
-  const Outline hook{{{{0, 0}, {5, 0}, {5, 3}, {4, 3}, {4, 0.2}, {1, 0.2}, {1, 3}, {0, 3}}}};
-  const Outline triangle{{{{0, 0}, {10, 0}, {9, 0.01}}}};
-  for (const Placement& place : placements()) {
-    for (const Outline& shape : {ring, hook, triangle}) {
-      const Outline body = place(shape);
-      EXPECT_EQ(locate(body, some_interior_point(body), geometric_tolerance(bounding_box(body))), Location::inside);
-    }
-  }
-}
-
 TEST(OutlineCheck, sound_outlines_pass_at_any_size_and_place) {
   const Outline ring{{box_loop(0, 0, 4, 4), reversed(box_loop(1, 1, 2, 3)), reversed(box_loop(2.1, 1, 3, 3))}};
   const Outline slender{{box_loop(0, 0, 1e4, 1)}};

@@ -155,12 +155,14 @@ TEST(OutputText, numbers_ignore_the_locale) {
   EXPECT_EQ(count, "12345678");
 }
 
-TEST(OutputText, csv_quotes_only_what_needs_it) {
+TEST_F(OutputFiles, csv_quotes_only_what_needs_it) {
   CsvTable table({"plain", "with, comma"});
   table.add_row(std::vector<CsvValue>{std::string("say \"no\""), std::int64_t{-7}});
   table.add_row(std::vector<CsvValue>{std::string("two\nlines"), 0.5});
-  table.add_row(std::vector<double>{1, std::nan("")});
-  EXPECT_EQ(table.text(), "plain,\"with, comma\"\n\"say \"\"no\"\"\",-7\n\"two\nlines\",0.5\n1,nan\n");
+  table.add_row(std::vector<CsvValue>{1.0, std::nan("")});
+  table.save(folder_ / "table.csv");
+  EXPECT_EQ(content(folder_ / "table.csv"),
+            "plain,\"with, comma\"\n\"say \"\"no\"\"\",-7\n\"two\nlines\",0.5\n1,nan\n");
 }
 
 TEST(OutputText, xml_attributes_are_escaped) {

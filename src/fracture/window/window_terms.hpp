@@ -42,7 +42,6 @@ class WindowTerms {
 
   // Changes the stage of a term. Here and in the functions below, a term is named by its position in the list.
   void enter(const coupling::StageChange& change);
-  int stage(std::size_t term) const { return stages_[term]; }
   double stiffness_after(const coupling::StageChange& change) const;
   void update_ratios(const coupling::Affine& rows, bool has_constant_part);
 

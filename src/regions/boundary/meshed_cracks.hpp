@@ -38,7 +38,6 @@ class MeshedCracks {
   const bem::CrackMesh& elements() const { return mesh_; }
   double tolerance() const { return tolerance_; }
 
-  const CrackLines& lines() const { return lines_; }
   // Ids of the cracks that have elements in the part, ascending.
   std::vector<int> ids() const;
   bool has(int crack) const;
