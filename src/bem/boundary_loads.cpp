@@ -1,6 +1,7 @@
 #include "bem/boundary_loads.hpp"
 
-#include "bem/boundary_elements.hpp"
+#include "bem/element_geometry.hpp"
+#include "bem/quadrature.hpp"
 
 namespace bempd::bem {
 

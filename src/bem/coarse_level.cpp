@@ -1,6 +1,5 @@
 #include "bem/coarse_level.hpp"
 
-#include <Eigen/Cholesky>
 #include <algorithm>
 #include <utility>
 

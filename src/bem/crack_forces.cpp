@@ -1,6 +1,6 @@
 #include "bem/crack_forces.hpp"
 
-#include "bem/boundary_elements.hpp"
+#include "bem/quadrature.hpp"
 
 namespace bempd::bem {
 

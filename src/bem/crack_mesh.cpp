@@ -1,8 +1,6 @@
 #include "bem/crack_mesh.hpp"
 
 #include <algorithm>
-#include <cassert>
-#include <cmath>
 
 #include "error.hpp"
 

@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "bem/interior.hpp"
 #include "bem/pair_blocks.hpp"
+#include "elasticity/griffith.hpp"
 #include "geometry/turning.hpp"
 #include "number_range.hpp"
 

@@ -6,7 +6,6 @@
 #include "bem/crack_forces.hpp"
 #include "bem/cracked_operator.hpp"
 #include "bem/interior.hpp"
-#include "elasticity/griffith.hpp"
 
 namespace bempd::bem {
 

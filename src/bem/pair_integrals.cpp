@@ -1,11 +1,9 @@
 #include "bem/pair_integrals.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <limits>
 #include <new>
-#include <utility>
 
 #include "bem/kernel_sums.hpp"
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "bempd.h"
-#include "regions/region.hpp"
+#include "regions/tip_values.hpp"
 
 namespace bempd::capi {
 

@@ -1,8 +1,5 @@
-#include <algorithm>
-#include <new>
 #include <stdexcept>
 #include <string>
-#include <utility>
 
 #include "capi/guard.hpp"
 #include "linalg/external_solver.hpp"

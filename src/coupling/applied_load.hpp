@@ -1,13 +1,12 @@
 #pragma once
 
-#include <Eigen/Core>
 #include <array>
 #include <cmath>
 #include <vector>
 
 #include "coupling/affine.hpp"
 #include "coupling/node_ties.hpp"
-#include "coupling/unknowns.hpp"
+#include "coupling/schur_complement.hpp"
 
 namespace bempd::coupling {
 

@@ -11,7 +11,6 @@
 #include "coupling/stress_free_state.hpp"
 #include "coupling/system_matrix.hpp"
 #include "coupling/system_parts.hpp"
-#include "geometry/point.hpp"
 
 namespace bempd::coupling {
 

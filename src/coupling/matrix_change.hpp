@@ -2,7 +2,6 @@
 
 #include <Eigen/SparseCore>
 #include <cmath>
-#include <span>
 #include <vector>
 
 #include "coupling/operators.hpp"

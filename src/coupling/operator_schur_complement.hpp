@@ -4,7 +4,6 @@
 #include <Eigen/Core>
 #include <map>
 #include <memory>
-#include <utility>
 #include <vector>
 
 #include "coupling/affine.hpp"

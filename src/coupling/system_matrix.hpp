@@ -2,7 +2,6 @@
 
 #include <Eigen/SparseCore>
 #include <memory>
-#include <utility>
 
 #include "coupling/factor_origin.hpp"
 #include "coupling/stiffness_assembly.hpp"

@@ -1,6 +1,5 @@
 #include "fracture/crack_evolution.hpp"
 
-#include <cmath>
 #include <optional>
 
 #include "fracture/event_choice.hpp"

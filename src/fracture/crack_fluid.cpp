@@ -5,8 +5,6 @@
 #include <limits>
 #include <utility>
 
-#include "geometry/turning.hpp"
-
 namespace bempd::fracture {
 
 namespace {

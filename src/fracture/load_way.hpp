@@ -4,6 +4,7 @@
 
 namespace bempd::fracture {
 
+using crack::Control;
 using crack::LoadWay;
 
 }  // namespace bempd::fracture

@@ -1,7 +1,6 @@
 #include "fracture/run_loads.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 #include "fracture/balance.hpp"
 #include "number_range.hpp"

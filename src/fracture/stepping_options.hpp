@@ -5,6 +5,7 @@
 #include <set>
 
 #include "fracture/body_carrier.hpp"
+#include "fracture/load_way.hpp"
 
 namespace bempd::fracture {
 
@@ -17,8 +18,6 @@ enum class SteppingMode {
   // breaks; bonds that these breaks overload break in the next increment (Yang and Liu 2021, fig. 6).
   increments
 };
-
-using crack::Control;
 
 struct SteppingOptions {
   SteppingMode mode = SteppingMode::events;

@@ -1,6 +1,5 @@
 #include "fracture/support_forces.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <limits>
 

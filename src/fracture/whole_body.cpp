@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
 
 #include "fracture/contact/gap_rule.hpp"
 #include "fracture/part_holder.hpp"

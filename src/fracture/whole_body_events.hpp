@@ -1,7 +1,6 @@
 #pragma once
 
 #include <optional>
-#include <vector>
 
 #include "fracture/event_source.hpp"
 #include "fracture/loaded_body.hpp"

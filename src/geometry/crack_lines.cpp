@@ -1,7 +1,6 @@
 #include "geometry/crack_lines.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 #include "error.hpp"
 #include "geometry/outline.hpp"

@@ -8,7 +8,6 @@
 #include <span>
 
 #include "geometry/edge.hpp"
-#include "geometry/segment.hpp"
 #include "geometry/turning.hpp"
 
 namespace bempd {

@@ -1,5 +1,6 @@
 #include "linalg/nested_dissection.hpp"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <span>

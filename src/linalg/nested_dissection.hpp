@@ -1,6 +1,6 @@
 #pragma once
 
-#include <Eigen/Geometry>
+#include <Eigen/Core>
 #include <vector>
 
 #include "linalg/adjacency.hpp"

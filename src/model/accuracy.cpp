@@ -17,12 +17,13 @@ namespace bempd::model {
 
 namespace {
 
-// Largest number of halvings; more would only be needed for errors within rounding.
+// Largest number of times that elements are halved; more halvings would only be needed for errors as small as rounding.
 constexpr int most_halvings = 8;
 
-// Largest number of elements of a scene that is solved with elements halved once more to estimate errors, if it has no
-// lattice and only two meshes were solved. That takes two to three times as long as the two meshes together. Scenes
-// with tips may have more elements, since the length and the direction of (K_I, K_II) have errors of different orders.
+// Largest number of elements of a scene that is solved in a third mesh with halved elements to estimate errors, if the
+// scene has no lattice and only two meshes were solved. The third mesh takes two to three times as long as the two
+// meshes together. Scenes with tips may have more elements, since the length and the direction of (K_I, K_II) have
+// errors of different orders.
 constexpr double most_elements_to_halve = 125, most_elements_to_halve_with_tips = 160;
 
 const scene::OptionGroup accuracy_group(scene::OptionPlace::general, [] {
@@ -158,8 +159,9 @@ void Accuracy::solve_next() {
   }
 }
 
-// Solves a small scene that has two meshes with the elements of the second mesh halved. If the errors are larger than
-// wanted, this becomes the third mesh; else only its error estimate is kept. Returns whether anything is new.
+// Solves a small scene, of which two meshes were solved, in a third mesh with halved elements. If the errors of the
+// second mesh are larger than wanted, the third mesh is kept; else only the error estimate that it gives is kept.
+// Returns whether a third mesh was solved.
 bool Accuracy::solve_halved_once_more() {
   const Level& last = levels_.back();
   const double most = last.answers.tips.empty() ? most_elements_to_halve : most_elements_to_halve_with_tips;
@@ -189,14 +191,16 @@ MeshErrors Accuracy::estimate() const {
 
 double Accuracy::reduction() const { return expected_reduction(meshes(), tolerance_, model_.options()); }
 
-// Whether results hardly converge, as they do where a support or a force acts at a point.
+// Whether the differences between meshes hardly fall with shorter elements, as where a support or a force acts at a
+// point.
 bool Accuracy::stagnates() const {
   constexpr std::size_t enough = 4;  // number of meshes that shows this
   constexpr double least_reduction = 1.5;
   return levels_.size() >= enough && reduction() < least_reduction;
 }
 
-// Cost of the mesh after `more` halvings of the finest mesh that was solved.
+// Size and cost of the mesh after `more` halvings of the finest mesh that was solved, extrapolated from the last two
+// meshes.
 MeshCost Accuracy::predicted(int more) const {
   MeshCost cost = levels_.back().cost;
   const MeshCost& before = levels_[levels_.size() - 2].cost;
@@ -210,13 +214,13 @@ MeshCost Accuracy::predicted(int more) const {
   return cost;
 }
 
-// Whether the errors are larger than wanted, or the option test.halvings asks for more halvings.
+// Whether the errors of the finest mesh are larger than wanted, or the option test.halvings asks for more halvings.
 bool Accuracy::wants_more() const {
   const int given = model_.options().whole_number("test.halvings");
   return given < 0 ? estimate().largest() > wanted() : levels_.back().cost.halvings < given;
 }
 
-// Whether results converge, and time and memory allow the next mesh.
+// Whether shorter elements still reduce the errors, and time and memory allow the next mesh.
 bool Accuracy::may_refine() const {
   if (levels_.size() > most_halvings || stagnates()) return false;
   const MeshCost next = predicted(1);
@@ -286,7 +290,7 @@ void Accuracy::prepare() {
   errors_by_halving_.reset(), seconds_of_halving_ = 0;
   const MeshErrors& errors = chosen_->errors;
   say([&] {
-    model_.reports().log(chosen_->meets_wish ? 0 : 1, text("bodies have ", chosen_->cost.elements,
+    model_.reports().log(chosen_->meets_wish ? 2 : 1, text("bodies have ", chosen_->cost.elements,
                                                            " boundary elements; errors by estimate: displacement ",
                                                            errors.displacement, ", reactions ", errors.reaction,
                                                            ", stress intensity factors ", errors.intensity, left_over));

@@ -5,7 +5,6 @@
 #include <limits>
 
 #include "geometry/segment.hpp"
-#include "geometry/turning.hpp"
 
 namespace bempd::model {
 

@@ -1,7 +1,6 @@
 // Checks whether a run can continue from the data that a saved state holds for that (Continuation). All numbers are
 // known to be finite (state_checks.cpp).
 #include <algorithm>
-#include <cmath>
 #include <set>
 
 #include "error.hpp"

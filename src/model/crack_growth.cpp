@@ -2,16 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "crack/cannot_grow.hpp"
-#include "elasticity/kinked_tip.hpp"
 #include "error.hpp"
 #include "model/crack_lengthening.hpp"
 #include "model/driven_growth.hpp"
 #include "model/element_growth.hpp"
-#include "model/extension_end.hpp"
-#include "model/growth_options.hpp"
 #include "model/model.hpp"
 
 // Growth of cracks with boundary elements: the scene is prepared again with longer cracks, and its run continues.

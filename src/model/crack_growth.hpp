@@ -10,7 +10,7 @@
 #include "model/answers.hpp"
 #include "model/tip_factors.hpp"
 #include "regions/patches.hpp"
-#include "regions/region.hpp"
+#include "regions/tip_values.hpp"
 #include "scene/scene.hpp"
 #include "scene/scene_values.hpp"
 

@@ -1,7 +1,5 @@
 #include "model/crack_lengthening.hpp"
 
-#include "crack/cannot_grow.hpp"
-
 namespace bempd::model {
 
 void move_load(PreparedScene& scene, double load_factor, const std::set<crack::TipId>& frozen) {

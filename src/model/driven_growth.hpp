@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "fracture/crack_evolution.hpp"
-#include "regions/region.hpp"
+#include "regions/tip_values.hpp"
 #include "scene/scene.hpp"
 
 namespace bempd::regions {

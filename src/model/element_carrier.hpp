@@ -12,7 +12,7 @@
 #include "model/crack_treatments.hpp"
 #include "model/driven_growth.hpp"
 #include "regions/patches.hpp"
-#include "regions/region.hpp"
+#include "regions/tip_values.hpp"
 #include "scene/scene.hpp"
 #include "scene/scene_values.hpp"
 

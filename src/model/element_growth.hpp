@@ -6,7 +6,7 @@
 #include "crack/carrier.hpp"
 #include "fracture/crack_evolution.hpp"
 #include "model/answers.hpp"
-#include "regions/region.hpp"
+#include "regions/tip_values.hpp"
 #include "scene/options.hpp"
 #include "scene/scene.hpp"
 

@@ -5,7 +5,6 @@
 #include "elasticity/kinked_tip.hpp"
 #include "model/crack_lengthening.hpp"
 #include "model/fatigue_run.hpp"
-#include "model/growth_options.hpp"
 #include "model/line_lengthening.hpp"
 
 namespace bempd::model {

@@ -3,7 +3,6 @@
 #include <map>
 #include <vector>
 
-#include "model/fatigue.hpp"
 #include "model/fatigue_front.hpp"
 
 namespace bempd::model {

@@ -2,10 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "crack/cannot_grow.hpp"
-#include "model/extension_end.hpp"
 
 namespace bempd::model {
 

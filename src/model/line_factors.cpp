@@ -1,7 +1,6 @@
 #include "model/line_factors.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 #include "coupling/affine.hpp"
 #include "regions/tips/lattice_tips.hpp"

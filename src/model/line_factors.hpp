@@ -7,7 +7,6 @@
 #include "crack/path.hpp"
 #include "model/prepared_scene.hpp"
 #include "regions/tips/tip_rings.hpp"
-#include "regions/tips/tip_search.hpp"
 #include "scene/options.hpp"
 #include "scene/scene.hpp"
 

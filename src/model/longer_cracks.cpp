@@ -1,6 +1,4 @@
 #include <algorithm>
-#include <cmath>
-#include <optional>
 #include <utility>
 
 #include "crack/cannot_grow.hpp"

@@ -1,7 +1,6 @@
 #include "model/mesh_answers.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 #include <numeric>
 

@@ -3,10 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
-#include <limits>
 
 #include "geometry/turning.hpp"
-#include "model/element_growth.hpp"
 #include "model/growth_options.hpp"
 
 namespace bempd::model {

@@ -4,7 +4,6 @@
 #include <string_view>
 
 #include "model/accuracy.hpp"
-#include "model/answers.hpp"
 #include "model/crack_growth.hpp"
 #include "model/crack_results.hpp"
 #include "model/crack_treatments.hpp"
@@ -20,7 +19,6 @@
 #include "model/result_files.hpp"
 #include "model/results.hpp"
 #include "model/run_reports.hpp"
-#include "model/saved_state.hpp"
 #include "model/solver_choice.hpp"
 #include "model/states.hpp"
 #include "scene/names.hpp"

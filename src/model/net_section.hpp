@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "geometry/point.hpp"
-#include "regions/region.hpp"
+#include "regions/fields.hpp"
 #include "scene/scene.hpp"
 
 namespace bempd::model {

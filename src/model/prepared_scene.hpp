@@ -13,7 +13,6 @@
 #include "regions/discretization.hpp"
 #include "regions/initial_cracks.hpp"
 #include "regions/singular_places.hpp"
-#include "scene/scene.hpp"
 
 namespace bempd::model {
 

@@ -2,7 +2,6 @@
 
 #include <functional>
 #include <memory>
-#include <vector>
 
 #include "crack/extension.hpp"
 #include "model/load_values.hpp"
@@ -13,7 +12,8 @@ namespace bempd::model {
 
 class Model;
 
-// Saves the state of a model's run, and restores it in this model or in one that was built in the same way.
+// Saves the state of a model's run, and restores a state in this model or in another model that was built in the same
+// way.
 class States {
  public:
   explicit States(Model& model) : model_(model) {}

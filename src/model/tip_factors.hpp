@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "coupling/affine.hpp"
-#include "regions/region.hpp"
+#include "regions/tip_values.hpp"
 
 namespace bempd::model {
 

@@ -1,6 +1,7 @@
 #include "paper/collocation_method.hpp"
 
 #include "error.hpp"
+#include "paper/collocation_operator.hpp"
 
 namespace bempd::paper {
 

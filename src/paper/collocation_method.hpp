@@ -1,6 +1,5 @@
 #pragma once
 
-#include "paper/collocation_operator.hpp"
 #include "paper/unsymmetric_solution.hpp"
 #include "regions/boundary/boundary_method.hpp"
 

@@ -3,7 +3,6 @@
 #include <Eigen/SparseCore>
 #include <array>
 #include <atomic>
-#include <cassert>
 #include <numbers>
 
 #include "cancellation.hpp"

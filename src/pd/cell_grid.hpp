@@ -4,7 +4,6 @@
 #include <cstdint>
 #include <vector>
 
-#include "pd/bond_family.hpp"
 #include "pd/cell_lattice.hpp"
 
 namespace bempd::pd {

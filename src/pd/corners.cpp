@@ -1,7 +1,6 @@
 #include "pd/corners.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 #include "pd/layer_balance.hpp"
 

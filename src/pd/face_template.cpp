@@ -1,7 +1,6 @@
 #include "pd/face_template.hpp"
 
 #include <cassert>
-#include <cmath>
 #include <functional>
 #include <map>
 #include <memory>

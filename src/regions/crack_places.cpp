@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "cancellation.hpp"
-#include "geometry/outline.hpp"
 #include "geometry/segment.hpp"
 
 namespace bempd::regions {

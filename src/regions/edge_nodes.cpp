@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <map>
-#include <numeric>
 #include <set>
 
 #include "linalg/disjoint_sets.hpp"
+#include "regions/boundary_conditions.hpp"
 
 namespace bempd::regions {
 

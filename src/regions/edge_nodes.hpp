@@ -1,9 +1,7 @@
 #pragma once
 
-#include <functional>
 #include <vector>
 
-#include "regions/boundary_conditions.hpp"
 #include "regions/discretization.hpp"
 
 // Nodes on edges of regions, and quantities that belong to such nodes.

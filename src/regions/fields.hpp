@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "coupling/affine.hpp"
-#include "coupling/operators.hpp"
+#include "coupling/terms.hpp"
 #include "elasticity/linear_body_force.hpp"
 #include "geometry/point.hpp"
 

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "coupling/operators.hpp"
+#include "coupling/terms.hpp"
 #include "geometry/arrangement.hpp"
 #include "pd/network.hpp"
 #include "regions/crack_parts.hpp"

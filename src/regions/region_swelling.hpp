@@ -2,7 +2,7 @@
 
 #include <optional>
 
-#include "coupling/operators.hpp"
+#include "coupling/terms.hpp"
 #include "elasticity/free_swelling.hpp"
 
 namespace bempd::regions {

@@ -4,7 +4,6 @@
 #include <map>
 #include <optional>
 
-#include "regions/edge_nodes.hpp"
 #include "regions/places/edge_part.hpp"
 
 namespace bempd::regions {

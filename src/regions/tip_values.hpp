@@ -2,7 +2,8 @@
 
 #include <limits>
 
-#include "crack/growth_law.hpp"
+#include "crack/laws/host_resistance.hpp"
+#include "crack/laws/resistance_directions.hpp"
 #include "crack/tip.hpp"
 #include "geometry/point.hpp"
 

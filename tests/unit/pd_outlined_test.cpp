@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "pd/cell_squares.hpp"
 #include "pd/outlined/outlined_bonds.hpp"
 #include "pd/outlined/surface_balance.hpp"
 #include "thorough.hpp"

@@ -8,6 +8,7 @@
 
 #include "geometry/edge.hpp"
 #include "geometry/smooth_curve.hpp"
+#include "pd/cell_squares.hpp"
 #include "pd/outlined/cell_stencils.hpp"
 #include "pd/outlined/outlined_body.hpp"
 

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <cmath>
-#include <limits>
 #include <memory>
 
 #include "crack/laws/retardation.hpp"

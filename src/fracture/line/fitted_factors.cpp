@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <cmath>
 
 #include "fracture/line/tip_stress.hpp"
 

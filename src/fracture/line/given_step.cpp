@@ -2,7 +2,6 @@
 #include <cmath>
 
 #include "fracture/line/line_steps.hpp"
-#include "geometry/turning.hpp"
 
 namespace bempd::fracture {
 

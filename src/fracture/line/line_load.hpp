@@ -3,9 +3,8 @@
 #include <optional>
 
 #include "crack/growth_law.hpp"
-#include "elasticity/kinked_tip.hpp"
-#include "fracture/line/tip_stress.hpp"
-#include "fracture/stepping_options.hpp"
+#include "fracture/line/williams_fit.hpp"
+#include "fracture/load_way.hpp"
 
 namespace bempd::fracture {
 

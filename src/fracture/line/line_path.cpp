@@ -5,7 +5,6 @@
 #include <cmath>
 
 #include "fracture/line/on_limits.hpp"
-#include "geometry/turning.hpp"
 
 namespace bempd::fracture {
 

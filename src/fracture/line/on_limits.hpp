@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "geometry/turning.hpp"
+#include "geometry/point.hpp"
 
 namespace bempd::fracture {
 

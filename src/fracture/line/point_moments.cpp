@@ -1,7 +1,5 @@
 #include "fracture/line/point_moments.hpp"
 
-#include "geometry/turning.hpp"
-
 namespace bempd::fracture {
 
 namespace {

@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "elasticity/kinked_tip.hpp"
+#include "fracture/line/line_growth.hpp"
 #include "fracture/line/on_limits.hpp"
 #include "geometry/turning.hpp"
 

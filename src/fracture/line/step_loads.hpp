@@ -2,7 +2,6 @@
 
 #include <vector>
 
-#include "fracture/line/line_growth.hpp"
 #include "fracture/line/line_path.hpp"
 #include "fracture/line/line_step.hpp"
 #include "fracture/line/tip_fields.hpp"

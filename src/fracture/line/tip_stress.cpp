@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
 
 #include "fracture/line/on_limits.hpp"
 #include "fracture/line/point_moments.hpp"

@@ -6,7 +6,6 @@
 
 #include "coupling/equilibrium_system.hpp"
 #include "fracture/event_source.hpp"
-#include "fracture/evolution_state.hpp"
 #include "fracture/window/window_functions.hpp"
 
 namespace bempd::fracture {

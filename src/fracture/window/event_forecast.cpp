@@ -1,7 +1,6 @@
 #include "fracture/window/event_forecast.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <optional>
 
 #include "cancellation.hpp"

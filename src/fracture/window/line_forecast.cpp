@@ -1,7 +1,6 @@
 #include "fracture/window/line_forecast.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 #include "fracture/window/window_settings.hpp"
 

@@ -1,7 +1,6 @@
 #include "fracture/window/window_body.hpp"
 
 #include <algorithm>
-#include <utility>
 
 #include "fracture/contact/gap_rule.hpp"
 #include "fracture/contact/newton_rounds.hpp"

@@ -7,7 +7,7 @@
 #include "coupling/affine.hpp"
 #include "fracture/contact/face_state.hpp"
 #include "fracture/line/growing_tip.hpp"
-#include "fracture/stepping_options.hpp"
+#include "fracture/load_way.hpp"
 #include "fracture/window/window_zones.hpp"
 
 namespace bempd::fracture {

@@ -1,7 +1,6 @@
 #include "fracture/window/window_terms.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 namespace bempd::fracture {
 

@@ -1,7 +1,6 @@
 #include "fracture/window/window_zones.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 #include "linalg/symmetric_modes.hpp"
 

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "linalg/least_change.hpp"
+#include "pd/cell_squares.hpp"
 #include "pd/outlined/cell_patches.hpp"
 
 namespace bempd::pd {

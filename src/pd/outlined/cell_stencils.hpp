@@ -3,7 +3,6 @@
 #include <span>
 #include <vector>
 
-#include "pd/cell_squares.hpp"
 #include "pd/outlined/outlined_body.hpp"
 
 namespace bempd::pd {

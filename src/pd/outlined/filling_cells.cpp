@@ -1,9 +1,6 @@
 #include "pd/outlined/filling_cells.hpp"
 
 #include <algorithm>
-#include <cmath>
-#include <map>
-#include <optional>
 #include <set>
 #include <utility>
 

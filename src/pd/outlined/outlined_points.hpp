@@ -1,6 +1,5 @@
 #pragma once
 
-#include <Eigen/Geometry>
 #include <vector>
 
 #include "pd/outlined/chord_search.hpp"

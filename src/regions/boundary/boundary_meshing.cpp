@@ -1,7 +1,6 @@
 #include "regions/boundary/boundary_meshing.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 #include "error.hpp"
 #include "geometry/coarse_sizes.hpp"

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "bem/boundary_operator.hpp"
-#include "coupling/operators.hpp"
+#include "coupling/solution_method.hpp"
 #include "geometry/boundary_mesh.hpp"
 #include "regions/boundary/boundary_meshing.hpp"
 

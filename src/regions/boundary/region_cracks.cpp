@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "error.hpp"
-#include "geometry/turning.hpp"
 #include "regions/boundary/boundary_description.hpp"
 #include "regions/crack_crossings.hpp"
 #include "regions/memory_limit.hpp"

@@ -8,7 +8,6 @@
 #include "bem/galerkin_operator.hpp"
 #include "linalg/blas_threads.hpp"
 #include "parallel.hpp"
-#include "regions/memory_limit.hpp"
 
 namespace bempd::regions {
 

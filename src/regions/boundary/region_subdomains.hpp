@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "bem/boundary_operator.hpp"
-#include "bem/interior.hpp"
 #include "coupling/operators.hpp"
 #include "elasticity/plane_elasticity.hpp"
 #include "geometry/edge.hpp"

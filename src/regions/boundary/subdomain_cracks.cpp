@@ -1,4 +1,3 @@
-#include <algorithm>
 
 #include "error.hpp"
 #include "regions/boundary/region_subdomains.hpp"

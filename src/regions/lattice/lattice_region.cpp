@@ -1,7 +1,6 @@
 #include "regions/lattice/lattice_region.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <typeinfo>
 
 #include "error.hpp"

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "coupling/operators.hpp"
+#include "coupling/terms.hpp"
 #include "pd/deformation.hpp"
 #include "regions/fields.hpp"
 

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <numbers>
-#include <utility>
 
 #include "error.hpp"
 #include "pd/outlined/outlined_body.hpp"

@@ -6,8 +6,6 @@
 #include "pd/outlined/outlined_body.hpp"
 #include "regions/lattice/material_points.hpp"
 #include "regions/outlined/joined_outline.hpp"
-#include "regions/region_borders.hpp"
-#include "regions/region_loads.hpp"
 
 namespace bempd::regions {
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "pd/cell_squares.hpp"
 #include "pd/outlined/cell_patches.hpp"
 #include "regions/outlined/outlined_region.hpp"
 

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "error.hpp"
+#include "pd/cell_squares.hpp"
 #include "regions/outlined/common_bodies.hpp"
 #include "regions/outlined/outlined_group.hpp"
 

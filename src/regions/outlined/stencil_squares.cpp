@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "linalg/least_squares.hpp"
+#include "pd/cell_squares.hpp"
 #include "pd/deformation.hpp"
 
 namespace bempd::regions {
