@@ -17,8 +17,7 @@ bempd_status add_body(bempd_model* model, const char* call, int32_t material, in
   return with_model(model, call, [&](model::Model& m) {
     const auto points = points_from(vertices, vertex_count, "vertices");
     const auto bends = bulges ? std::vector(bulges, bulges + vertex_count) : std::vector<double>();
-    const int added = regions::add_body(m.editable_scene(), material, points, bends);
-    if (body) *body = added;
+    give(body, regions::add_body(m.editable_scene(), material, points, bends));
   });
 }
 
@@ -39,17 +38,13 @@ bempd_body_plan described(const model::MeshPlan& plan, const model::Model& m) {
           .growth_load_error = plan.errors.growth_load,
           .growth_load_factor = grows ? plan.growth_load : std::numeric_limits<double>::max(),
           .growth_crack = plan.first.crack,
-          .growth_end = !grows                ? 0
-                        : plan.first.end == 0 ? BEMPD_CRACK_START
-                                              : BEMPD_CRACK_END,
+          .growth_end = end_of(plan.first),
           .meets_wish = plan.meets_wish ? 1 : 0,
           .is_solved = plan.is_solved ? 1 : 0};
 }
 
 const model::Part& part_at(const std::vector<model::Part>& parts, std::int64_t index) {
-  require(index >= 0 && index < static_cast<std::int64_t>(parts.size()), "index is ", index, "; the model has ",
-          parts.size(), " parts");
-  return parts[static_cast<std::size_t>(index)];
+  return entry_at(parts, index, "; the model has ", " parts");
 }
 
 // Load factor within the range of numbers; NaN if it is unknown.
@@ -121,7 +116,7 @@ bempd_status bempd_body_plan_init(bempd_body_plan* plan, int64_t struct_size) {
 
 bempd_status bempd_plan(bempd_model* model, bempd_body_plan* plan) {
   return with_model(model, __func__, [&](model::Model& m) {
-    struct_bytes(plan, "plan", sizeof(int64_t));
+    struct_bytes(plan, "plan");
     write_struct(plan, described(m.accuracy().plan(), m), "plan");
   });
 }
@@ -132,7 +127,7 @@ bempd_status bempd_errors_init(bempd_errors* errors, int64_t struct_size) {
 
 bempd_status bempd_error_estimate(bempd_model* model, bempd_errors* errors) {
   return with_model(model, __func__, [&](model::Model& m) {
-    struct_bytes(errors, "errors", sizeof(int64_t));
+    struct_bytes(errors, "errors");
     const model::ErrorSources found = model::errors_now(m);
     const bool is_boundary = !(found.model > found.boundary.largest());
     write_struct(errors,
@@ -159,7 +154,7 @@ bempd_status bempd_run_errors_init(bempd_run_errors* errors, int64_t struct_size
 
 bempd_status bempd_run_error_estimate(bempd_model* model, double seconds_allowed, bempd_run_errors* errors) {
   return with_model(model, __func__, [&](model::Model& m) {
-    struct_bytes(errors, "errors", sizeof(int64_t));
+    struct_bytes(errors, "errors");
     require(seconds_allowed >= 0, "seconds_allowed is ", seconds_allowed, "; it must be >= 0");
     write_struct(errors, described(model::errors_of_run(m, seconds_allowed)), "errors");
   });
@@ -177,7 +172,7 @@ bempd_status bempd_part_init(bempd_model_part* part, int64_t struct_size) {
 
 bempd_status bempd_part(bempd_model* model, int64_t index, bempd_model_part* part) {
   return with_model(model, __func__, [&](model::Model& m) {
-    struct_bytes(part, "part", sizeof(int64_t));
+    struct_bytes(part, "part");
     write_struct(part, described(part_at(model::parts_of(m), index)), "part");
   });
 }

@@ -21,14 +21,10 @@ namespace {
 using scene::Condition;
 using scene::SampledValues;
 
-std::vector<double> copy_samples(std::int64_t count, const double* values) {
-  if (!values) return std::vector<double>(static_cast<std::size_t>(count), 0.0);
-  return {values, values + count};
-}
-
 SampledValues samples(std::int64_t count, const double* constant, const double* proportional) {
-  require(count >= 1 && count < (std::int64_t{1} << 31), "value_count is ", count, "; give at least 1 value");
-  return {copy_samples(count, constant), copy_samples(count, proportional)};
+  require_count(count, "value_count", "value");
+  const auto size = static_cast<std::size_t>(count);
+  return {numbers_or_zeros(constant, size), numbers_or_zeros(proportional, size)};
 }
 
 SampledValues single(double constant, double proportional) { return {{constant}, {proportional}}; }
@@ -49,18 +45,12 @@ std::shared_ptr<const scene::Place> at_point(double x, double y) {
 // Adds a support made by `make`, which is called inside the guard because it allocates memory.
 template <class Make>
 bempd_status add_support(bempd_model* handle, const char* function, std::int32_t* id, const Make& make) {
-  return with_model(handle, function, [&](model::Model& m) {
-    const int added = m.editable_scene().add_support(make());
-    if (id) *id = added;
-  });
+  return with_model(handle, function, [&](model::Model& m) { give(id, m.editable_scene().add_support(make())); });
 }
 
 template <class Make>
 bempd_status add_load(bempd_model* handle, const char* function, std::int32_t* id, const Make& make) {
-  return with_model(handle, function, [&](model::Model& m) {
-    const int added = m.editable_scene().add_load(make());
-    if (id) *id = added;
-  });
+  return with_model(handle, function, [&](model::Model& m) { give(id, m.editable_scene().add_load(make())); });
 }
 
 }  // namespace

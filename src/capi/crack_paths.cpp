@@ -23,12 +23,9 @@ bempd_status bempd_crack_path_count(const bempd_model* model, int32_t crack, int
 
 bempd_status bempd_crack_path(const bempd_model* model, int32_t crack, int64_t index, bempd_path_vertex* vertex) {
   return with_model(model, __func__, [&](const model::Model& m) {
-    struct_bytes(vertex, "vertex", sizeof(int64_t));
+    struct_bytes(vertex, "vertex");
     const std::vector<crack::PathVertex> path = m.cracks().path(crack);
-    const auto count = static_cast<int64_t>(path.size());
-    require(index >= 0 && index < count, "index is ", index, "; the path of crack ", crack, " has ", count,
-            " vertices");
-    const crack::PathVertex& v = path[static_cast<std::size_t>(index)];
+    const crack::PathVertex& v = entry_at(path, index, text("; the path of crack ", crack, " has "), " vertices");
     write_struct(vertex,
                  bempd_path_vertex{
                      .struct_size = sizeof(bempd_path_vertex),

@@ -10,7 +10,7 @@ bempd_crack_tip described(const regions::TipValues& t) {
   return {
       .struct_size = sizeof(bempd_crack_tip),
       .crack = t.crack,
-      .end = t.end == 0 ? BEMPD_CRACK_START : BEMPD_CRACK_END,
+      .end = end_of(t.end),
       .x = t.place.x(),
       .y = t.place.y(),
       .direction_x = t.direction.x(),
@@ -38,6 +38,14 @@ bempd_crack_tip described(const regions::TipValues& t) {
   };
 }
 
+void give_growth(bempd_growth* place, const model::GrowthResult& grown) {
+  if (!place) return;
+  write_struct(place,
+               bempd_growth{sizeof(bempd_growth), grown.tips, grown.ended, grown.load_factor, grown.length,
+                            grown.released_energy},
+               "growth");
+}
+
 }  // namespace bempd::capi
 
 bempd_status bempd_crack_tip_init(bempd_crack_tip* tip, int64_t struct_size) {
@@ -51,10 +59,8 @@ bempd_status bempd_tip_count(bempd_model* model, int64_t* count) {
 
 bempd_status bempd_tip(bempd_model* model, int64_t index, bempd_crack_tip* tip) {
   return with_model(model, __func__, [&](model::Model& m) {
-    struct_bytes(tip, "tip", sizeof(int64_t));
-    const auto count = static_cast<int64_t>(m.cracks().tips().size());
-    require(index >= 0 && index < count, "index is ", index, "; cracks have ", count, " tips");
-    write_struct(tip, described(m.cracks().tips()[static_cast<std::size_t>(index)]), "tip");
+    struct_bytes(tip, "tip");
+    write_struct(tip, described(entry_at(m.cracks().tips(), index, "; cracks have ", " tips")), "tip");
   });
 }
 
@@ -67,15 +73,13 @@ bempd_status bempd_tip_history_count(const bempd_model* model, int64_t* count) {
 bempd_status bempd_get_tip_history(const bempd_model* model, int64_t index, int64_t* event, int64_t* total_broken_bonds,
                                    double* load_factor, bempd_crack_tip* tip) {
   return with_model(model, __func__, [&](const model::Model& m) {
-    struct_bytes(tip, "tip", sizeof(int64_t));
-    const auto count = static_cast<int64_t>(m.cracks().history().size());
-    require(index >= 0 && index < count, "index is ", index, "; ", count,
-            " tips were recorded; set the option tips.record before stepping");
-    const results::TipRecord& record = m.cracks().history()[static_cast<std::size_t>(index)];
+    struct_bytes(tip, "tip");
+    const results::TipRecord& record =
+        entry_at(m.cracks().history(), index, "; ", " tips were recorded; set the option tips.record before stepping");
     write_struct(tip, described(record.tip), "tip");
-    if (event) *event = record.event;
-    if (total_broken_bonds) *total_broken_bonds = record.total_broken_bonds;
-    if (load_factor) *load_factor = record.load_factor;
+    give(event, record.event);
+    give(total_broken_bonds, record.total_broken_bonds);
+    give(load_factor, record.load_factor);
   });
 }
 
@@ -85,22 +89,16 @@ bempd_status bempd_growth_init(bempd_growth* growth, int64_t struct_size) {
 
 bempd_status bempd_grow_cracks(bempd_model* model, double length, bempd_growth* growth) {
   return with_model(model, __func__, [&](model::Model& m) {
-    if (growth) struct_bytes(growth, "growth", sizeof(int64_t));
-    const model::GrowthResult grown = m.growth().grow(length);
-    if (growth)
-      write_struct(growth,
-                   bempd_growth{sizeof(bempd_growth), grown.tips, grown.ended, grown.load_factor, grown.length,
-                                grown.released_energy},
-                   "growth");
+    if (growth) struct_bytes(growth, "growth");
+    give_growth(growth, m.growth().grow(length));
   });
 }
 
 bempd_status bempd_set_tip_frozen(bempd_model* model, int32_t crack, int32_t end, int32_t frozen) {
   return with_model(model, __func__, [&](model::Model& m) {
-    require(end == BEMPD_CRACK_START || end == BEMPD_CRACK_END, "end is ", end,
-            "; it must be BEMPD_CRACK_START (1) or BEMPD_CRACK_END (2)");
+    const int side = end_from(end);
     require(frozen == 0 || frozen == 1, "frozen is ", frozen, "; it must be 0 or 1");
-    m.growth().set_frozen(crack, end == BEMPD_CRACK_START ? 0 : 1, frozen == 1);
+    m.growth().set_frozen(crack, side, frozen == 1);
   });
 }
 
@@ -116,11 +114,9 @@ bempd_status bempd_extension_count(const bempd_model* model, int64_t* count) {
 
 bempd_status bempd_extension(const bempd_model* model, int64_t index, bempd_crack_extension* extension) {
   return with_model(model, __func__, [&](const model::Model& m) {
-    struct_bytes(extension, "extension", sizeof(int64_t));
+    struct_bytes(extension, "extension");
     const auto all = m.cracks().extensions();
-    const auto count = static_cast<int64_t>(all.size());
-    require(index >= 0 && index < count, "index is ", index, "; cracks have been extended ", count, " times");
-    const fracture::CrackExtension& e = all[static_cast<std::size_t>(index)];
+    const fracture::CrackExtension& e = entry_at(all, index, "; cracks have been extended ", " times");
     int32_t so_far = 0;
     for (const fracture::CrackExtension& other : all.first(static_cast<std::size_t>(index) + 1))
       so_far += other.crack == e.crack && other.end == e.end;
@@ -129,7 +125,7 @@ bempd_status bempd_extension(const bempd_model* model, int64_t index, bempd_crac
                      .struct_size = sizeof(bempd_crack_extension),
                      .event = e.event,
                      .crack = e.crack,
-                     .end = e.end == 0 ? BEMPD_CRACK_START : BEMPD_CRACK_END,
+                     .end = end_of(e.end),
                      .ended = e.has_ended(),
                      .count = so_far,
                      .x = e.x,
@@ -157,7 +153,7 @@ bempd_status bempd_extension(const bempd_model* model, int64_t index, bempd_crac
 bempd_status bempd_crack_opening(bempd_model* model, int32_t crack, int64_t count, const double* fractions,
                                  double* normal, double* tangential) {
   return with_model(model, __func__, [&](model::Model& m) {
-    require(count >= 1 && count < (int64_t{1} << 31), "count is ", count, "; give at least 1 place");
+    require_count(count, "count", "place");
     require(fractions != nullptr, "fractions is NULL; give places as fractions of the crack's length");
     const std::vector<Point> openings = m.cracks().openings(crack, {fractions, fractions + count});
     for (std::size_t i = 0; i < openings.size(); ++i) {

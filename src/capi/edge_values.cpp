@@ -66,10 +66,7 @@ bool are_samples(const bempd_edge_values& values) {
 
 scene::SampledValues values_as_samples(const bempd_edge_values& values) {
   const std::size_t rows = row_count(values);
-  const auto copy = [&](const double* numbers) {
-    return numbers ? std::vector<double>(numbers, numbers + rows) : std::vector<double>(rows, 0.0);
-  };
-  return {copy(values.constant), copy(values.proportional)};
+  return {numbers_or_zeros(values.constant, rows), numbers_or_zeros(values.proportional, rows)};
 }
 
 scene::Condition condition_on(std::int32_t region, std::int32_t edge, double from, double to, std::int32_t component,
@@ -115,18 +112,15 @@ bempd_status bempd_edge_values_init(bempd_edge_values* values, int64_t struct_si
 bempd_status bempd_prescribe_edge_values(bempd_model* model, int32_t region, int32_t edge, double from, double to,
                                          int32_t component, const bempd_edge_values* values, int32_t* support) {
   return with_model(model, __func__, [&](model::Model& m) {
-    const int added =
-        m.editable_scene().add_support(condition_on(region, edge, from, to, component, checked_values(values)));
-    if (support) *support = added;
+    give(support,
+         m.editable_scene().add_support(condition_on(region, edge, from, to, component, checked_values(values))));
   });
 }
 
 bempd_status bempd_add_traction_values(bempd_model* model, int32_t region, int32_t edge, double from, double to,
                                        int32_t component, const bempd_edge_values* values, int32_t* load) {
   return with_model(model, __func__, [&](model::Model& m) {
-    const int added =
-        m.editable_scene().add_load(condition_on(region, edge, from, to, component, checked_values(values)));
-    if (load) *load = added;
+    give(load, m.editable_scene().add_load(condition_on(region, edge, from, to, component, checked_values(values))));
   });
 }
 

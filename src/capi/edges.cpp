@@ -9,9 +9,8 @@ using namespace bempd::capi;
 namespace {
 
 std::vector<double> pairs_from(std::int64_t count, const double* values) {
-  require(count >= 1 && count < (std::int64_t{1} << 31), "count is ", count, "; give at least 1 value");
-  const auto size = 2 * static_cast<std::size_t>(count);
-  return values ? std::vector<double>(values, values + size) : std::vector<double>(size, 0.0);
+  require_count(count, "count", "value");
+  return numbers_or_zeros(values, 2 * static_cast<std::size_t>(count));
 }
 
 scene::PlacedValues placed_values(std::int64_t count, const double* fractions, const double* constant,

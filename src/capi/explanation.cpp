@@ -13,9 +13,8 @@ bempd_status bempd_explain(bempd_model* model, int32_t rising, bempd_explanation
                            int64_t capacity, int64_t* needed) {
   return with_model(model, __func__, [&](model::Model& m) {
     require(rising == 0 || rising == 1, "rising is ", rising, "; it must be 1 for a load factor that rises, else 0");
-    if (explanation) struct_bytes(explanation, "explanation", sizeof(int64_t));
+    if (explanation) struct_bytes(explanation, "explanation");
     const model::Explanation found = model::explain(m, rising == 1);
-    const int32_t end = found.tip.end == 0 ? BEMPD_CRACK_START : BEMPD_CRACK_END;
     if (explanation)
       write_struct(explanation,
                    bempd_explanation{
@@ -23,7 +22,7 @@ bempd_status bempd_explain(bempd_model* model, int32_t rising, bempd_explanation
                        .next = static_cast<int32_t>(found.next),
                        .region = found.region,
                        .crack = found.tip.crack,
-                       .end = found.tip.crack > 0 ? end : 0,
+                       .end = end_of(found.tip),
                        .x = found.place.x(),
                        .y = found.place.y(),
                        .load_factor = found.load_factor,

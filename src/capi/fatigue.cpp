@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstddef>
 
+#include "capi/described_tip.hpp"
 #include "capi/given_struct.hpp"
 
 using namespace bempd;
@@ -19,7 +20,7 @@ constexpr bempd_fatigue fatigue_defaults{.struct_size = sizeof(bempd_fatigue),
                                          .largest_step = 0.25};
 
 void require_blocks(std::int64_t count, const double* high, const double* low, const double* cycles) {
-  require(count >= 1 && count < (std::int64_t{1} << 31), "block_count is ", count, "; give at least 1 block");
+  require_count(count, "block_count", "block");
   require(high != nullptr && low != nullptr, high ? "low" : "high", " is NULL; give a load factor for each block");
   require(cycles != nullptr || count == 1, "cycles is NULL; only one block, of constant amplitude, may go without");
 }
@@ -85,11 +86,6 @@ model::FatigueOptions options_of(const bempd_fatigue* given) {
   return options;
 }
 
-int32_t end_of(const crack::TipId& tip) {
-  if (tip.crack == 0) return 0;
-  return tip.end == 0 ? BEMPD_CRACK_START : BEMPD_CRACK_END;
-}
-
 void grow(model::Model& m, const model::FatigueOptions& asked, bempd_fatigue_report* report) {
   const model::FatigueReport done = m.fatigue().grow(asked);
   if (!report) return;
@@ -119,7 +115,7 @@ bempd_status bempd_fatigue_report_init(bempd_fatigue_report* report, int64_t str
 bempd_status bempd_grow_fatigue(bempd_model* model, int64_t block_count, const double* high, const double* low,
                                 const double* cycles, const bempd_fatigue* options, bempd_fatigue_report* report) {
   return with_model(model, __func__, [&](model::Model& m) {
-    if (report) struct_bytes(report, "report", sizeof(int64_t));
+    if (report) struct_bytes(report, "report");
     model::FatigueOptions asked = options_of(options);
     asked.blocks = blocks_of(block_count, high, low, cycles);
     grow(m, asked, report);
@@ -130,7 +126,7 @@ bempd_status bempd_grow_fatigue_cases(bempd_model* model, int64_t block_count, i
                                       const double* low, const double* cycles, const bempd_fatigue* options,
                                       bempd_fatigue_report* report) {
   return with_model(model, __func__, [&](model::Model& m) {
-    if (report) struct_bytes(report, "report", sizeof(int64_t));
+    if (report) struct_bytes(report, "report");
     model::FatigueOptions asked = options_of(options);
     asked.blocks = blocks_of_cases(block_count, case_count, high, low, cycles);
     grow(m, asked, report);
@@ -149,11 +145,9 @@ bempd_status bempd_fatigue_record_count(const bempd_model* model, int64_t* count
 
 bempd_status bempd_get_fatigue_record(const bempd_model* model, int64_t index, bempd_fatigue_record* record) {
   return with_model(model, __func__, [&](const model::Model& m) {
-    struct_bytes(record, "record", sizeof(int64_t));
+    struct_bytes(record, "record");
     const std::vector<model::FatigueRecord>& all = m.fatigue().records();
-    require(index >= 0 && index < static_cast<int64_t>(all.size()), "index is ", index, "; the last call of ",
-            "bempd_grow_fatigue() made ", all.size(), " records");
-    const model::FatigueRecord& r = all[static_cast<std::size_t>(index)];
+    const model::FatigueRecord& r = entry_at(all, index, "; the last call of bempd_grow_fatigue() made ", " records");
     write_struct(record,
                  bempd_fatigue_record{.struct_size = sizeof(bempd_fatigue_record),
                                       .step = r.step,
@@ -180,8 +174,8 @@ bempd_status bempd_get_fatigue_record(const bempd_model* model, int64_t index, b
 bempd_status bempd_extend_cracks(bempd_model* model, int64_t count, const int32_t* cracks, const int32_t* ends,
                                  const double* lengths, bempd_growth* growth) {
   return with_model(model, __func__, [&](model::Model& m) {
-    if (growth) struct_bytes(growth, "growth", sizeof(int64_t));
-    require(count >= 1 && count < (int64_t{1} << 31), "count is ", count, "; give at least 1 tip");
+    if (growth) struct_bytes(growth, "growth");
+    require_count(count, "count", "tip");
     require(cracks && ends && lengths,
             !cracks ? "cracks"
             : !ends ? "ends"
@@ -189,19 +183,12 @@ bempd_status bempd_extend_cracks(bempd_model* model, int64_t count, const int32_
             " is NULL; give one for each tip");
     std::vector<std::pair<crack::TipId, double>> tips;
     for (int64_t k = 0; k < count; ++k) {
-      require(ends[k] == BEMPD_CRACK_START || ends[k] == BEMPD_CRACK_END, "end is ", ends[k],
-              "; it must be BEMPD_CRACK_START (1) or BEMPD_CRACK_END (2)");
+      const crack::TipId tip{cracks[k], end_from(ends[k])};
       require(std::isfinite(lengths[k]) && lengths[k] > 0, "length is ", lengths[k], "; it must be > 0");
-      const crack::TipId tip{cracks[k], ends[k] == BEMPD_CRACK_START ? 0 : 1};
       require(std::none_of(tips.begin(), tips.end(), [&](const auto& other) { return other.first == tip; }),
               "an end of crack ", tip.crack, " is given twice; give each tip once");
       tips.emplace_back(tip, lengths[k]);
     }
-    const model::GrowthResult grown = m.fatigue().extend(tips);
-    if (growth)
-      write_struct(growth,
-                   bempd_growth{sizeof(bempd_growth), grown.tips, grown.ended, grown.load_factor, grown.length,
-                                grown.released_energy},
-                   "growth");
+    give_growth(growth, m.fatigue().extend(tips));
   });
 }

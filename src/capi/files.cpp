@@ -11,15 +11,9 @@ bempd_status bempd_write_snapshot(bempd_model* model, const char* prefix) {
 }
 
 bempd_status bempd_write_history(const bempd_model* model, const char* path) {
-  return with_model(model, __func__, [&](const model::Model& m) {
-    require(path != nullptr && *path != '\0', "path is NULL or empty; give a file name");
-    m.files().write_history(path);
-  });
+  return with_model(model, __func__, [&](const model::Model& m) { m.files().write_history(file_name(path)); });
 }
 
 bempd_status bempd_write_tips(const bempd_model* model, const char* path) {
-  return with_model(model, __func__, [&](const model::Model& m) {
-    require(path != nullptr && *path != '\0', "path is NULL or empty; give a file name");
-    m.files().write_tips(path);
-  });
+  return with_model(model, __func__, [&](const model::Model& m) { m.files().write_tips(file_name(path)); });
 }

@@ -12,8 +12,8 @@ namespace bempd::capi {
 // Copy of a caller's struct: members beyond the caller's size have their defaults. A longer struct of a newer program
 // must have zeros beyond the known members.
 template <class T>
-T given_struct(const T* from, const char* name, const T& defaults) {
-  const std::size_t size = struct_bytes(from, name, sizeof(std::int64_t));
+T given_struct(const T* from, const char* name, const T& defaults, std::size_t least = sizeof(std::int64_t)) {
+  const std::size_t size = struct_bytes(from, name, least);
   T values = defaults;
   std::memcpy(&values, from, std::min(size, sizeof values));
   const auto* bytes = reinterpret_cast<const unsigned char*>(from);

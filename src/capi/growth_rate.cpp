@@ -34,8 +34,8 @@ constexpr bempd_growth_rate rate_defaults{.struct_size = sizeof(bempd_growth_rat
 // Function of the host for a growth rate or a fracture energy, as a function of a load cycle.
 std::function<double(const crack::TipCycle&)> host_growth_function(bempd_growth_function function, void* user) {
   return [=](const crack::TipCycle& c) {
-    return function(c.tip.crack, c.tip.end == 0 ? BEMPD_CRACK_START : BEMPD_CRACK_END, c.highest, c.ratio(), c.high.x(),
-                    c.high.y(), c.t_stress, c.length, c.place.x(), c.place.y(), user);
+    return function(c.tip.crack, end_of(c.tip.end), c.highest, c.ratio(), c.high.x(), c.high.y(), c.t_stress, c.length,
+                    c.place.x(), c.place.y(), user);
   };
 }
 

@@ -151,13 +151,17 @@ std::vector<Point> points_from(const double* values, std::int64_t count, const c
   return points;
 }
 
-void write_text(const std::string& words, char* buffer, std::int64_t capacity, std::int64_t* needed) {
-  const auto size = static_cast<std::int64_t>(words.size()) + 1;
-  if (needed) *needed = size;
+void write_bytes(std::span<const std::uint8_t> bytes, void* buffer, std::int64_t capacity, std::int64_t* needed) {
+  const auto size = static_cast<std::int64_t>(bytes.size());
+  give(needed, size);
   if (!buffer && capacity == 0) return;
   require(buffer != nullptr, "buffer is NULL; give one, or capacity 0 to learn the size");
   require(capacity >= size, "capacity is ", capacity, " bytes; ", size, " are needed");
-  std::memcpy(buffer, words.c_str(), static_cast<std::size_t>(size));
+  std::memcpy(buffer, bytes.data(), bytes.size());
+}
+
+void write_text(const std::string& words, char* buffer, std::int64_t capacity, std::int64_t* needed) {
+  write_bytes({reinterpret_cast<const std::uint8_t*>(words.c_str()), words.size() + 1}, buffer, capacity, needed);
 }
 
 }  // namespace bempd::capi

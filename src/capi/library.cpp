@@ -8,6 +8,12 @@
 using namespace bempd;
 using namespace bempd::capi;
 
+namespace {
+
+void require_name(const char* name) { require(name != nullptr, "name is NULL; give an option's name"); }
+
+}  // namespace
+
 const char* bempd_version_string(void) { return BEMPD_VERSION; }
 
 const char* bempd_build_info(void) {
@@ -98,14 +104,14 @@ bempd_status bempd_option_describe(int64_t index, bempd_option_info* info) {
 
 bempd_status bempd_set_option(bempd_model* model, const char* name, double value) {
   return with_model(model, __func__, [&](model::Model& m) {
-    require(name != nullptr, "name is NULL; give an option's name");
+    require_name(name);
     m.options().set(name, value);
   });
 }
 
 bempd_status bempd_get_option(const bempd_model* model, const char* name, double* value) {
   return with_model(model, __func__, [&](const model::Model& m) {
-    require(name != nullptr, "name is NULL; give an option's name");
+    require_name(name);
     scene::Options::require_known(name);
     out(value, "value") = m.options().number(name);
   });
@@ -113,7 +119,7 @@ bempd_status bempd_get_option(const bempd_model* model, const char* name, double
 
 bempd_status bempd_set_option_text(bempd_model* model, const char* name, const char* value) {
   return with_model(model, __func__, [&](model::Model& m) {
-    require(name != nullptr, "name is NULL; give an option's name");
+    require_name(name);
     require(value != nullptr, "value is NULL; give one of the option's words");
     m.set_option_text(name, value);
   });
@@ -122,7 +128,7 @@ bempd_status bempd_set_option_text(bempd_model* model, const char* name, const c
 bempd_status bempd_get_option_text(const bempd_model* model, const char* name, char* buffer, int64_t capacity,
                                    int64_t* needed) {
   return with_model(model, __func__, [&](const model::Model& m) {
-    require(name != nullptr, "name is NULL; give an option's name");
+    require_name(name);
     scene::Options::require_known(name);
     const std::string& value = m.options().text_value(name);
     write_text(value, buffer, capacity, needed);

@@ -25,9 +25,8 @@ std::vector<double> factors_from(std::int64_t count, const double* factors) {
 bempd_status bempd_load_case_add(bempd_model* model, int64_t load_count, const int32_t* loads, int64_t support_count,
                                  const int32_t* supports, int32_t* load_case) {
   return with_model(model, __func__, [&](model::Model& m) {
-    const int added =
-        m.load_cases().add(ids_from(load_count, loads, "loads"), ids_from(support_count, supports, "supports"));
-    if (load_case) *load_case = added;
+    give(load_case,
+         m.load_cases().add(ids_from(load_count, loads, "loads"), ids_from(support_count, supports, "supports")));
   });
 }
 
@@ -44,11 +43,9 @@ bempd_status bempd_load_case_tip_count(bempd_model* model, int64_t case_count, c
 bempd_status bempd_load_case_tip(bempd_model* model, int64_t case_count, const double* factors, int64_t index,
                                  bempd_crack_tip* tip) {
   return with_model(model, __func__, [&](model::Model& m) {
-    struct_bytes(tip, "tip", sizeof(int64_t));
+    struct_bytes(tip, "tip");
     const auto& tips = m.load_cases().under(factors_from(case_count, factors)).tips;
-    require(index >= 0 && index < static_cast<int64_t>(tips.size()), "index is ", index, "; cracks have ", tips.size(),
-            " tips");
-    write_struct(tip, described(tips[static_cast<std::size_t>(index)]), "tip");
+    write_struct(tip, described(entry_at(tips, index, "; cracks have ", " tips")), "tip");
   });
 }
 
@@ -67,10 +64,7 @@ bempd_status bempd_load_case_evaluate(bempd_model* model, int64_t case_count, co
   return with_model(model, __func__, [&](model::Model& m) {
     const auto values = m.load_cases().evaluate(factors_from(case_count, factors), points_from(points, count, "points"),
                                                 stress != nullptr);
-    for (std::size_t i = 0; i < values.size(); ++i) {
-      if (displacement) std::copy_n(values[i].displacement.data(), 2, displacement + 2 * i);
-      if (stress) std::copy_n(values[i].stress.data(), 3, stress + 3 * i);
-    }
+    give_values(values, displacement, stress);
   });
 }
 

@@ -55,7 +55,7 @@ bempd_status bempd_piece_init(bempd_piece* piece, int64_t struct_size) {
 
 bempd_status bempd_get_piece(bempd_model* model, int32_t number, bempd_piece* piece) {
   return with_model(model, __func__, [&](model::Model& m) {
-    struct_bytes(piece, "piece", sizeof(int64_t));
+    struct_bytes(piece, "piece");
     const model::PieceState p = m.pieces().state(number);
     const coupling::RigidFit& motion = p.motion;
     write_struct(piece,

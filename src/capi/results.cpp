@@ -20,11 +20,15 @@ void require_capacity(std::int64_t capacity, std::int64_t needed, const char* wh
   require(capacity >= needed, "capacity is ", capacity, "; ", needed, " ", what, " are needed");
 }
 
+Point finite_point(double x, double y) {
+  require(std::isfinite(x) && std::isfinite(y), "the point is (", x, ", ", y, "); give finite coordinates");
+  return {x, y};
+}
+
 // State of a run whose history has the line `index`; throws Error (argument) if there is no such line.
 const fracture::EvolutionState& state_with_history_line(const model::Model& m, std::int64_t index) {
   const model::PreparedScene* p = m.prepared_or_null();
-  const auto count = p ? static_cast<int64_t>(p->evolution->progress().history.size()) : 0;
-  require(index >= 0 && index < count, "index is ", index, "; the history has ", count, " lines");
+  require_index(index, p ? p->evolution->progress().history.size() : 0, "; the history has ", " lines");
   return p->evolution->progress();
 }
 
@@ -100,8 +104,8 @@ bempd_status bempd_copy_elements(bempd_model* model, int32_t region, int64_t cap
 bempd_status bempd_field_size(bempd_model* model, int32_t region, int32_t field, int64_t* count, int32_t* components) {
   return with_model(model, __func__, [&](model::Model& m) {
     const regions::FieldSize size = m.results().field_size(region, field_of(field));
-    if (count) *count = size.count;
-    if (components) *components = size.components;
+    give(count, size.count);
+    give(components, size.components);
   });
 }
 
@@ -121,9 +125,9 @@ bempd_status bempd_view_field(bempd_model* model, int32_t region, int32_t field,
     out(values, "values");
     const regions::FieldValues& f = m.results().field(region, field_of(field));
     *values = f.values.data();
-    if (count) *count = f.count();
-    if (components) *components = f.components;
-    if (generation) *generation = m.generation();
+    give(count, f.count());
+    give(components, f.components);
+    give(generation, m.generation());
   });
 }
 
@@ -151,26 +155,22 @@ bempd_status bempd_copy_bonds(bempd_model* model, int32_t region, int64_t capaci
 bempd_status bempd_reaction(bempd_model* model, int32_t support, double* force) {
   return with_model(model, __func__, [&](model::Model& m) {
     out(force, "force");
-    const Eigen::Vector2d reaction = m.results().reaction(support);
-    force[0] = reaction.x();
-    force[1] = reaction.y();
+    std::copy_n(m.results().reaction(support).data(), 2, force);
   });
 }
 
 bempd_status bempd_reaction_moment(bempd_model* model, int32_t support, double x, double y, double* moment) {
   return with_model(model, __func__, [&](model::Model& m) {
-    require(std::isfinite(x) && std::isfinite(y), "the point is (", x, ", ", y, "); give finite coordinates");
-    out(moment, "moment") = m.results().reaction_moment(support, Point(x, y));
+    out(moment, "moment") = m.results().reaction_moment(support, finite_point(x, y));
   });
 }
 
 bempd_status bempd_edge_reaction(bempd_model* model, int32_t region, int32_t edge, double x, double y, double* force,
                                  double* moment) {
   return with_model(model, __func__, [&](model::Model& m) {
-    require(std::isfinite(x) && std::isfinite(y), "the point is (", x, ", ", y, "); give finite coordinates");
-    const model::EdgeResults::Reaction reaction = m.edges().reaction(region, edge, Point(x, y));
+    const model::EdgeResults::Reaction reaction = m.edges().reaction(region, edge, finite_point(x, y));
     if (force) std::copy_n(reaction.force.data(), 2, force);
-    if (moment) *moment = reaction.moment;
+    give(moment, reaction.moment);
   });
 }
 
@@ -178,11 +178,8 @@ bempd_status bempd_evaluate(bempd_model* model, int64_t count, const double* poi
                             double* stress, int32_t* regions) {
   return with_model(model, __func__, [&](model::Model& m) {
     const auto values = m.results().evaluate(points_from(points, count, "points"), stress != nullptr);
-    for (std::size_t i = 0; i < values.size(); ++i) {
-      if (displacement) std::copy_n(values[i].displacement.data(), 2, displacement + 2 * i);
-      if (stress) std::copy_n(values[i].stress.data(), 3, stress + 3 * i);
-      if (regions) regions[i] = values[i].region;
-    }
+    give_values(values, displacement, stress);
+    for (std::size_t i = 0; regions && i < values.size(); ++i) regions[i] = values[i].region;
   });
 }
 
@@ -194,10 +191,7 @@ bempd_status bempd_evaluate_in(bempd_model* model, int32_t region, int32_t face,
             "; it must be BEMPD_FACE_LEFT (1) or BEMPD_FACE_RIGHT (2)");
     const auto values = m.results().evaluate(points_from(points, count, "points"), stress != nullptr,
                                              {region, face == BEMPD_FACE_RIGHT});
-    for (std::size_t i = 0; i < values.size(); ++i) {
-      if (displacement) std::copy_n(values[i].displacement.data(), 2, displacement + 2 * i);
-      if (stress) std::copy_n(values[i].stress.data(), 3, stress + 3 * i);
-    }
+    give_values(values, displacement, stress);
   });
 }
 
@@ -274,12 +268,12 @@ bempd_status bempd_get_history_support(const bempd_model* model, int64_t index, 
     require(!supports[static_cast<std::size_t>(support) - 1].removed(), "support ", support, " was removed");
     const fracture::EvolutionState& state = state_with_history_line(m, index);
     const auto at = 2 * (static_cast<std::ptrdiff_t>(supports.size()) * index + support - 1);
-    const auto give = [&](const std::vector<double>& values, double* target) {
+    const auto give_pair = [&](const std::vector<double>& values, double* target) {
       if (target) std::copy_n(values.begin() + at, 2, target);
     };
-    give(state.support_displacements, displacement);
-    give(state.reactions, force);
-    give(state.reactions_before, force_before);
+    give_pair(state.support_displacements, displacement);
+    give_pair(state.reactions, force);
+    give_pair(state.reactions_before, force_before);
   });
 }
 

@@ -2,7 +2,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "capi/guard.hpp"
+#include "capi/given_struct.hpp"
 #include "regions/boundary/boundary_description.hpp"
 #include "regions/lattice/peridynamic_description.hpp"
 
@@ -29,8 +29,7 @@ bempd_status add_bem_region(bempd_model* model, const char* call, int32_t materi
                             double element_length, int32_t* region) {
   return with_model(model, call, [&](model::Model& m) {
     const auto points = loop.points();
-    const int added = regions::add_boundary_region(m.editable_scene(), material, points, element_length, loop.bends());
-    if (region) *region = added;
+    give(region, regions::add_boundary_region(m.editable_scene(), material, points, element_length, loop.bends()));
   });
 }
 
@@ -43,9 +42,8 @@ bempd_status add_pd_region(bempd_model* model, const char* call, int32_t materia
     require(std::abs(angle) <= most_angle, "angle is ", angle, "; it must lie between -2 pi and 2 pi");
     const int ratio = horizon_ratio == 0 ? usual_horizon_ratio : horizon_ratio;
     const regions::PointChoice choice{m.options().text_value("test.outline_points") == "always", angle};
-    const int added =
-        regions::add_peridynamic_region(m.editable_scene(), material, points, spacing, ratio, choice, loop.bends());
-    if (region) *region = added;
+    give(region,
+         regions::add_peridynamic_region(m.editable_scene(), material, points, spacing, ratio, choice, loop.bends()));
   });
 }
 
@@ -53,8 +51,7 @@ bempd_status add_hole(bempd_model* model, const char* call, int32_t region, cons
                       int32_t* first_edge) {
   return with_model(model, call, [&](model::Model& m) {
     const auto points = loop.points();
-    const int edge = m.editable_scene().shape_of(region).add_hole(points, loop.bends());
-    if (first_edge) *first_edge = edge;
+    give(first_edge, m.editable_scene().shape_of(region).add_hole(points, loop.bends()));
   });
 }
 
@@ -66,13 +63,8 @@ bempd_status bempd_material_init(bempd_material* material, int64_t struct_size) 
 
 bempd_status bempd_add_material(bempd_model* model, const bempd_material* material, int32_t* id) {
   return with_model(model, __func__, [&](model::Model& m) {
-    const std::size_t size = struct_bytes(material, "material", offsetof(bempd_material, thickness));
-    bempd_material given = material_defaults;
-    std::memcpy(&given, material, std::min(size, sizeof given));
-    const auto* bytes = reinterpret_cast<const unsigned char*>(material);
-    require(
-        size <= sizeof given || std::all_of(bytes + sizeof given, bytes + size, [](unsigned char b) { return b == 0; }),
-        "material was filled by a program made for a newer bempd, with members this version does not know");
+    const bempd_material given =
+        given_struct(material, "material", material_defaults, offsetof(bempd_material, thickness));
     require(given.plane == BEMPD_PLANE_STRESS || given.plane == BEMPD_PLANE_STRAIN, "plane is ", given.plane,
             "; it must be BEMPD_PLANE_STRESS (1) or BEMPD_PLANE_STRAIN (2)");
     require(given.reserved == 0, "reserved is ", given.reserved, "; it must be 0");
@@ -82,8 +74,7 @@ bempd_status bempd_add_material(bempd_model* model, const bempd_material* materi
     values.critical_stretch = given.critical_stretch;
     values.fracture_energy = given.fracture_energy;
     values.thermal_expansion = given.thermal_expansion;
-    const int added = m.editable_scene().add_material(values);
-    if (id) *id = added;
+    give(id, m.editable_scene().add_material(values));
   });
 }
 
@@ -101,8 +92,7 @@ bempd_status bempd_add_bem_region_with_arcs(bempd_model* model, int32_t material
 bempd_status bempd_add_bem_disc(bempd_model* model, int32_t material, double x, double y, double radius,
                                 double element_length, int32_t* region) {
   return with_model(model, __func__, [&](model::Model& m) {
-    const int added = regions::add_boundary_disc(m.editable_scene(), material, {x, y}, radius, element_length);
-    if (region) *region = added;
+    give(region, regions::add_boundary_disc(m.editable_scene(), material, {x, y}, radius, element_length));
   });
 }
 
@@ -137,8 +127,7 @@ bempd_status bempd_add_hole_with_arcs(bempd_model* model, int32_t region, int64_
 bempd_status bempd_add_circular_hole(bempd_model* model, int32_t region, double x, double y, double radius,
                                      int32_t* first_edge) {
   return with_model(model, __func__, [&](model::Model& m) {
-    const int edge = m.editable_scene().shape_of(region).add_circular_hole({x, y}, radius);
-    if (first_edge) *first_edge = edge;
+    give(first_edge, m.editable_scene().shape_of(region).add_circular_hole({x, y}, radius));
   });
 }
 
@@ -209,8 +198,7 @@ bempd_status bempd_set_resistance_directions(bempd_model* model, int32_t materia
 
 bempd_status bempd_add_crack(bempd_model* model, int64_t point_count, const double* points, int32_t* crack) {
   return with_model(model, __func__, [&](model::Model& m) {
-    const int added = m.editable_scene().add_crack(points_from(points, point_count, "points"));
-    if (crack) *crack = added;
+    give(crack, m.editable_scene().add_crack(points_from(points, point_count, "points")));
   });
 }
 

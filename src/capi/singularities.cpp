@@ -17,10 +17,9 @@ bempd_status bempd_singularity_count(bempd_model* model, int64_t* count) {
 
 bempd_status bempd_get_singularity(bempd_model* model, int64_t index, bempd_singularity* singularity) {
   return with_model(model, __func__, [&](model::Model& m) {
-    struct_bytes(singularity, "singularity", sizeof(int64_t));
-    const auto count = static_cast<int64_t>(m.results().singular_places().size());
-    require(index >= 0 && index < count, "index is ", index, "; stress is unbounded at ", count, " places");
-    const regions::SingularPlace& s = m.results().singular_places()[static_cast<std::size_t>(index)];
+    struct_bytes(singularity, "singularity");
+    const regions::SingularPlace& s =
+        entry_at(m.results().singular_places(), index, "; stress is unbounded at ", " places");
     write_struct(singularity,
                  bempd_singularity{sizeof(bempd_singularity), static_cast<int32_t>(s.kind), s.region, s.place.x(),
                                    s.place.y(), s.exponent.real(), s.exponent.imag()},

@@ -3,6 +3,15 @@
 using namespace bempd;
 using namespace bempd::capi;
 
+namespace {
+
+const model::SavedState& saved_in(const bempd_state* state) {
+  require(state != nullptr, "state is NULL; save one with bempd_state_save()");
+  return state->saved;
+}
+
+}  // namespace
+
 bempd_status bempd_state_save(bempd_model* model, bempd_state** state) {
   return with_model(model, __func__, [&](model::Model& m) {
     out(state, "state");
@@ -20,25 +29,13 @@ bempd_status bempd_state_save_with(bempd_model* model, int32_t contents, bempd_s
 }
 
 bempd_status bempd_state_restore(bempd_model* model, const bempd_state* state) {
-  return with_model(model, __func__, [&](model::Model& m) {
-    require(state != nullptr, "state is NULL; save one with bempd_state_save()");
-    m.states().restore(state->saved);
-  });
+  return with_model(model, __func__, [&](model::Model& m) { m.states().restore(saved_in(state)); });
 }
 
 void bempd_state_free(bempd_state* state) { delete state; }
 
 bempd_status bempd_state_to_bytes(const bempd_state* state, int64_t capacity, uint8_t* buffer, int64_t* needed) {
-  return without_model(__func__, [&] {
-    require(state != nullptr, "state is NULL; save one with bempd_state_save()");
-    const std::vector<std::uint8_t> bytes = model::to_bytes(state->saved);
-    const auto size = static_cast<int64_t>(bytes.size());
-    if (needed) *needed = size;
-    if (!buffer && capacity == 0) return;
-    require(buffer != nullptr, "buffer is NULL; give one, or capacity 0 to learn the size");
-    require(capacity >= size, "capacity is ", capacity, " bytes; ", size, " are needed");
-    std::copy(bytes.begin(), bytes.end(), buffer);
-  });
+  return without_model(__func__, [&] { write_bytes(model::to_bytes(saved_in(state)), buffer, capacity, needed); });
 }
 
 bempd_status bempd_state_from_bytes(int64_t size, const uint8_t* bytes, bempd_state** state) {
@@ -52,16 +49,15 @@ bempd_status bempd_state_from_bytes(int64_t size, const uint8_t* bytes, bempd_st
 
 bempd_status bempd_state_write(const bempd_state* state, const char* path) {
   return without_model(__func__, [&] {
-    require(state != nullptr, "state is NULL; save one with bempd_state_save()");
-    require(path != nullptr && *path != '\0', "path is NULL or empty; give a file name");
-    model::write_state(state->saved, path);
+    const model::SavedState& saved = saved_in(state);
+    model::write_state(saved, file_name(path));
   });
 }
 
 bempd_status bempd_state_read(const char* path, bempd_state** state) {
   return without_model(__func__, [&] {
-    require(path != nullptr && *path != '\0', "path is NULL or empty; give a file name");
+    const char* name = file_name(path);
     out(state, "state");
-    *state = new bempd_state{model::read_state(path)};
+    *state = new bempd_state{model::read_state(name)};
   });
 }

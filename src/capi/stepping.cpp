@@ -74,7 +74,7 @@ bempd_status advance(bempd_model* handle, const char* function, const char* targ
                      fracture::Goal goal, bempd_step_report* report, Step step = &model::LoadDriver::advance) {
   return with_model(handle, function, [&](model::Model& m) {
     require_finite(target, target_name);
-    if (report) struct_bytes(report, "report", sizeof(int64_t));
+    if (report) struct_bytes(report, "report");
     write_report(m, model::unless_stopped([&] { return (m.driver().*step)(target, goal); }), report);
   });
 }
@@ -197,7 +197,7 @@ bempd_status bempd_run_program(bempd_model* model, int64_t row_count, const doub
   return with_model(model, __func__, [&](model::Model& m) {
     const scene::LoadTable table = table_of(row_count, times, column_count, kinds, ids, factors);
     const fracture::Goal goal = goal_of(until);
-    if (report) struct_bytes(report, "report", sizeof(int64_t));
+    if (report) struct_bytes(report, "report");
     write_report(m, model::unless_stopped([&] { return m.driver().run_program(table, goal); }), report);
   });
 }
