@@ -5,31 +5,26 @@
 #include "error.hpp"
 #include "model/element_growth.hpp"
 #include "model/model.hpp"
+#include "scene/moved_values.hpp"
 
 namespace bempd::model {
 
 namespace {
 
-// Factors by which the constant and the proportional part of values are multiplied.
-struct Factors {
-  double constant = 0, proportional = 0;
-};
-
-// Adds the constant and the proportional part of values, each times its factor, to the constant part of a sum with the
-// same samples or places.
+// Adds values at the load factor 1, times a factor, to the constant part of a sum with the same samples or places.
 template <class Kind>
-void add(Kind& sum, const Kind& values, const Factors& by) {
+void add(Kind& sum, const Kind& values, double factor) {
   for (std::size_t k = 0; k < sum.constant.size(); ++k)
-    sum.constant[k] += by.constant * values.constant[k] + by.proportional * values.proportional[k];
+    sum.constant[k] += factor * values.constant[k] + factor * values.proportional[k];
 }
 
-// Sum of values of one condition, each times a factor. If all values are of the same kind as `zero` (samples or
-// places), so is the sum; else the sum is a function.
+// Sum of values of one condition at the load factor 1, each times a factor. If all values are of the same kind as
+// `zero` (samples or places), so is the sum; else the sum is a function.
 class Sum {
  public:
   explicit Sum(scene::Values zero) : sum_(std::move(zero)) {}
 
-  void add(const scene::Values& values, const Factors& factor) {
+  void add(const scene::Values& values, double factor) {
     const auto* function = std::get_if<scene::BoundaryFunction>(&values);
     if (sum_.index() != values.index() || function) {
       terms_.emplace_back(as_function(values), factor);
@@ -49,7 +44,7 @@ class Sum {
       scene::BoundaryValue value{rest(place, fraction).constant, Point::Zero()};
       for (const auto& [function, factor] : terms) {
         const scene::BoundaryValue own = function(place, fraction);
-        value.constant += factor.constant * own.constant + factor.proportional * own.proportional;
+        value.constant += factor * own.constant + factor * own.proportional;
       }
       return value;
     });
@@ -64,7 +59,7 @@ class Sum {
   }
 
   scene::Values sum_;
-  std::vector<std::pair<scene::BoundaryFunction, Factors>> terms_;
+  std::vector<std::pair<scene::BoundaryFunction, double>> terms_;
 };
 
 // Values of all supports, or of all loads, under a combination of cases. `part` gives the values of a condition in a
@@ -76,20 +71,8 @@ std::vector<scene::Values> combined_of(const std::vector<scene::Values>& zeros, 
     Sum sum(zeros[k]);
     for (std::size_t c = 0; c < cases; ++c) {
       const auto [values, factor] = part(c, k);
-      if (values && factor != 0) sum.add(*values, {factor, factor});
+      if (values && factor != 0) sum.add(*values, factor);
     }
-    all.push_back(sum.result());
-  }
-  return all;
-}
-
-// Values at a load factor, turned into values with a constant part only.
-std::vector<scene::Values> at_load_factor(const std::vector<scene::Values>& zeros,
-                                          const std::vector<scene::Values>& values, double load_factor) {
-  std::vector<scene::Values> all;
-  for (std::size_t k = 0; k < zeros.size(); ++k) {
-    Sum sum(zeros[k]);
-    sum.add(values[k], {1, load_factor});
     all.push_back(sum.result());
   }
   return all;
@@ -148,10 +131,7 @@ void LoadCases::solve_under(const std::vector<double>& factors, const std::funct
 }
 
 void LoadCases::solve_at(double load_factor, const std::function<void(PreparedScene&)>& read) {
-  const scene::SceneValues own = model_.scene().values(), zeros = scene::at_rest(own);
-  solve_under(scene::SceneValues{at_load_factor(zeros.supports, own.supports, load_factor),
-                                 at_load_factor(zeros.loads, own.loads, load_factor)},
-              read);
+  solve_under(scene::fixed_at(model_.scene().values(), load_factor), read);
 }
 
 void LoadCases::solve_under(const scene::SceneValues& values, const std::function<void(PreparedScene&)>& read) {

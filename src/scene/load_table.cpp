@@ -4,31 +4,10 @@
 #include <cmath>
 
 #include "error.hpp"
+#include "scene/moved_values.hpp"
 #include "scene/scene.hpp"
 
 namespace bempd::scene {
-
-namespace {
-
-// Values that are fixed at what they are at the load factor `factor`: constant parts only, all proportional parts are
-// 0.
-template <class Parts>
-Parts still_at_factor(Parts values, double factor) {
-  for (std::size_t i = 0; i < values.constant.size(); ++i) values.constant[i] += factor * values.proportional[i];
-  std::fill(values.proportional.begin(), values.proportional.end(), 0.0);
-  return values;
-}
-
-Values at_factor(const Values& values, double factor) {
-  if (const auto* samples = std::get_if<SampledValues>(&values)) return still_at_factor(*samples, factor);
-  if (const auto* placed = std::get_if<PlacedValues>(&values)) return still_at_factor(*placed, factor);
-  return BoundaryFunction([function = std::get<BoundaryFunction>(values), factor](const Point& p, double fraction) {
-    const BoundaryValue value = function(p, fraction);
-    return BoundaryValue{value.constant + factor * value.proportional, Point::Zero()};
-  });
-}
-
-}  // namespace
 
 void LoadTable::check(const Scene& scene) const {
   for (std::size_t row = 0; row < times.size(); ++row) {
@@ -54,19 +33,12 @@ void LoadTable::check(const Scene& scene) const {
 }
 
 SceneValues LoadTable::at(std::size_t row, const SceneValues& given) const {
-  const auto all = [](const std::vector<Values>& values, double factor) {
-    std::vector<Values> still;
-    still.reserve(values.size());
-    for (const Values& one : values) still.push_back(at_factor(one, factor));
-    return still;
-  };
-  const double common = columns.empty() ? factors[row] : times[row];
-  SceneValues result{all(given.supports, common), all(given.loads, common)};
+  SceneValues result = fixed_at(given, columns.empty() ? factors[row] : times[row]);
   for (std::size_t c = 0; c < columns.size(); ++c) {
     const auto place = static_cast<std::size_t>(columns[c].id - 1);
     const Values& value = columns[c].is_support ? given.supports[place] : given.loads[place];
     (columns[c].is_support ? result.supports[place] : result.loads[place]) =
-        at_factor(value, factors[row * width() + c]);
+        fixed_at(value, factors[row * width() + c]);
   }
   return result;
 }

@@ -8,4 +8,8 @@ namespace bempd::scene {
 // the constant part.
 SceneValues moved(const SceneValues& values, double load_factor);
 
+// Values fixed at what they are at a load factor: constant parts only, proportional parts 0.
+Values fixed_at(const Values& values, double load_factor);
+SceneValues fixed_at(const SceneValues& values, double load_factor);
+
 }  // namespace bempd::scene
