@@ -4,6 +4,7 @@
 
 #include "fracture/event_choice.hpp"
 #include "fracture/event_loop.hpp"
+#include "undo.hpp"
 
 namespace bempd::fracture {
 
@@ -69,15 +70,13 @@ bool CrackEvolution::look_past_switch(bool upwards, const std::function<void()>&
     sources_.abandon();
     sources_.resumption().await(std::move(continuation));
   };
-  try {
-    sources_.settle();
-    body_.contact().look_ahead(direction);
-    visit();
-  } catch (...) {
-    return_to_present();
-    throw;
-  }
-  return_to_present();
+  undone_afterwards(
+      [&] {
+        sources_.settle();
+        body_.contact().look_ahead(direction);
+        visit();
+      },
+      return_to_present);
   return true;
 }
 

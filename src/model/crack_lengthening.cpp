@@ -1,5 +1,7 @@
 #include "model/crack_lengthening.hpp"
 
+#include "undo.hpp"
+
 namespace bempd::model {
 
 void move_load(PreparedScene& scene, double load_factor, const std::set<crack::TipId>& frozen) {
@@ -23,12 +25,7 @@ CrackLengthening::CrackLengthening(Model& model, bool in_elements)
   state_ = model_.prepared().evolution->state();
   continuation_ = model_.prepared().evolution->continuation();
   recorded_ = model_.cracks().history().size();
-  try {
-    model_.in_equilibrium();
-  } catch (...) {
-    take_back();
-    throw;
-  }
+  undone_on_failure([&] { model_.in_equilibrium(); }, [&] { take_back(); });
 }
 
 void CrackLengthening::go_to(double load_factor) {
@@ -84,22 +81,14 @@ void CrackLengthening::go_on_in(LongerCracks longer) {
 
 void CrackLengthening::in_scene_of(LongerCracks* longer, const std::function<void()>& read) {
   if (!longer) return read();
-  const auto exchange = [&] {
+  const auto exchange = [&](const std::vector<scene::Crack>& cracks) {
     longer->grown.scene = model_.preparation().exchange(std::move(longer->grown.scene));
     model_.growth().forget_factors();
     model_.preparation().has_changed();
+    model_.preparation().scene().set_cracks(cracks);
   };
-  exchange();
-  model_.preparation().scene().set_cracks(longer->cracks);
-  try {
-    read();
-  } catch (...) {
-    exchange();
-    model_.preparation().scene().set_cracks(present_);
-    throw;
-  }
-  exchange();
-  model_.preparation().scene().set_cracks(present_);
+  exchange(longer->cracks);
+  undone_afterwards(read, [&] { exchange(present_); });
 }
 
 void CrackLengthening::report_progress() {

@@ -98,10 +98,10 @@ void CrackTreatments::add_patches() {
   const int own = model_.scene().region_count();
   regions::PatchedBodies bodies(model_.scene(), patches, own);
   Laid laid{patches, patches, {}};
-  mark_of_growth_ = model_.accuracy().mark_of_growth();
   bodies.exchange(model_.preparation().scene());
   laid.without = std::move(bodies);
   patches_ = std::move(laid), lattice_cracks_ = std::move(cracks);
+  mark_of_growth_ = model_.accuracy().mark_of_growth();
 }
 
 void CrackTreatments::remove_patches() noexcept {

@@ -77,7 +77,8 @@ std::size_t ElementCarrier::index_of(const crack::TipId& tip) const {
   return static_cast<std::size_t>(found - tips_.begin());
 }
 
-// Scene with longer cracks that `grow` prepares. If there is no such scene, the cracks of the model are `before` again.
+// Scene with longer cracks that `grow` prepares. If no such scene is possible, the cracks of the model are `before`
+// again, and the error is thrown on.
 Grown ElementCarrier::grown(const std::vector<scene::Crack>& before, const std::function<Grown()>& grow) {
   KeptCracks kept(model_.preparation().scene(), before);
   try {
@@ -101,8 +102,8 @@ Grown ElementCarrier::longer(const std::vector<scene::Crack>& before, const Grow
   return next;
 }
 
-// Lets the tip of `step` grow, together with the tips that tie with it. If they cannot grow together, those tips are
-// stopped that could not even grow alone. If each of the tips could grow alone, the tip of `step` is stopped.
+// Lets the tip of `step` grow, together with the tips that tie with it. If that is impossible, stops those tips among
+// them that cannot grow even alone; if there are none, stops the tip of `step`.
 crack::Advance ElementCarrier::advance(const crack::Step& step) {
   check_cancelled();
   update();
@@ -128,7 +129,7 @@ crack::Advance ElementCarrier::advance(const crack::Step& step) {
   }
 }
 
-// Tips that cannot grow even alone, among several that cannot grow together; empty if only one tip was to grow.
+// Tips of `growing` that cannot grow even alone; empty if only one tip was to grow.
 std::vector<crack::TipId> ElementCarrier::tips_that_cannot_grow(const Growing& growing,
                                                                 const std::vector<scene::Crack>& before) {
   std::vector<crack::TipId> stopped;
@@ -155,7 +156,7 @@ void ElementCarrier::go_on_in(std::unique_ptr<PreparedScene> next, const fractur
 
 void ElementCarrier::change_scene(std::unique_ptr<PreparedScene> next,
                                   const std::function<void(const PreparedScene&)>& tell) {
-  spent_.add(time_spent_in(model_.prepared()));
+  spent_ += time_spent_in(model_.prepared());
   next = model_.preparation().exchange(std::move(next));
   model_.growth().forget_factors();
   model_.preparation().has_changed();
@@ -185,8 +186,8 @@ void ElementCarrier::follow_lines() {
   }
 }
 
-// Gives lattice patches more blocks around bonds that have broken, where cracks do not grow as lines. Returns whether a
-// patch has no room for them.
+// Gives lattice patches more blocks around bonds that have broken, where cracks grow bond by bond instead of as lines.
+// Returns whether a patch has no room for more blocks.
 bool ElementCarrier::follow_breaks(const std::vector<coupling::StageChange>& broken) {
   CrackTreatments& treatments = model_.treatments();
   if (treatments.patches().empty() || body().lines()) return false;

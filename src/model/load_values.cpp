@@ -5,6 +5,7 @@
 #include "regions/edge_nodes.hpp"
 #include "regions/places/edge_part.hpp"
 #include "regions/swelling.hpp"
+#include "undo.hpp"
 
 // Values of loads and supports, and the time at which they take effect.
 namespace bempd::model {
@@ -135,19 +136,16 @@ void LoadValues::under(scene::SceneValues values, const std::function<void(Prepa
   fracture::EvolutionState state = evolution.state();
   fracture::Continuation continuation = evolution.continuation();
   Before loads = replace(conditions_under(std::move(values)), Acting::values);
-  const auto go_back = [&] {
-    evolution.records().take_held();
-    evolution.restore(std::move(state), std::move(continuation));
-    go_back_to(std::move(loads));
-  };
-  try {
-    evolution.loads().find_equilibrium();
-    read(model_.prepared());
-  } catch (...) {
-    go_back();
-    throw;
-  }
-  go_back();
+  undone_afterwards(
+      [&] {
+        evolution.loads().find_equilibrium();
+        read(model_.prepared());
+      },
+      [&] {
+        evolution.records().take_held();
+        evolution.restore(std::move(state), std::move(continuation));
+        go_back_to(std::move(loads));
+      });
 }
 
 void LoadValues::go_back_to(Before before) noexcept {

@@ -12,6 +12,7 @@
 #include "model/model.hpp"
 #include "model/state_checks.hpp"
 #include "model/states.hpp"
+#include "undo.hpp"
 
 namespace bempd::model {
 
@@ -146,12 +147,7 @@ void States::restore(const SavedState& state) {
   scene::SceneValues said =
       state.host_values ? fitted(*state.host_values, model_.scene().values()) : model_.scene().values();
   model_.preparation().scene().exchange_values(said);
-  try {
-    restore_body(state);
-  } catch (...) {
-    model_.preparation().scene().exchange_values(said);
-    throw;
-  }
+  undone_on_failure([&] { restore_body(state); }, [&] { model_.preparation().scene().exchange_values(said); });
   if (!state.host_values) return;
   std::set<crack::TipId> frozen;
   for (std::size_t k = 1; k < state.frozen.size(); k += 2) frozen.insert({state.frozen[k - 1], state.frozen[k]});

@@ -9,6 +9,7 @@
 #include "fracture/window/window_settings.hpp"
 #include "phase.hpp"
 #include "stop_request.hpp"
+#include "undo.hpp"
 
 namespace bempd::fracture {
 
@@ -46,12 +47,7 @@ void EventForecast::open_again(const BodyState& state, const Options& options) {
 }
 
 void EventForecast::open_here(const BodyState& state) {
-  try {
-    build_window(state);
-  } catch (...) {
-    close();
-    throw;
-  }
+  undone_on_failure([&] { build_window(state); }, [&] { close(); });
 }
 
 void EventForecast::remember(WindowLocation place, int most_events) {
