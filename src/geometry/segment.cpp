@@ -1,6 +1,7 @@
 #include "geometry/segment.hpp"
 
 #include <algorithm>
+#include <limits>
 
 namespace bempd {
 
@@ -24,6 +25,13 @@ double polyline_length(const std::vector<Point>& points) {
   double sum = 0;
   for (std::size_t i = 0; i + 1 < points.size(); ++i) sum += (points[i + 1] - points[i]).norm();
   return sum;
+}
+
+double polyline_distance(const std::vector<Point>& points, const Point& place) {
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i + 1 < points.size(); ++i)
+    least = std::min(least, distance(Segment{points[i], points[i + 1]}, place));
+  return least;
 }
 
 std::optional<Crossing> proper_crossing(const Segment& a, const Segment& b) {

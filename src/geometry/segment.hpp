@@ -21,7 +21,9 @@ double closest_fraction(const Segment& segment, const Point& p);
 
 double distance(const Segment& segment, const Point& p);
 
+// Length of a polyline, and distance of a place from it; infinite if it has no piece.
 double polyline_length(const std::vector<Point>& points);
+double polyline_distance(const std::vector<Point>& points, const Point& place);
 
 struct Crossing {
   double fraction_a, fraction_b;

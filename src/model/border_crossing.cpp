@@ -29,10 +29,6 @@ constexpr double room_in_elements = 0.5;
 // divided by the cosine of the angle to the interface's normal, which counts as at least least_cosine.
 constexpr double near_elements = 2, least_cosine = 0.5;
 
-bool is_in(const scene::Scene& scene, int id, const Point& place, double tolerance) {
-  return locate(scene.region(id).outline(), place, tolerance) != Location::outside;
-}
-
 // Whether an extension of a crack line ends at the border of a boundary element region.
 bool ends_at_border(const scene::Scene& scene, const fracture::CrackExtension& e, double tolerance) {
   constexpr double closely = 0.25;  // share of the extension's length
@@ -40,7 +36,7 @@ bool ends_at_border(const scene::Scene& scene, const fracture::CrackExtension& e
   const std::vector<int> ids = scene.region_ids();
   const auto any = [&](bool elements, const Point& place) {
     return std::any_of(ids.begin(), ids.end(), [&](int id) {
-      return scene.region(id).has_elements() == elements && is_in(scene, id, place, tolerance);
+      return scene.region(id).has_elements() == elements && scene::contains(scene, id, place, tolerance);
     });
   };
   return any(false, from) && any(true, ahead);
@@ -53,7 +49,7 @@ std::optional<Point> tip_behind_border(const scene::Scene& scene, const fracture
                                        double tolerance) {
   const Point from(e.from_x, e.from_y), to(e.x, e.y), along = (to - from).normalized();
   for (const int lattice : scene.region_ids()) {
-    if (scene.region(lattice).has_elements() || !is_in(scene, lattice, from, tolerance)) continue;
+    if (scene.region(lattice).has_elements() || !scene::contains(scene, lattice, from, tolerance)) continue;
     const double spacing = scene.region(lattice).resolution();
     const Edge way(from, to + spacings / least_cosine * spacing * along);
     double exit = 2, cosine = 1;
@@ -69,8 +65,8 @@ std::optional<Point> tip_behind_border(const scene::Scene& scene, const fracture
     const Point far = tip + room_in_elements * spacing * along;
     for (const int id : scene.region_ids())
       if (scene.region(id).has_elements() && scene.material_of(id) == scene.material_of(lattice) &&
-          is_in(scene, id, behind, tolerance) &&
-          locate(scene.region(id).outline(), tip, tolerance) == Location::inside && is_in(scene, id, far, tolerance))
+          scene::contains(scene, id, behind, tolerance) && scene::has_inside(scene, id, tip, tolerance) &&
+          scene::contains(scene, id, far, tolerance))
         return tip;
   }
   return std::nullopt;
@@ -94,17 +90,14 @@ void shorten(scene::Crack& crack, int end) {
 // Ends a crack that began in the run at the outline of the body: the last step of a crack line may go beyond the
 // outline.
 void end_at_outline(scene::Crack& crack, int end, const scene::Scene& scene, double tolerance) {
-  const std::vector<int> ids = scene.region_ids();
-  const auto is_outside = [&](const Point& place) {
-    return std::ranges::none_of(ids, [&](int id) { return is_in(scene, id, place, tolerance); });
-  };
+  const auto is_outside = [&](const Point& place) { return scene::region_at(scene, place, tolerance) == 0; };
   const auto next_to_end = [&] { return end == 0 ? crack.points[1] : crack.points.end()[-2]; };
   while (crack.points.size() > 2 && is_outside(next_to_end())) shorten(crack, end);
   Point& last = end == 0 ? crack.points.front() : crack.points.back();
   if (!is_outside(last)) return;
   const Edge way(next_to_end(), last);
   double exit = 1;
-  for (const int id : ids)
+  for (const int id : scene.region_ids())
     for (const Edge& edge : edges_of(scene.region(id).outline()))
       for (const Crossing& meeting : meeting_points(way, edge))
         if (is_outside(way.at(meeting.fraction_a + 10 * tolerance / way.length())))

@@ -71,8 +71,7 @@ double clear_radius(const scene::Scene& scene, const regions::Discretization& di
       radius = std::min(radius, clear_of_own_crack(path, tip));
       continue;
     }
-    for (std::size_t k = 0; k + 1 < path.size(); ++k)
-      radius = std::min(radius, distance(Segment{path[k], path[k + 1]}, tip.place));
+    radius = std::min(radius, polyline_distance(path, tip.place));
   }
   return radius;
 }

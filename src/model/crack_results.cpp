@@ -59,19 +59,6 @@ double grown_among_bonds(int crack, int end, const scene::Crack& described,
   return sum;
 }
 
-// Id of the crack whose path is nearest to a place; 0 if all paths are empty.
-int crack_nearest(const Point& place, const std::vector<std::vector<Point>>& paths) {
-  int nearest = 0;
-  double least = std::numeric_limits<double>::infinity();
-  for (std::size_t c = 0; c < paths.size(); ++c) {
-    for (std::size_t i = 0; i + 1 < paths[c].size(); ++i) {
-      const double away = distance(Segment{paths[c][i], paths[c][i + 1]}, place);
-      if (away < least) least = away, nearest = static_cast<int>(c) + 1;
-    }
-  }
-  return nearest;
-}
-
 }  // namespace
 
 void complete(regions::TipValues& tip, const scene::Options& options) {
@@ -171,7 +158,7 @@ std::vector<regions::CrackPicture> CrackResults::pictures() const {
   const std::vector<std::vector<Point>> paths = paths_in_lattices();
   const auto in_lattices = regions::lattice_crack_pictures(
       bonded_body(model_.scene(), model_.prepared()), solution_of(model_.prepared()).displacement,
-      [&](const Point& place) { return crack_nearest(place, paths); });
+      [&](const Point& place) { return scene::crack_nearest(paths, place); });
   cracks.insert(cracks.end(), in_lattices.begin(), in_lattices.end());
   return cracks;
 }

@@ -36,7 +36,7 @@ constexpr double least_distance_from_crossing = 0.25;
 bool is_among_elements(const scene::Scene& scene, const Point& place, double tolerance) {
   std::vector<int> ids;
   for (const int id : scene.region_ids())
-    if (locate(scene.region(id).outline(), place, 10 * tolerance) != Location::outside) ids.push_back(id);
+    if (scene::contains(scene, id, place, 10 * tolerance)) ids.push_back(id);
   return ids.size() > 1 && std::all_of(ids.begin(), ids.end(), [&](int id) {
            return scene.region(id).has_elements() && scene.material_of(id) == scene.material_of(ids.front());
          });
@@ -44,8 +44,7 @@ bool is_among_elements(const scene::Scene& scene, const Point& place, double tol
 
 bool is_inside(const scene::Scene& scene, const Point& place, double tolerance) {
   const std::vector<int> ids = scene.region_ids();
-  return std::any_of(ids.begin(), ids.end(),
-                     [&](int id) { return locate(scene.region(id).outline(), place, tolerance) == Location::inside; });
+  return std::any_of(ids.begin(), ids.end(), [&](int id) { return scene::has_inside(scene, id, place, tolerance); });
 }
 
 // Length of an extension that crosses interfaces at the distances `crossings`: the given length, or a slightly
@@ -160,9 +159,8 @@ std::optional<LatticeAhead> lattice_ahead(const scene::Scene& scene, const Point
                                           double length, double tolerance) {
   std::optional<LatticeAhead> first;
   const std::vector<int> ids = scene.region_ids();
-  const auto own = std::find_if(ids.begin(), ids.end(), [&](int id) {
-    return locate(scene.region(id).outline(), from, tolerance) == Location::inside;
-  });
+  const auto own =
+      std::find_if(ids.begin(), ids.end(), [&](int id) { return scene::has_inside(scene, id, from, tolerance); });
   if (own == ids.end()) return std::nullopt;
   for (const int id : ids) {
     const scene::Region& region = scene.region(id);
@@ -191,8 +189,7 @@ std::optional<LatticeAhead> lattice_ahead(const scene::Scene& scene, const Point
 
 bool is_on_interface(const scene::Scene& scene, const Point& place, double tolerance) {
   int regions = 0;
-  for (const int region : scene.region_ids())
-    regions += locate(scene.region(region).outline(), place, 10 * tolerance) != Location::outside ? 1 : 0;
+  for (const int region : scene.region_ids()) regions += scene::contains(scene, region, place, 10 * tolerance) ? 1 : 0;
   return regions > 1;
 }
 
@@ -274,10 +271,7 @@ double clearance_of_tip(const scene::Scene& scene, const std::vector<scene::Crac
     least = std::min(least, distance_without_crossable(scene, edge, tip, tolerance));
   }
   for (std::size_t c = 0; c < cracks.size(); ++c) {
-    const std::vector<Point>& points = cracks[c].points;
-    if (static_cast<int>(c) + 1 == crack) continue;
-    for (std::size_t i = 0; i + 1 < points.size(); ++i)
-      least = std::min(least, distance(Segment{points[i], points[i + 1]}, tip));
+    if (static_cast<int>(c) + 1 != crack) least = std::min(least, polyline_distance(cracks[c].points, tip));
   }
   return least;
 }

@@ -92,8 +92,8 @@ int LineLengthening::region_of(const regions::TipValues& tip, const PreparedScen
   if (tip.method == regions::TipMethod::elements) return CrackLengthening::region_of(tip, scene);
   const scene::Scene& described = model_.scene();
   for (const auto& region : scene.discretization.regions)
-    if (!described.region(region->id()).has_elements() && locate(described.region(region->id()).outline(), tip.place,
-                                                                 scene.discretization.tolerance) != Location::outside)
+    if (!described.region(region->id()).has_elements() &&
+        scene::contains(described, region->id(), tip.place, scene.discretization.tolerance))
       return region->id();
   return 0;
 }

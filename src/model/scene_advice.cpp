@@ -167,7 +167,7 @@ class Adviser {
   }
 
   bool is_inside(int region, const Point& place) const {
-    return locate(scene_.region(region).outline(), place, d_.tolerance) == Location::inside;
+    return scene::has_inside(scene_, region, place, d_.tolerance);
   }
 
   void tell_of_tip(int crack, const Point& tip, const Point& direction, double length) {
@@ -193,12 +193,9 @@ class Adviser {
   }
 
   bool touches_another(int crack, const Point& tip) const {
-    for (std::size_t c = 0; c < scene_.cracks().size(); ++c) {
-      const std::vector<Point>& points = scene_.cracks()[c].points;
-      for (std::size_t i = 0; i + 1 < points.size(); ++i)
-        if (static_cast<int>(c) + 1 != crack && distance(Segment{points[i], points[i + 1]}, tip) <= d_.tolerance)
-          return true;
-    }
+    const std::vector<scene::Crack>& cracks = scene_.cracks();
+    for (std::size_t c = 0; c < cracks.size(); ++c)
+      if (static_cast<int>(c) + 1 != crack && polyline_distance(cracks[c].points, tip) <= d_.tolerance) return true;
     return false;
   }
 

@@ -6,7 +6,6 @@
 #include <tuple>
 
 #include "error.hpp"
-#include "geometry/outline.hpp"
 #include "model/driven_growth.hpp"
 #include "model/fingerprint.hpp"
 #include "model/model.hpp"
@@ -94,8 +93,7 @@ bool grew_in_lattice(const Model& model, const crack::Extension& e) {
   const double tolerance = model.prepared_or_null()->discretization.tolerance;
   const auto lies_in_elements = [&, ids = scene.region_ids()](double x, double y) {
     return std::any_of(ids.begin(), ids.end(), [&](int id) {
-      return scene.region(id).has_elements() &&
-             locate(scene.region(id).outline(), {x, y}, tolerance) == Location::inside;
+      return scene.region(id).has_elements() && scene::has_inside(scene, id, {x, y}, tolerance);
     });
   };
   // A stopped line may lie a little behind the border.

@@ -87,9 +87,11 @@ void RunReports::warn_of_held_parts() {
   held.erase(std::unique(held.begin(), held.end()), held.end());
   if (held.empty()) return;
   std::string places;
+  std::vector<std::vector<Point>> cracks;
+  for (const scene::Crack& crack : model_.scene().cracks()) cracks.push_back(crack.points);
   for (std::size_t i = 0; i < std::min(held.size(), most_named); ++i) {
     const Point& place = model_.prepared().discretization.positions[held[i]];
-    const int crack = model_.scene().crack_nearest(place);
+    const int crack = scene::crack_nearest(cracks, place);
     places += text(i == 0 ? "" : ", ", "(", place.x(), ", ", place.y(), ")");
     if (crack > 0) places += text(" by initial crack ", crack);
   }

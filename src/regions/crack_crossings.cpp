@@ -131,9 +131,8 @@ void require_one_body(const Preparation& p, int crack, const CrackCrossing& c) {
           ", which are of two materials; cracks go on in boundary elements of one material only: let it end before the "
           "interface");
   for (const auto& region : p.regions)
-    require(
-        !region->bonds() || locate(p.scene.region(region->id()).outline(), c.place, p.tolerance) == Location::outside,
-        about(), ", where the peridynamic region ", region->id(), " has a corner; let it pass that corner by");
+    require(!region->bonds() || !scene::contains(p.scene, region->id(), c.place, p.tolerance), about(),
+            ", where the peridynamic region ", region->id(), " has a corner; let it pass that corner by");
 }
 
 }  // namespace

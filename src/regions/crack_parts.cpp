@@ -36,7 +36,7 @@ int region_of_piece(const Preparation& p, int crack, const Point& middle) {
   std::vector<int> with_elements;
   int other = 0;
   for (const auto& region : p.regions) {
-    if (locate(p.scene.region(region->id()).outline(), middle, p.tolerance) == Location::outside) continue;
+    if (!scene::contains(p.scene, region->id(), middle, p.tolerance)) continue;
     if (region->bonds()) return 0;
     if (region->crack_elements()) with_elements.push_back(region->id());
     other = region->id();

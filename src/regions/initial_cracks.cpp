@@ -35,7 +35,7 @@ scene::Crack moved(const Scene& scene, const Discretization& d, scene::Crack cra
   const Point first = (points[1] - points[0]).normalized(), last = (points.end()[-1] - points.end()[-2]).normalized();
   const auto farther = [&](const Point& end) {
     const bool is_inside = std::any_of(d.regions.begin(), d.regions.end(), [&](const auto& region) {
-      return locate(scene.region(region->id()).outline(), end, d.tolerance) == Location::inside;
+      return scene::has_inside(scene, region->id(), end, d.tolerance);
     });
     return is_inside ? 0 : 2 * distance;
   };
@@ -158,7 +158,7 @@ pd::CutEnd end_of_cut(const Scene& scene, const Discretization& d, const scene::
                       const Point& before, double part) {
   const double length = (tip - before).norm();
   for (const auto& region : d.regions)
-    if (locate(scene.region(region->id()).outline(), tip, d.tolerance) == Location::inside &&
+    if (scene::has_inside(scene, region->id(), tip, d.tolerance) &&
         has_effective_tip_as_described(scene, d, options, *region, tip))
       return cut_end_in_lattice(d, *region, tip, (tip - before) / length, part * length);
   return {tip, {}};
@@ -229,7 +229,7 @@ std::vector<StartingTip> tips_of_cracks(const Scene& scene, const LatticeCracks&
       // region of the effective tip.
       const Point& acts_at = even ? found.ends[c][static_cast<std::size_t>(number)] : end;
       for (const auto& region : d.regions) {
-        if (locate(scene.region(region->id()).outline(), acts_at, d.tolerance) != Location::inside) continue;
+        if (!scene::has_inside(scene, region->id(), acts_at, d.tolerance)) continue;
         if (region->bonds() && region->bonds()->tip_law(options))
           tips.push_back({end, (end - before).normalized(), region->id(), {static_cast<int>(c) + 1, number}, even});
       }

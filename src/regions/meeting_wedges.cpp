@@ -41,13 +41,6 @@ WedgeFinder::WedgeFinder(const scene::Scene& scene, const Discretization& d) : s
   tree_ = BoxTree(boxes);
 }
 
-// Id of the first region that contains a place; 0 if none does.
-int WedgeFinder::region_at(const Point& place) const {
-  for (int id : scene_.region_ids())
-    if (locate(scene_.region(id).outline(), place, d_.tolerance) != Location::outside) return id;
-  return 0;
-}
-
 int WedgeFinder::held_on(const OutlineEdge& edge, double fraction) const {
   int components = 0;
   for (const scene::Condition& support : scene_.supports())
@@ -107,7 +100,7 @@ void WedgeFinder::cut_by_cracks(const Point& place, std::vector<Sector>& sectors
       for (std::size_t k = 0; k + 1 < part.points.size(); ++k) {
         const Segment piece{part.points[k], part.points[k + 1]};
         if (!crack.has_elements() || distance(piece, place) > near) continue;
-        const int region = part.region > 0 ? part.region : region_at(piece.at(0.5));
+        const int region = part.region > 0 ? part.region : scene::region_at(scene_, piece.at(0.5), d_.tolerance);
         for (const Point& end : {piece.start, piece.end})
           if ((end - place).norm() > near) rays[region].push_back({angle_of(end - place), 0, true});
       }

@@ -43,7 +43,6 @@ class WedgeFinder {
   void add_sectors_of_outlines(const Point& place, std::vector<Sector>& sectors) const;
   void cut_by_cracks(const Point& place, std::vector<Sector>& sectors) const;
   Sector between(int region, const Point& place, const Ray& from, const Ray& to) const;
-  int region_at(const Point& place) const;
   int held_on(const OutlineEdge& edge, double fraction) const;
 
   const scene::Scene& scene_;

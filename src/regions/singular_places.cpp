@@ -74,13 +74,6 @@ SingularKind kind_of(const MeetingWedge& meeting) {
   return alike ? SingularKind::corner : SingularKind::interface;
 }
 
-// Id of the first region that contains a place; 0 if none does.
-int region_at(const scene::Scene& scene, const Point& place, double tolerance) {
-  for (int id : scene.region_ids())
-    if (locate(scene.region(id).outline(), place, tolerance) != Location::outside) return id;
-  return 0;
-}
-
 // Adds the single points at which a force acts or a support holds, unless supports on edges at the point hold the same
 // displacement components.
 void add_points(const scene::Scene& scene, const Discretization& d, const WedgeFinder& finder,
@@ -92,7 +85,7 @@ void add_points(const scene::Scene& scene, const Discretization& d, const WedgeF
     for (const MeetingWedge& meeting : finder.wedges_at(*place))
       for (const int components : meeting.wedge.held) held |= components;
     if ((condition.components & ~held) == 0) return;
-    const SingularPlace point{SingularKind::point, region_at(scene, *place, 8 * d.tolerance), *place, 0};
+    const SingularPlace point{SingularKind::point, scene::region_at(scene, *place, 8 * d.tolerance), *place, 0};
     const auto same = std::find_if(found.begin(), found.end(), [&](const SingularPlace& other) {
       return (other.place - *place).norm() <= 8 * d.tolerance;
     });

@@ -15,7 +15,7 @@ int region_at(const scene::Scene& scene, const regions::Discretization& d, const
   const regions::Region* found = nullptr;
   for (const auto& region : d.regions) {
     if (found && region->results().rank_at_interfaces() <= found->results().rank_at_interfaces()) continue;
-    if (locate(scene.region(region->id()).outline(), place, d.tolerance) != Location::outside) found = region.get();
+    if (scene::contains(scene, region->id(), place, d.tolerance)) found = region.get();
   }
   return found ? found->id() : 0;
 }
@@ -29,9 +29,8 @@ int region_for(const scene::Scene& scene, const regions::Discretization& d, cons
     require(region > 0, "point ", number + 1, ", (", place.x(), ", ", place.y(), "), lies outside the body");
     return region;
   }
-  require(locate(scene.region(wanted).outline(), place, d.tolerance) != Location::outside, "point ", number + 1, ", (",
-          place.x(), ", ", place.y(), "), lies outside region ", wanted,
-          "; ask the region that has it, or let bempd_evaluate() choose");
+  require(scene::contains(scene, wanted, place, d.tolerance), "point ", number + 1, ", (", place.x(), ", ", place.y(),
+          "), lies outside region ", wanted, "; ask the region that has it, or let bempd_evaluate() choose");
   return wanted;
 }
 

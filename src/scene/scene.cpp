@@ -64,16 +64,26 @@ std::vector<int> Scene::region_ids() const {
 
 Region& Scene::mutable_region(int id) { return const_cast<Region&>(region(id)); }
 
-int Scene::crack_nearest(const Point& place) const {
+bool contains(const Scene& scene, int region, const Point& place, double tolerance) {
+  return locate(scene.region(region).outline(), place, tolerance) != Location::outside;
+}
+
+bool has_inside(const Scene& scene, int region, const Point& place, double tolerance) {
+  return locate(scene.region(region).outline(), place, tolerance) == Location::inside;
+}
+
+int region_at(const Scene& scene, const Point& place, double tolerance) {
+  for (const int id : scene.region_ids())
+    if (contains(scene, id, place, tolerance)) return id;
+  return 0;
+}
+
+int crack_nearest(const std::vector<std::vector<Point>>& paths, const Point& place) {
   int nearest = 0;
   double least = std::numeric_limits<double>::infinity();
-  for (std::size_t c = 0; c < cracks_.size(); ++c) {
-    const std::vector<Point>& points = cracks_[c].points;
-    for (std::size_t i = 0; i + 1 < points.size(); ++i) {
-      const double away = distance(Segment{points[i], points[i + 1]}, place);
-      if (away < least) least = away, nearest = static_cast<int>(c) + 1;
-    }
-  }
+  for (std::size_t c = 0; c < paths.size(); ++c)
+    if (const double away = polyline_distance(paths[c], place); away < least)
+      least = away, nearest = static_cast<int>(c) + 1;
   return nearest;
 }
 

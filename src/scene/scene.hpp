@@ -83,9 +83,6 @@ class Scene {
   // Region number `id`. Throws Error (argument) if the region does not have the edge.
   const Region& region_with_edge(int id, int edge) const;
 
-  // Id of the described crack that is nearest to a place; 0 if there are no cracks.
-  int crack_nearest(const Point& place) const;
-
   // Bounding box of the whole scene.
   Box bounding_box() const;
 
@@ -109,6 +106,16 @@ class Scene {
   std::vector<Crack> cracks_;
   std::vector<Condition> supports_, loads_;
 };
+
+// Whether a region contains a place, be it on the outline.
+bool contains(const Scene& scene, int region, const Point& place, double tolerance);
+// Whether a place lies in a region and not on its outline.
+bool has_inside(const Scene& scene, int region, const Point& place, double tolerance);
+// Id of the first region that contains a place; 0 if none does.
+int region_at(const Scene& scene, const Point& place, double tolerance);
+
+// Id of the crack whose path is nearest to a place; 0 if no crack has a path.
+int crack_nearest(const std::vector<std::vector<Point>>& paths, const Point& place);
 
 // Ids of a region and of its parts.
 std::vector<int> with_parts(const Scene& scene, int region);

@@ -128,9 +128,7 @@ constexpr double reach_of_corners = 8;
 bool is_near_crack(const Preparation& p, int region, const Point& x, double reach) {
   for (const PartedCrack& crack : p.cracks) {
     for (const CrackPart& part : crack.parts) {
-      if (part.region != region) continue;
-      for (std::size_t i = 0; i + 1 < part.points.size(); ++i)
-        if (distance(Segment{part.points[i], part.points[i + 1]}, x) < reach) return true;
+      if (part.region == region && polyline_distance(part.points, x) < reach) return true;
     }
   }
   return false;

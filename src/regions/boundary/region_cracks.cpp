@@ -98,10 +98,8 @@ RegionCracks::RegionCracks(const Preparation& p, int region)
       continue;
     }
     for (const auto& other : p.regions)
-      require(other->id() == region ||
-                  locate(p.scene.region(other->id()).outline(), mouth, p.tolerance) == Location::outside,
-              "a crack in region ", region, " reaches the interface with region ", other->id(), " at (", mouth.x(),
-              ", ", mouth.y(),
+      require(other->id() == region || !scene::contains(p.scene, other->id(), mouth, p.tolerance), "a crack in region ",
+              region, " reaches the interface with region ", other->id(), " at (", mouth.x(), ", ", mouth.y(),
               "); end it at a free edge or inside, or behind the interface if both regions are of one material");
   }
 }

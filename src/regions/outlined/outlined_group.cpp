@@ -23,7 +23,7 @@ std::vector<Point> points_of_conditions(const std::vector<OutlinedRegion*>& regi
     for (const scene::Condition& condition : *conditions) {
       const std::optional<Point> at = condition.removed() ? std::nullopt : condition.place->point();
       const auto has = [&](const OutlinedRegion* region) {
-        return locate(p.scene.region(region->id()).outline(), *at, p.tolerance) != Location::outside;
+        return scene::contains(p.scene, region->id(), *at, p.tolerance);
       };
       if (at && std::any_of(regions.begin(), regions.end(), has)) places.push_back(regions.front()->to_grid(*at));
     }

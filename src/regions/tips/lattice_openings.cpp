@@ -54,11 +54,10 @@ class OpeningsOfCrack {
 
   // Whether an end of the crack lies inside the body and is a tip. An end on the boundary is a mouth.
   bool is_inside(const Point& end) const {
-    return std::any_of(
-        body_.discretization.regions.begin(), body_.discretization.regions.end(), [&](const auto& region) {
-          return locate(body_.scene.region(region->id()).outline(), end, body_.discretization.tolerance) ==
-                 Location::inside;
-        });
+    return std::any_of(body_.discretization.regions.begin(), body_.discretization.regions.end(),
+                       [&](const auto& region) {
+                         return scene::has_inside(body_.scene, region->id(), end, body_.discretization.tolerance);
+                       });
   }
 
   Place place_at(double fraction) const {

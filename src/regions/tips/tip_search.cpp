@@ -3,7 +3,6 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <map>
 #include <queue>
 #include <set>
@@ -92,16 +91,8 @@ class BrokenFaces {
 
 bool is_in(const scene::Scene& scene, const Discretization& d, const Point& place, bool lattices_only) {
   return std::any_of(d.regions.begin(), d.regions.end(), [&](const auto& region) {
-    return (!lattices_only || region->lattice_grid()) &&
-           locate(scene.region(region->id()).outline(), place, d.tolerance) != Location::outside;
+    return (!lattices_only || region->lattice_grid()) && scene::contains(scene, region->id(), place, d.tolerance);
   });
-}
-
-double distance_to(const std::vector<Point>& path, const Point& place) {
-  double least = std::numeric_limits<double>::infinity();
-  for (std::size_t i = 0; i + 1 < path.size(); ++i)
-    least = std::min(least, distance(Segment{path[i], path[i + 1]}, place));
-  return least;
 }
 
 // Fits a straight line to the last stretch, of the length `part`, of a path; sets the tip's place and direction by this
@@ -163,7 +154,7 @@ double clear_radius(const LatticeTip& tip, const std::vector<Point>& broken) {
   const double beside = std::max(1.5 * tip.axes.spacing, 0.5 * tip.horizon);
   for (const Point& middle : broken) {
     const double from_tip = (middle - tip.axes.place).norm();
-    if (from_tip - tip.axes.spacing >= radius || distance_to(tip.axes.path, middle) <= beside) continue;
+    if (from_tip - tip.axes.spacing >= radius || polyline_distance(tip.axes.path, middle) <= beside) continue;
     radius = std::max(0.0, from_tip - tip.axes.spacing);
   }
   return radius;
@@ -194,8 +185,9 @@ class TipSearch {
         return;
       tip.axes.is_rough = true;
       fit_end(tip.axes, 2 * tip.horizon);
-      tip.branched = std::any_of(broken.reached.begin(), broken.reached.end(),
-                                 [&](const Point& cell) { return distance_to(tip.axes.path, cell) > tip.horizon; });
+      tip.branched = std::any_of(broken.reached.begin(), broken.reached.end(), [&](const Point& cell) {
+        return polyline_distance(tip.axes.path, cell) > tip.horizon;
+      });
     }
     if (is_in(body_.scene, body_.discretization, tip.axes.place, true)) tip.clear = clear_radius(tip, faces.middles());
     tips.push_back(std::move(tip));
@@ -217,8 +209,7 @@ class TipSearch {
  private:
   const Region* region_at(const Point& place) const {
     for (const auto& region : body_.discretization.regions)
-      if (region->lattice_grid() && locate(body_.scene.region(region->id()).outline(), place,
-                                           body_.discretization.tolerance) != Location::outside)
+      if (region->lattice_grid() && scene::contains(body_.scene, region->id(), place, body_.discretization.tolerance))
         return region.get();
     return nullptr;
   }
