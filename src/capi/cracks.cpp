@@ -119,7 +119,7 @@ bempd_status bempd_extension(const bempd_model* model, int64_t index, bempd_crac
     const fracture::CrackExtension& e = entry_at(all, index, "; cracks have been extended ", " times");
     int32_t so_far = 0;
     for (const fracture::CrackExtension& other : all.first(static_cast<std::size_t>(index) + 1))
-      so_far += other.crack == e.crack && other.end == e.end;
+      so_far += other.tip() == e.tip();
     write_struct(extension,
                  bempd_crack_extension{
                      .struct_size = sizeof(bempd_crack_extension),

@@ -262,12 +262,9 @@ bempd_status bempd_get_history_entry(const bempd_model* model, int64_t index, be
 bempd_status bempd_get_history_support(const bempd_model* model, int64_t index, int32_t support, double* displacement,
                                        double* force, double* force_before) {
   return with_model(model, __func__, [&](const model::Model& m) {
-    const std::vector<scene::Condition>& supports = m.scene().supports();
-    require(support >= 1 && support <= static_cast<int>(supports.size()), "support ", support,
-            " does not exist; there are ", supports.size());
-    require(!supports[static_cast<std::size_t>(support) - 1].removed(), "support ", support, " was removed");
+    m.scene().support(support);
     const fracture::EvolutionState& state = state_with_history_line(m, index);
-    const auto at = 2 * (static_cast<std::ptrdiff_t>(supports.size()) * index + support - 1);
+    const auto at = 2 * (static_cast<std::ptrdiff_t>(m.scene().supports().size()) * index + support - 1);
     const auto give_pair = [&](const std::vector<double>& values, double* target) {
       if (target) std::copy_n(values.begin() + at, 2, target);
     };

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <compare>
 
 namespace bempd::crack {
@@ -12,6 +13,13 @@ struct TipId {
 
   auto operator<=>(const TipId&) const = default;
 };
+
+// Entry of a list of tips with this id(); null if the tip is not in the list.
+template <class Tips>
+const typename Tips::value_type* tip_in(const Tips& tips, const TipId& id) {
+  const auto found = std::find_if(tips.begin(), tips.end(), [&](const auto& tip) { return tip.id() == id; });
+  return found == tips.end() ? nullptr : &*found;
+}
 
 // State of an end of a crack.
 enum class TipState {

@@ -141,8 +141,8 @@ scene::Crack& crack_with_line(std::vector<scene::Crack>& cracks, const crack::Ti
 
 fracture::CrackExtension last_extension_of(const crack::TipId& tip,
                                            std::span<const fracture::CrackExtension> extensions) {
-  const auto found = std::find_if(extensions.rbegin(), extensions.rend(),
-                                  [&](const auto& e) { return e.crack == tip.crack && e.end == tip.end; });
+  const auto found =
+      std::find_if(extensions.rbegin(), extensions.rend(), [&](const auto& e) { return e.tip() == tip; });
   return found == extensions.rend() ? fracture::CrackExtension{} : *found;
 }
 
@@ -246,8 +246,7 @@ Grown ElementCarrier::continued_in_elements(const crack::Extension& last, const 
   crack::arrive(e, place, (place - from).norm(), crack::TipState::grows);
   e.crack_length = length_of(model_.scene().cracks()[number]);
   e.released_energy = next.scene->evolution->growth().released();
-  for (const regions::TipValues& found : next.tips)
-    if (found.crack == tip.crack && found.end == tip.end) e.rate_after = found.energy_release_rate;
+  if (const regions::TipValues* found = crack::tip_in(next.tips, tip)) e.rate_after = found->energy_release_rate;
   const int region = next.scene->discretization.cracks[number].region_at(tip.end);
   const double thickness = model_.scene().material_of(region).elasticity.thickness;
   e.surface_energy = is_driven ? e.resistance * e.length * thickness : e.released_energy;

@@ -40,7 +40,7 @@ std::pair<double, crack::FirstToGrow> first_growth(const std::vector<regions::Ti
     const double load_factor = law_of(tip, options).first_load_factor(factors_of(tip));
     const bool overloaded = load_factor == 0 && tip.toughness > 0;
     const double ratio = overloaded ? law_of(tip, options).ratio(factors_of(tip), 0) : 1;
-    candidates.push_back({{tip.crack, tip.end}, load_factor, ratio, overloaded});
+    candidates.push_back({tip.id(), load_factor, ratio, overloaded});
   }
   const crack::FirstToGrow found = *crack::first_to_grow(candidates, true);
   const double first = candidates[found.index].load_factor;
@@ -90,9 +90,8 @@ const std::vector<regions::TipValues>& CrackGrowth::tip_factors() {
 std::vector<regions::TipValues> CrackGrowth::growing_tips() {
   std::vector<regions::TipValues> tips = tip_factors();
   const fracture::EvolutionState& state = model_.prepared().evolution->progress();
-  std::erase_if(tips, [&](const regions::TipValues& tip) {
-    return frozen_.count({tip.crack, tip.end}) > 0 || has_stopped({tip.crack, tip.end}, state);
-  });
+  std::erase_if(
+      tips, [&](const regions::TipValues& tip) { return frozen_.count(tip.id()) > 0 || has_stopped(tip.id(), state); });
   return tips;
 }
 

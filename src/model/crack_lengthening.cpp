@@ -44,7 +44,7 @@ LongerCracks CrackLengthening::lengthened(const std::vector<Lengthened>& tips) {
     const regions::TipValues& tip = one.tip;
     const crack::GrowthLaw law =
         law_of(tip, model_.options()).with_host_toughness(factors_of(tip), growing.load_factor);
-    crack::Extension extension = crack::begin_extension({tip.crack, tip.end}, tip.place, one.angle, growing.load_factor,
+    crack::Extension extension = crack::begin_extension(tip.id(), tip.place, one.angle, growing.load_factor,
                                                         factors_of(tip), law.resistance(one.angle));
     const Kink kink = law.kink(factors_of(tip), growing.load_factor);
     const double factor = kink.equivalent_factor;

@@ -45,9 +45,8 @@ void take_stress_ahead(regions::TipValues& values, const crack::Tip& tip, double
 }
 
 bool has_extensions(const crack::TipId& tip, std::span<const fracture::CrackExtension> extensions) {
-  return std::any_of(extensions.begin(), extensions.end(), [&](const fracture::CrackExtension& e) {
-    return crack::TipId{e.crack, e.end} == tip;
-  });
+  return std::any_of(extensions.begin(), extensions.end(),
+                     [&](const fracture::CrackExtension& e) { return e.tip() == tip; });
 }
 
 // Length by which an end of a crack has grown in lattices, without extensions that the scene's crack contains [m].
@@ -55,7 +54,7 @@ double grown_among_bonds(int crack, int end, const scene::Crack& described,
                          std::span<const fracture::CrackExtension> extensions) {
   double sum = 0;
   for (const fracture::CrackExtension& e : extensions.subspan(known_extensions(described, {crack, end}, extensions)))
-    if (e.crack == crack && e.end == end) sum += e.length;
+    if (e.tip() == crack::TipId{crack, end}) sum += e.length;
   return sum;
 }
 
@@ -91,15 +90,15 @@ std::vector<regions::TipValues> CrackResults::tips_of(const PreparedScene& prepa
 std::vector<regions::TipValues> CrackResults::present_tips() const {
   std::vector<regions::TipValues> all = tips_of(model_.prepared(), regions::TipDetail::everything);
   for (regions::TipValues& tip : all)
-    if (has_stopped({tip.crack, tip.end}, model_.prepared().evolution->progress())) never_grows(tip);
+    if (has_stopped(tip.id(), model_.prepared().evolution->progress())) never_grows(tip);
   const std::vector<regions::TipValues> in_lattices =
       model_.prepared().evolution->lines() ? tips_of_lines() : tips_in_lattices();
   all.insert(all.end(), in_lattices.begin(), in_lattices.end());
   std::vector<std::vector<Point>> paths;
   for (int crack = 1; crack <= count(); ++crack) paths.push_back(points_of_path(path(crack)));
   for (regions::TipValues& tip : all)
-    tip.valid_radius = clear_radius(model_.scene(), model_.prepared().discretization, paths,
-                                    {{tip.crack, tip.end}, tip.place, tip.direction});
+    tip.valid_radius =
+        clear_radius(model_.scene(), model_.prepared().discretization, paths, {tip.id(), tip.place, tip.direction});
   return all;
 }
 

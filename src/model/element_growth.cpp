@@ -21,12 +21,6 @@ Kink kink_at(const regions::TipValues& tip, double load_factor, const scene::Opt
   return law_of(tip, options).kink(factors_of(tip), load_factor);
 }
 
-const regions::TipValues* tip_of(const fracture::CrackExtension& e, const std::vector<regions::TipValues>& tips) {
-  const auto found =
-      std::find_if(tips.begin(), tips.end(), [&](const auto& tip) { return tip.crack == e.crack && tip.end == e.end; });
-  return found == tips.end() ? nullptr : &*found;
-}
-
 // Load factor at which a tip that is overloaded at `load_factor` just reaches its toughness; `load_factor` itself if
 // the tip is not overloaded there, or is overloaded at every load factor.
 double critical_load_factor(const regions::TipValues& tip, double load_factor, const scene::Options& options) {
@@ -47,7 +41,7 @@ crack::GrowthLaw law_of(const regions::TipValues& tip, const scene::Options& opt
 }
 
 crack::Tip tip_for_carrier(const regions::TipValues& tip, const scene::Options& options) {
-  crack::Tip one{{tip.crack, tip.end}, tip.place, tip.direction, factors_of(tip), law_of(tip, options), {}};
+  crack::Tip one{tip.id(), tip.place, tip.direction, factors_of(tip), law_of(tip, options), {}};
   one.range = one.law.range(one.factors);
   one.kink_angle = one.law.kink(tip.factors).angle;
   if (std::isfinite(one.range.highest)) one.critical_kink_angle = one.law.kink(one.factors, one.range.highest).angle;
@@ -74,8 +68,8 @@ Growing growing_with(const std::vector<regions::TipValues>& tips, std::size_t fi
     const regions::TipValues& tip = tips[t];
     const crack::GrowthLaw law = law_of(tip, options).with_host_toughness(factors_of(tip), load_factor);
     const Kink kink = law.kink(factors_of(tip), load_factor);
-    crack::Extension extension = crack::begin_extension({tip.crack, tip.end}, tip.place, kink.angle, load_factor,
-                                                        factors_of(tip), law.resistance(kink.angle));
+    crack::Extension extension = crack::begin_extension(tip.id(), tip.place, kink.angle, load_factor, factors_of(tip),
+                                                        law.resistance(kink.angle));
     extension.rate_before = law.rate(kink);
     growing.tips.push_back(tip);
     growing.extensions.push_back(extension);
@@ -124,7 +118,7 @@ double largest_turn(const Growing& growing, const std::vector<regions::TipValues
                     const scene::Options& options) {
   double largest = 0;
   for (const fracture::CrackExtension& e : growing.extensions) {
-    const regions::TipValues* tip = tip_of(e, after);
+    const regions::TipValues* tip = crack::tip_in(after, e.tip());
     if (!e.has_ended() && tip && !tip->directions)
       largest = std::max(largest, std::abs(kink_at(*tip, e.load_factor, options).angle));
   }
@@ -133,7 +127,7 @@ double largest_turn(const Growing& growing, const std::vector<regions::TipValues
 
 void turn_to_chords(Growing& growing, const std::vector<regions::TipValues>& after, const scene::Options& options) {
   for (fracture::CrackExtension& e : growing.extensions) {
-    const regions::TipValues* tip = tip_of(e, after);
+    const regions::TipValues* tip = crack::tip_in(after, e.tip());
     if (!e.has_ended() && tip && !tip->directions) e.angle += 0.5 * kink_at(*tip, e.load_factor, options).angle;
   }
 }
@@ -147,7 +141,7 @@ std::optional<double> end_of_path(const Growing& growing, const std::vector<regi
     range = {std::max(range.lowest, own.lowest), std::min(range.highest, own.highest)};
   };
   for (std::size_t k = 0; k < growing.tips.size(); ++k) {
-    const regions::TipValues* tip = tip_of(growing.extensions[k], after);
+    const regions::TipValues* tip = crack::tip_in(after, growing.extensions[k].tip());
     if (!tip) return std::nullopt;
     narrow(before, growing.tips[k]);
     narrow(common, *tip);
@@ -179,7 +173,7 @@ fracture::Growth with_energies(Growing growing, const std::vector<regions::TipVa
   for (std::size_t k = 0; k < growth.extensions.size(); ++k) {
     fracture::CrackExtension& e = growth.extensions[k];
     const double area = e.length * thickness[k];
-    const regions::TipValues* tip = tip_of(e, after);
+    const regions::TipValues* tip = crack::tip_in(after, e.tip());
     const double at_end = tip ? resistance_ahead_of(*tip) : e.resistance;
     const double mean = at_end == e.resistance ? 1 : 0.5 * (1 + at_end / e.resistance);
     e.surface_energy = mean * e.resistance * area;
@@ -193,7 +187,7 @@ fracture::Growth with_energies(Growing growing, const std::vector<regions::TipVa
     }
   }
   for (fracture::CrackExtension& e : growth.extensions)
-    if (!tip_of(e, after)) e.released_energy = left * e.length / ended_length;
+    if (!crack::tip_in(after, e.tip())) e.released_energy = left * e.length / ended_length;
   return growth;
 }
 

@@ -85,7 +85,7 @@ class Explainer {
     const bool is_held = stepping_.control == fracture::Control::load;
     for (const regions::TipValues& tip : model_.cracks().tips()) {
       if (!grows(tip)) continue;
-      const crack::TipId id{tip.crack, tip.end};
+      const crack::TipId id = tip.id();
       const double critical = critical_load_factor(tip, upwards_);
       if (!std::isfinite(critical) || model_.growth().is_frozen(id)) continue;
       const double present = model_.load_factor();
@@ -153,7 +153,7 @@ class Explainer {
 
   void tell_of_tip(const regions::TipValues& tip, Reasons& reasons) const {
     if (!grows(tip)) return;
-    const crack::TipId id{tip.crack, tip.end};
+    const crack::TipId id = tip.id();
     const std::string which = "The tip of " + name_of(id);
     if (model_.growth().is_frozen(id)) return reasons.add(which + " is frozen by bempd_set_tip_frozen().");
     const double critical = critical_load_factor(tip, upwards_);

@@ -38,10 +38,8 @@ FatigueReport Fatigue::grow(const FatigueOptions& options) {
 namespace {
 
 const regions::TipValues& tip_with(const std::vector<regions::TipValues>& tips, const crack::TipId& id) {
-  const auto found = std::find_if(tips.begin(), tips.end(), [&](const auto& tip) {
-    return crack::TipId{tip.crack, tip.end} == id;
-  });
-  require(found != tips.end(), "the ", id.end == 0 ? "start" : "end", " of crack ", id.crack,
+  const regions::TipValues* found = crack::tip_in(tips, id);
+  require(found != nullptr, "the ", id.end == 0 ? "start" : "end", " of crack ", id.crack,
           " is no tip with boundary elements that may grow: it has ended or stopped, is frozen, or lies in a "
           "peridynamic region; bempd_tip() lists tips");
   return *found;
@@ -62,9 +60,9 @@ GrowthResult Fatigue::extend(const std::vector<std::pair<crack::TipId, double>>&
     LongerCracks longer = lengthening.lengthened(grow);
     if (model_.options().text_value("crack.direction") == "chord") {
       for (Lengthened& one : grow)
-        for (const regions::TipValues& after : longer.grown.tips)
-          if (after.crack == one.tip.crack && after.end == one.tip.end && !after.directions)
-            one.angle += 0.5 * law_of(after, model_.options()).kink(factors_of(after), model_.load_factor()).angle;
+        if (const regions::TipValues* after = crack::tip_in(longer.grown.tips, one.tip.id());
+            after && !after->directions)
+          one.angle += 0.5 * law_of(*after, model_.options()).kink(factors_of(*after), model_.load_factor()).angle;
       longer = lengthening.lengthened(grow);
     }
     GrowthResult result = result_of(longer.grown.growth);

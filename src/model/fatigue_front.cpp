@@ -168,9 +168,4 @@ void warn_of_short_lines(const Front& front, const std::vector<scene::Crack>& cr
   }
 }
 
-const FrontTip* tip_in(const Front& front, const crack::TipId& tip) {
-  const auto found = std::find_if(front.begin(), front.end(), [&](const FrontTip& one) { return one.id() == tip; });
-  return found == front.end() ? nullptr : &*found;
-}
-
 }  // namespace bempd::model

@@ -21,7 +21,7 @@ struct FrontTip {
   double effective_tip_ahead = 0;  // distance of the effective tip ahead of the tip's place [m]
   double critical = 0;             // factor at which the tip breaks at its place; infinite: unknown [Pa m^(1/2)]
 
-  crack::TipId id() const { return {values.crack, values.end}; }
+  crack::TipId id() const { return values.id(); }
 };
 
 using Front = std::vector<FrontTip>;
@@ -54,8 +54,6 @@ class FrontReader {
   const LoadLevels& levels_;
   std::map<int, std::unique_ptr<crack::RateLaw>> laws_;  // growth laws by id of the material
 };
-
-const FrontTip* tip_in(const Front& front, const crack::TipId& tip);
 
 // Warns of cracks in lattices that are too short for the stress around their tips to be that of a crack tip.
 void warn_of_short_lines(const Front& front, const std::vector<scene::Crack>& cracks,

@@ -133,7 +133,7 @@ FatigueRun::Trial FatigueRun::trial(std::vector<double> lengths, std::vector<dou
       grow.push_back({front_[t].values, trial.lengths[t], trial.angles[t], reader_.turns_by_itself(front_[t])});
   trial.longer = lengthening_.lengthened(grow);
   std::vector<regions::TipValues> tips = trial.longer.grown.tips;
-  std::erase_if(tips, [&](const auto& tip) { return tip_in(front_, {tip.crack, tip.end}) == nullptr; });
+  std::erase_if(tips, [&](const auto& tip) { return tip_in(front_, tip.id()) == nullptr; });
   trial.after = reader_.front(tips, &trial.longer);
   trial.on_step = on_step(trial);
   const crack::CycleIntegration integration(program_, trial.on_step);

@@ -8,12 +8,6 @@ namespace bempd::model {
 
 namespace {
 
-const regions::TipValues* tip_like(const regions::TipValues& tip, const std::vector<regions::TipValues>& tips) {
-  const auto found = std::find_if(tips.begin(), tips.end(),
-                                  [&](const auto& one) { return one.crack == tip.crack && one.end == tip.end; });
-  return found == tips.end() ? nullptr : &*found;
-}
-
 // Stress intensity factors of tips by load factor. The factors are affine in the load factor as long as the same faces
 // are closed. Where faces close or open in between, the scene is moved to the load factors beyond.
 class FactorsByLoadFactor {
@@ -40,7 +34,7 @@ class FactorsByLoadFactor {
   void take(std::size_t from, std::size_t to, const std::vector<regions::TipValues>& tips) {
     for (std::size_t level = from; level < to; ++level)
       for (std::size_t t = 0; t < tips_.size(); ++t)
-        if (const regions::TipValues* tip = tip_like(tips_[t], tips))
+        if (const regions::TipValues* tip = crack::tip_in(tips, tips_[t].id()))
           factors_[t][level].factors = factors_of(*tip).at(levels_.factor(level));
   }
 
@@ -123,7 +117,7 @@ void LevelSolver::take_solved(const std::vector<regions::TipValues>& tips, const
   const auto read = [&](std::size_t level) {
     const std::vector<regions::TipValues> here = lengthening_.loaded_tips(detail);
     for (std::size_t t = 0; t < tips.size(); ++t) {
-      const regions::TipValues* tip = tip_like(tips[t], here);
+      const regions::TipValues* tip = crack::tip_in(here, tips[t].id());
       if (!tip) continue;
       if (with_t_stress) found[t][level].t_stress = tip->stress_along;
       if (with_factors[level]) found[t][level].factors = tip->closed ? Point(0, tip->factors.y()) : tip->factors;

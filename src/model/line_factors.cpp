@@ -31,8 +31,9 @@ std::vector<crack::PathVertex> path_in(const scene::Scene& scene, const Prepared
   std::vector<Point> given(found.given().begin(), found.given().end());
   for (const int end : {0, 1}) {
     Point& place = end == 0 ? given.front() : given.back();
-    const auto first =
-        std::ranges::find_if(extensions, [&](const auto& e) { return e.crack == crack && e.end == end; });
+    const auto first = std::ranges::find_if(extensions, [&](const auto& e) {
+      return e.tip() == crack::TipId{crack, end};
+    });
     if (first != extensions.end())
       place = {first->from_x, first->from_y};
     else if (parted.region_at(end) > 0)

@@ -54,7 +54,7 @@ std::vector<regions::TipValues> LineLengthening::tips_of_lines() {
   for (regions::TipValues& tip : found)
     if (needs_energy(tip)) scale_to_step_energy(tip, model_.options(), model_.load_factor());
   std::erase_if(found, [&](const regions::TipValues& tip) {
-    return model_.growth().is_frozen({tip.crack, tip.end}) || !tip.factors.allFinite();
+    return model_.growth().is_frozen(tip.id()) || !tip.factors.allFinite();
   });
   return found;
 }
@@ -100,7 +100,7 @@ int LineLengthening::region_of(const regions::TipValues& tip, const PreparedScen
 
 // Place in boundary elements at which the next step of a crack line ends; empty if the line continues in its lattice.
 std::optional<Point> LineLengthening::behind_border(const regions::TipValues& tip) const {
-  const crack::Extension last = last_extension_of({tip.crack, tip.end}, model_.cracks().extensions());
+  const crack::Extension last = last_extension_of(tip.id(), model_.cracks().extensions());
   const regions::Discretization& discretization = model_.prepared().discretization;
   const bool is_here = last.crack > 0 && (Point(last.x, last.y) - tip.place).norm() <= discretization.tolerance;
   if (!is_here || !leaves_lattice(last, model_.scene(), discretization)) return std::nullopt;
@@ -145,7 +145,7 @@ double LineLengthening::effective_tip_ahead(const regions::TipValues& tip, const
 // load, which is an error.
 void LineLengthening::go_to(double load_factor) {
   std::set<crack::TipId> all;
-  for (const regions::TipValues& tip : model_.cracks().tips_of_lines(false)) all.insert({tip.crack, tip.end});
+  for (const regions::TipValues& tip : model_.cracks().tips_of_lines(false)) all.insert(tip.id());
   const std::int64_t events = scene().evolution->progress().events;
   move_load(scene(), load_factor, all);
   model_.preparation().has_changed();
@@ -157,7 +157,7 @@ void LineLengthening::go_to(double load_factor) {
 
 crack::Extension LineLengthening::extend(const Lengthened& one) {
   fracture::CrackEvolution& evolution = *scene().evolution;
-  const crack::TipId id{one.tip.crack, one.tip.end};
+  const crack::TipId id = one.tip.id();
   const double spacing = growth_increment(one.tip);
   const auto steps = std::max<std::int64_t>(1, std::llround(one.length / spacing));
   const double before = model_.cracks().length(id.crack);
@@ -199,7 +199,7 @@ bool LineLengthening::continue_in_elements(const Lengthened& one, LongerCracks& 
     if (one.tip.method == regions::TipMethod::elements || !behind_border(one.tip)) return;
     const KeptCracks kept(model_.preparation().scene(), model_.scene().cracks());
     scene().evolution->sources().bring_up_to_date();
-    next = carrier_.continued_in_elements({one.tip.crack, one.tip.end}, false);
+    next = carrier_.continued_in_elements(one.tip.id(), false);
     cracks = model_.scene().cracks();
     if (!next)
       throw crack::CannotGrow(text("crack ", one.tip.crack, " has come to boundary elements in which it cannot go on"));

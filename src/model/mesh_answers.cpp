@@ -21,8 +21,7 @@ std::vector<TipLoad> growth_loads(const PreparedScene& scene, const std::vector<
     const bool grows = load < std::numeric_limits<double>::max() && !frozen.contains(tip);
     loads.push_back({tip, grows ? shift + load : infinite});
   };
-  for (const regions::TipValues& tip : tips)
-    add({tip.crack, tip.end}, tip.toughness > 0 ? tip.critical_load_factor : infinite);
+  for (const regions::TipValues& tip : tips) add(tip.id(), tip.toughness > 0 ? tip.critical_load_factor : infinite);
   if (fracture::LineCarrier* lines = scene.evolution->lines())
     for (const crack::Tip& tip : lines->tips()) add(tip.id, tip.range.highest);
   return loads;

@@ -98,16 +98,10 @@ double reaction_difference(const MeshAnswers& fine, const MeshAnswers& coarse) {
   return relative(error, scale);
 }
 
-const regions::TipValues* find_tip(const std::vector<regions::TipValues>& tips, const crack::TipId& id) {
-  const auto found = std::find_if(tips.begin(), tips.end(),
-                                  [&](const auto& tip) { return tip.crack == id.crack && tip.end == id.end; });
-  return found == tips.end() ? nullptr : &*found;
-}
-
 // Difference between a tip's factors in two meshes. The difference of directions is 0 if one of the factors vanishes.
 TipErrors tip_difference(const regions::TipValues& fine, const regions::TipValues& coarse) {
   const double size = far_length_of(fine.factors), other = far_length_of(coarse.factors);
-  TipErrors errors{{fine.crack, fine.end}, fine.place, relative(std::abs(size - other), size), 0};
+  TipErrors errors{fine.id(), fine.place, relative(std::abs(size - other), size), 0};
   if (!(size > 0) || !(other > 0)) return errors;
   const Point a = fine.factors / size, b = coarse.factors / other;
   errors.turn = std::abs(std::atan2(a.x() * b.y() - a.y() * b.x(), a.dot(b)));
@@ -119,7 +113,7 @@ MeshErrors difference(const MeshAnswers& fine, const MeshAnswers& coarse, double
   if (std::isfinite(fine.growth_load))
     errors.growth_load = relative(std::abs(fine.growth_load - coarse.growth_load), std::abs(fine.growth_load));
   for (const regions::TipValues& tip : fine.tips)
-    if (const regions::TipValues* other = find_tip(coarse.tips, {tip.crack, tip.end}))
+    if (const regions::TipValues* other = crack::tip_in(coarse.tips, tip.id()))
       errors.tips.push_back(tip_difference(tip, *other));
   return errors;
 }
@@ -163,7 +157,7 @@ MeshErrors errors_by(Rule rule, const MeshAnswers& answers, const std::vector<Me
     };
     tip.size = of_tip(of_size, &TipErrors::size), tip.turn = of_tip(of_turn, &TipErrors::turn);
     errors.tips.push_back(tip);
-    const regions::TipValues& values = *find_tip(answers.tips, tip.tip);
+    const regions::TipValues& values = *crack::tip_in(answers.tips, tip.tip);
     scale = std::max(scale, far_length_of(values.factors));
     largest = std::max(largest, tip.relative() * far_length_of(values.factors));
     const bool is_first = answers.first == tip.tip && std::isfinite(answers.growth_load);

@@ -14,6 +14,7 @@ enum class TipMethod { elements = 1, contours = 2, stress_ahead = 3 };
 // Tip of a crack with its results; unknown results are NaN.
 struct TipValues {
   static constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+  crack::TipId id() const { return {crack, end}; }
 
   int crack = 0;                             // id
   int end = 0;                               // 1: the crack's last point, 0: its first

@@ -7,6 +7,15 @@
 
 namespace bempd::scene {
 
+namespace {
+
+void require_added(int id, std::size_t count, const char* what) {
+  require(id >= 1 && id <= static_cast<int>(count), what, " ", id, " does not exist; ",
+          count == 0 ? text("add a ", what, " first") : text("ids run from 1 to ", count));
+}
+
+}  // namespace
+
 int Scene::add_material(const Material& material) {
   material.check();
   if (!materials_.empty()) {
@@ -38,14 +47,12 @@ int Scene::add_crack(const std::vector<Point>& points) {
 }
 
 const Material& Scene::material(int id) const {
-  require(id >= 1 && id <= static_cast<int>(materials_.size()), "material ", id, " does not exist; ",
-          materials_.empty() ? text("add a material first") : text("ids run from 1 to ", materials_.size()));
+  require_added(id, materials_.size(), "material");
   return materials_[id - 1];
 }
 
 const Region& Scene::region(int id) const {
-  require(id >= 1 && id <= static_cast<int>(regions_.size()), "region ", id, " does not exist; ",
-          regions_.empty() ? text("add a region first") : text("ids run from 1 to ", regions_.size()));
+  require_added(id, regions_.size(), "region");
   require(regions_[id - 1] != nullptr, "region ", id, " was removed");
   return *regions_[id - 1];
 }

@@ -11,6 +11,13 @@ Condition with_sample_count(Condition condition) {
   return condition;
 }
 
+// Condition number `id` of a list; throws Error (argument) if there is none or it was removed.
+const Condition& condition_at(const std::vector<Condition>& all, const char* what, int id) {
+  require(id >= 1 && id <= static_cast<int>(all.size()), what, " ", id, " does not exist; there are ", all.size());
+  require(!all[id - 1].removed(), what, " ", id, " was removed");
+  return all[id - 1];
+}
+
 }  // namespace
 
 void Scene::check_condition(const Condition& condition, bool is_support) const {
@@ -33,18 +40,9 @@ int Scene::add_load(Condition condition) {
   return static_cast<int>(loads_.size());
 }
 
-const Condition& Scene::support(int id) const {
-  require(id >= 1 && id <= static_cast<int>(supports_.size()), "support ", id, " does not exist; there are ",
-          supports_.size());
-  require(!supports_[id - 1].removed(), "support ", id, " was removed");
-  return supports_[id - 1];
-}
+const Condition& Scene::support(int id) const { return condition_at(supports_, "support", id); }
 
-const Condition& Scene::load(int id) const {
-  require(id >= 1 && id <= static_cast<int>(loads_.size()), "load ", id, " does not exist; there are ", loads_.size());
-  require(!loads_[id - 1].removed(), "load ", id, " was removed");
-  return loads_[id - 1];
-}
+const Condition& Scene::load(int id) const { return condition_at(loads_, "load", id); }
 
 Condition& Scene::support(int id) { return const_cast<Condition&>(std::as_const(*this).support(id)); }
 

@@ -48,8 +48,7 @@ void set_resistance(TipValues& value, const scene::Material& material, double sh
   const double grown_share = resistance.curve ? resistance.curve->share(grown) : 1;
   value.toughness = crack::toughness_of(material.fracture_energy * share * grown_share, value.plane_modulus);
   value.directions = resistance.directions.get();
-  if (resistance.function)
-    value.asking = {resistance.function.get(), {value.crack, value.end}, value.place, grown, t_stress};
+  if (resistance.function) value.asking = {resistance.function.get(), value.id(), value.place, grown, t_stress};
 }
 
 double length_of(const Point& vector) {
