@@ -46,9 +46,9 @@ bempd_step_report report_of(const model::StepResult& result, const fracture::Evo
   r.energy_balance_error = state.worst_energy_balance_error;
   r.residual = state.residual;
   r.seconds_total = result.seconds_total;
-  r.seconds_solve = result.seconds_solve;
-  r.seconds_update = result.seconds_update;
-  r.seconds_search = result.seconds_search;
+  r.seconds_solve = result.seconds.solve;
+  r.seconds_update = result.seconds.update;
+  r.seconds_search = result.seconds.search;
   r.bond_energy = state.bond_energy;
   r.unstable_event = result.unstable_event;
   r.resistance = state.resistance.present;

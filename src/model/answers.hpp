@@ -7,6 +7,14 @@
 // Answers to calls that drive the run: the result of a step, and that of growth by lengths.
 namespace bempd::model {
 
+// Time [s] for solutions, for changes of the factorization, and for the search for events.
+struct TimeSpent {
+  double solve = 0, update = 0, search = 0;
+
+  void operator+=(const TimeSpent& other) { solve += other.solve, update += other.update, search += other.search; }
+  void operator-=(const TimeSpent& other) { solve -= other.solve, update -= other.update, search -= other.search; }
+};
+
 struct StepResult {
   fracture::StopReason reason;
   std::int64_t events = 0;
@@ -15,7 +23,8 @@ struct StepResult {
   std::int64_t face_switches = 0;   // number of places where crack faces have closed or opened
   std::int64_t ties = 0;            // number of tips or places that tied with a tip or place that grew
   bool hanging = false;             // separated, although a hinge joins the parts
-  double seconds_total = 0, seconds_solve = 0, seconds_update = 0, seconds_search = 0;
+  double seconds_total = 0;
+  TimeSpent seconds{};  // parts of seconds_total
 };
 
 struct GrowthResult {

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "fracture/crack_evolution.hpp"
+#include "model/answers.hpp"
 #include "regions/tip_values.hpp"
 #include "scene/scene.hpp"
 
@@ -28,13 +29,7 @@ struct Grown {
 // together with the lengths by the library, which shortens extensions where the path turns sharply.
 enum class ExtensionDirections { given, by_option, chosen };
 
-// Time that a scene has taken so far [s]: for solutions, for changes of the factorization, and for the search for
-// events.
-struct TimeSpent {
-  double solve = 0, update = 0, search = 0;
-
-  void add(const TimeSpent& other) { solve += other.solve, update += other.update, search += other.search; }
-};
+// Time that a scene has taken so far.
 TimeSpent time_spent_in(const PreparedScene& prepared);
 
 // Whether a crack line (crack that grows in a lattice by steps of a spacing) has reached the border of a boundary

@@ -98,8 +98,7 @@ StepResult LoadDriver::run(double target, fracture::Goal goal, const scene::Scen
   ElementCarrier elements(model_, on_way, drives);
   stepping.elements = &elements;
   const fracture::EvolutionState& begin = model_.prepared().evolution->progress();
-  const std::int64_t events = begin.events, broken = begin.broken_bonds;
-  const std::int64_t fragments = begin.fragments, switches = begin.contact_switches, ties = begin.ties;
+  const fracture::Sums sums = begin;
   const auto lines = static_cast<std::ptrdiff_t>(begin.history.size());
   const TimeSpent before = time_spent_in(model_.prepared());
   StepResult result;
@@ -109,17 +108,15 @@ StepResult LoadDriver::run(double target, fracture::Goal goal, const scene::Scen
     run_recording(target, goal, stepping, elements, result);
   }
   const fracture::EvolutionState& end = model_.prepared().evolution->progress();
-  result.events = end.events - events;
-  result.broken_bonds = end.broken_bonds - broken;
-  result.face_switches = end.contact_switches - switches;
-  result.ties = end.ties - ties;
+  result.events = end.events - sums.events;
+  result.broken_bonds = end.broken_bonds - sums.broken_bonds;
+  result.face_switches = end.contact_switches - sums.contact_switches;
+  result.ties = end.ties - sums.ties;
   result.unstable_event = first_unstable(std::span(end.history).subspan(lines));
-  TimeSpent seconds = time_spent_in(model_.prepared());
-  seconds.add(elements.spent());
-  result.seconds_solve = seconds.solve - before.solve;
-  result.seconds_update = seconds.update - before.update;
-  result.seconds_search = seconds.search - before.search;
-  say([&] { model_.reports().tell_of_step(result, end.fragments - fragments, target >= end.load_factor); });
+  result.seconds = time_spent_in(model_.prepared());
+  result.seconds += elements.spent();
+  result.seconds -= before;
+  say([&] { model_.reports().tell_of_step(result, end.fragments - sums.fragments, target >= end.load_factor); });
   return result;
 }
 

@@ -17,9 +17,7 @@ void add(StepResult& sum, const StepResult& step) {
   sum.ties += step.ties;
   if (sum.unstable_event == 0) sum.unstable_event = step.unstable_event;
   sum.seconds_total += step.seconds_total;
-  sum.seconds_solve += step.seconds_solve;
-  sum.seconds_update += step.seconds_update;
-  sum.seconds_search += step.seconds_search;
+  sum.seconds += step.seconds;
   sum.hanging = step.hanging;
 }
 
