@@ -24,13 +24,14 @@ struct MeshCost {
   std::int64_t material_points = 0, bonds = 0;
 };
 
-// Ratio of the time for a mesh with halved elements to the time for the mesh itself, limited to the usual range.
+// Ratio of the time for a mesh with halved elements to the time for the mesh itself, limited to the usual range 2 to 8.
 double clamped_time_ratio(double ratio);
 
 // Memory that the boundary elements of a scene need while it is prepared, with `times` as many elements [bytes].
 double bytes_of_elements(const PreparedScene& scene, double times);
 
-// Mesh of the bodies of a scene that the library has chosen, or predicts from coarser meshes before it is solved.
+// Mesh for the bodies of a scene (regions whose elements the library chooses): either chosen and solved, or predicted
+// from coarser meshes.
 struct MeshPlan {
   MeshCost cost;
   double seconds_spent = 0;  // time for other meshes, which give the errors [s]
@@ -52,14 +53,15 @@ class Accuracy {
 
   // Plan of the mesh, found by solving coarser meshes or the planned mesh itself. The model stays unprepared.
   const MeshPlan& plan();
-  // Prepares the model with the mesh chosen.
+  // Prepares the model with the mesh that the library chooses for bodies.
   void prepare();
-  // Plan of the present mesh; empty without bodies or before the model is prepared.
+  // Plan of the mesh in use; empty if the scene has no bodies, or before the model is prepared.
   const std::optional<MeshPlan>& chosen() const { return chosen_; }
   // Raises the errors of the tips' stress intensity factors to those of the chosen mesh, where the latter are larger.
   void raise_errors(std::vector<regions::TipValues>& tips) const;
 
-  // Load factors of growth in the last plan; empty without bodies.
+  // Load factor at which each tip first grows, as found for the last MeshPlan; empty if the scene has no bodies or no
+  // mesh was planned.
   std::vector<TipLoad> loads_by_plan() const {
     const std::optional<MeshPlan>& last = chosen_ ? chosen_ : planned_;
     return last ? last->loads : std::vector<TipLoad>();
@@ -67,26 +69,28 @@ class Accuracy {
   // Prepared scene or, before the model is prepared, the finest scene that was solved for the plan. A scene without
   // bodies is prepared.
   const PreparedScene& scene_of_plan();
-  // Load factors of growth in the present scene with the elements of bodies halved once, without a plan of the mesh.
+  // Load factor at which each tip of the present scene first grows, computed with the elements of bodies halved once,
+  // whatever mesh the plan would choose.
   std::vector<TipLoad> loads_of_elements();
 
-  // Calls `read` with the scene in another mesh and in equilibrium under `values` at `load_factor`, which that scene
-  // counts as the load factor 0 (scene::moved()). Meanwhile the model's own prepared scene, if any, is set aside.
-  // Returns the scene with the other mesh.
+  // Calls `read` with the scene in another mesh and in equilibrium under `values` at `load_factor`. In that scene this
+  // load factor counts as 0 (scene::moved()). Meanwhile the model's own prepared scene, if any, is set aside. Returns
+  // the scene with the other mesh.
   std::unique_ptr<PreparedScene> solve_with(const regions::Refinement& refinement, const scene::SceneValues& values,
                                             double load_factor, const std::function<void(PreparedScene&)>& read);
-  // Results that are compared between meshes. `scene` must have taken the place of the model's own prepared scene.
+  // Results that are compared between meshes, of a scene in equilibrium at a load factor. `scene` must have taken the
+  // place of the model's own prepared scene.
   MeshAnswers answers_of(PreparedScene& scene, double load_factor) const;
 
   // Record of the steps of the run so far, which run_errors.hpp repeats.
   RunJournal& journal() { return journal_; }
   // Number of times that the elements of bodies are halved at present.
   regions::Refinement refinement() const { return {chosen_ ? chosen_->cost.halvings : 0, 0}; }
-  // Factor on the lengths of extensions that the library chooses: 1, except in tests and in runs that are repeated to
-  // estimate errors (run_errors.hpp).
+  // Factor by which the lengths of extensions that the library chooses are multiplied: 1, except in tests and in runs
+  // that are repeated to estimate errors (run_errors.hpp).
   double step_share() const;
 
-  // Drops all meshes and plans, because the scene or its loads have changed.
+  // Drops all meshes that were solved and all plans, because the scene or its loads have changed.
   void forget();
   // Hash of what decides when tips grow beside the scene: options, and tips that the host has frozen.
   std::uint64_t mark_of_growth() const;
@@ -116,7 +120,7 @@ class Accuracy {
   std::vector<Level> levels_;
   std::uint64_t mark_ = 0;                 // fingerprint of the scene and options of levels_
   std::unique_ptr<PreparedScene> finest_;  // prepared scene of the last level
-  // Errors of the last level, by a mesh with its elements halved once more.
+  // Errors of the last of `levels_`, estimated by a mesh with its elements halved once more; empty without such a mesh.
   std::optional<MeshErrors> errors_by_halving_;
   double seconds_of_halving_ = 0;
   double tolerance_ = 0;

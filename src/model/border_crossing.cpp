@@ -17,11 +17,11 @@ namespace bempd::model {
 
 namespace {
 
-// Distance of a crack's first tip with elements behind the interface with the lattice, in spacings.
+// Distance of a crack's first tip with boundary elements behind its interface with the lattice, in spacings.
 constexpr double into_elements = 1.5;
 
-// Least room, in spacings, ahead of the crack's first tip with elements in their region. With less room the line stops
-// at the interface.
+// Least distance, in spacings, from a crack's first tip with boundary elements straight ahead to the end of the region
+// of these elements. With less room the crack line stops at the interface.
 constexpr double room_in_elements = 0.5;
 
 // Distance from the interface, in horizons, below which the stress points ahead of a crack line do not give the load on
@@ -42,9 +42,9 @@ bool ends_at_border(const scene::Scene& scene, const fracture::CrackExtension& e
   return any(false, from) && any(true, ahead);
 }
 
-// Place of the first tip with elements of a crack line that leaves its lattice. The straight continuation of the line
-// has to reach a straight interface with boundary elements of the same material within `spacings`; empty if it does
-// not.
+// Place in boundary elements for the tip of a crack line that leaves its lattice straight ahead after the extension
+// `e`. Empty if the line does not meet a straight interface with elements of the same material within `spacings` of its
+// tip, or if there is too little room behind the interface.
 std::optional<Point> tip_behind_border(const scene::Scene& scene, const fracture::CrackExtension& e, double spacings,
                                        double tolerance) {
   const Point from(e.from_x, e.from_y), to(e.x, e.y), along = (to - from).normalized();
@@ -72,8 +72,9 @@ std::optional<Point> tip_behind_border(const scene::Scene& scene, const fracture
   return std::nullopt;
 }
 
-// Crack of a tip in a list of cracks, which is added if it began in the run. Such cracks have the numbers after those
-// of the scene. Cracks that stay in their lattices have no points in the list, because the run knows their paths.
+// Crack with the id of a tip in a list of cracks. A crack that began in the run is added if the list does not contain
+// it; the ids of such cracks follow those of the scene. Cracks that stay in their lattices have no points in the list,
+// because the run knows their paths.
 scene::Crack& crack_of(const crack::TipId& tip, std::vector<scene::Crack>& cracks) {
   const auto number = static_cast<std::size_t>(tip.crack) - 1;
   if (number >= cracks.size()) cracks.resize(number + 1, scene::Crack{{}, 0, 0, true});
@@ -87,8 +88,8 @@ void shorten(scene::Crack& crack, int end) {
   --(at_start ? crack.grown_at_start : crack.grown_at_end);
 }
 
-// Ends a crack that began in the run at the outline of the body: the last step of a crack line may go beyond the
-// outline.
+// Ends a crack at the outline of the body, if the last step of the crack line went beyond the outline. Only for cracks
+// that began in the run.
 void end_at_outline(scene::Crack& crack, int end, const scene::Scene& scene, double tolerance) {
   const auto is_outside = [&](const Point& place) { return scene::region_at(scene, place, tolerance) == 0; };
   const auto next_to_end = [&] { return end == 0 ? crack.points[1] : crack.points.end()[-2]; };
@@ -156,8 +157,8 @@ std::optional<Point> place_behind_border(const fracture::CrackExtension& e, cons
   return tip_behind_border(scene, e, far, d.tolerance);
 }
 
-// Whether a tip of a crack line has reached a border with boundary elements, where it would run along the interface, or
-// is so close to it that the line can continue in the elements.
+// Whether the tip of a crack line has reached a border with boundary elements, along which it would run if it stayed in
+// its lattice, or is so close to the border that the line can continue in the elements.
 bool leaves_lattice(const fracture::CrackExtension& e, const scene::Scene& scene, const regions::Discretization& d) {
   if (is_at_border(e, scene, d)) return true;
   double horizons = 0;  // largest horizon of the lattices, in spacings
@@ -177,8 +178,9 @@ std::vector<crack::TipId> ElementCarrier::lines_at_border() {
   return lines;
 }
 
-// Continues the lines at a border in boundary elements, or stops them. A line that is only near the border and cannot
-// continue behind it grows on in its lattice.
+// Continues crack lines that have come to a border in the boundary elements behind it. Stops a line at the border that
+// cannot continue there; a line that is only near the border grows on in its lattice instead. If the run ends, all
+// these lines are stopped. Returns whether a line was stopped.
 bool ElementCarrier::take_over_lines(bool run_ends) {
   if (!run_ends) follow_lines();
   std::vector<crack::TipId> lines = lines_at_border();
@@ -212,8 +214,8 @@ bool ElementCarrier::cross_border(const crack::TipId& tip) {
   return true;
 }
 
-// Extends the scene's crack by the path of the crack line, whose bonds are broken already, and by a piece behind the
-// interface.
+// Scene in which the crack follows the path of its crack line, whose bonds are broken already, and a piece behind the
+// interface; empty if the line cannot continue behind the interface.
 std::optional<Grown> ElementCarrier::continued_in_elements(const crack::TipId& tip, bool is_driven) {
   const std::vector<scene::Crack> before = model_.scene().cracks();
   const fracture::CrackExtension last = last_extension_of(tip, model_.cracks().extensions());

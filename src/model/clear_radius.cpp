@@ -10,12 +10,12 @@ namespace bempd::model {
 
 namespace {
 
-// Sine of the largest angle between a part of a crack and the tip's direction, seen from the tip, at which the crack
-// counts as straight.
+// Sine of the largest angle, seen from the tip, between the tip's direction and a point of the crack behind it, up to
+// which the crack counts as straight.
 constexpr double straight_within = 0.1;
 
-// Distance from a place to that part of an edge behind which the body does not continue with the same material.
-// `joined` are the spans of the edge, as fractions in ascending order, behind which it continues.
+// Distance from a place to the free part of an edge: the part behind which no body of the same material continues.
+// `joined` are the other parts, as ascending intervals of fractions of the edge.
 double distance_to_free_part(const Edge& edge, const std::vector<std::pair<double, double>>& joined,
                              const Point& place) {
   if (joined.empty()) return distance(edge, place);
@@ -30,8 +30,8 @@ double distance_to_free_part(const Edge& edge, const std::vector<std::pair<doubl
   return nearest;
 }
 
-// Distance from a crack's end to its first bend or its other end, or to a part of the crack behind the bend that is
-// nearer.
+// Distance from the tip of a crack back to the crack's first bend or other end; less if a part of the crack behind the
+// bend comes nearer to the tip.
 double clear_of_own_crack(const std::vector<Point>& path, const ClearTip& tip) {
   double reached = 0;
   std::size_t k = path.size() - 1;

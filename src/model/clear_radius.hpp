@@ -8,7 +8,7 @@
 
 namespace bempd::model {
 
-// Crack end whose clear radius is wanted.
+// Tip of a crack around which clear_radius() measures.
 struct ClearTip {
   crack::TipId id;
   Point place{0, 0}, direction{1, 0};

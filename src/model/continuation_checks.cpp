@@ -68,8 +68,8 @@ bool is_sound(const fracture::FaceState& faces, const PreparedScene& scene) {
          are_below(faces.pending, terms);
 }
 
-// Whether `tips` can be an earlier state of the tips `later`. In a window (region around the tips that is solved alone)
-// tips may grow or end, but none begins.
+// Whether `tips` can be an earlier state of the tips `later` of a window (region around the tips that is solved alone),
+// in which tips grow or end, but none begins. `laws` is the number of growth laws to which tips may refer.
 bool are_those_of(const std::vector<fracture::GrowingTip>& tips, const std::vector<fracture::GrowingTip>& later,
                   std::size_t laws) {
   const auto is_same = [&](const fracture::GrowingTip& tip, const fracture::GrowingTip& then) {

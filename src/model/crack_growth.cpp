@@ -17,7 +17,7 @@ namespace {
 
 constexpr int most_rounds_of_faces = 64;
 
-// Thickness of the body at each extension, by the regions before the growth.
+// Thickness of the body at the beginning of each extension [m].
 std::vector<double> thickness_at(const scene::Scene& scene, const PreparedScene& prepared,
                                  const std::vector<fracture::CrackExtension>& extensions) {
   std::vector<double> thickness;
@@ -72,8 +72,8 @@ void CrackGrowth::set_frozen(int crack, int end, bool frozen) {
   }
 }
 
-// Stress intensity factors of tips with elements as affine functions of the load factor. They are computed again only
-// if the scene, the displacement or the closed faces have changed.
+// Stress intensity factors of tips with boundary elements, as affine functions of the load factor. They are computed
+// again only if the scene, the displacement or the set of closed crack faces has changed.
 const std::vector<regions::TipValues>& CrackGrowth::tip_factors() {
   const coupling::Affine& displacement = model_.prepared().evolution->state().displacement;
   const std::vector<char>& closed = model_.prepared().system->constraints().closed();
@@ -95,7 +95,7 @@ std::vector<regions::TipValues> CrackGrowth::growing_tips() {
   return tips;
 }
 
-// Tips for grow(): throws Error (argument) if none may grow.
+// Tips with boundary elements that may grow; throws Error (argument) if there are none.
 std::vector<regions::TipValues> CrackGrowth::free_tips() {
   const std::vector<regions::TipValues> tips = growing_tips();
   if (!tips.empty()) return tips;
@@ -104,7 +104,7 @@ std::vector<regions::TipValues> CrackGrowth::free_tips() {
 }
 
 // Moves to the load factor at which the first tip becomes critical. If faces close or open or bonds break before that,
-// the tips are computed again.
+// the first tip and its load factor are found again. Returns the tips that grow, each by `length` times its share.
 Growing CrackGrowth::go_to_growth(double length) {
   for (int round = 0;; ++round) {
     const std::vector<regions::TipValues> tips = free_tips();

@@ -58,20 +58,22 @@ class CrackLengthening {
   virtual void in_scene_of(LongerCracks* longer, const std::function<void()>& read);
   // Whether crack lines in lattices can grow in a scene.
   virtual bool grows_lines(const PreparedScene&) const { return false; }
-  // Length of which the growth of a tip is a multiple: a step in a lattice [m]; 0 in boundary elements.
+  // Length of which the growth of a tip must be a multiple: a step in a lattice [m]; 0 in boundary elements, where any
+  // length is possible.
   virtual double growth_increment(const regions::TipValues&) const { return 0; }
-  // Distance from a tip over which its lattice spreads the stress field of the tip, two horizons [m]; 0 in elements.
+  // Distance from a tip within which its lattice smooths the singular stress field: two horizons [m]; 0 in elements.
   virtual double spread(const regions::TipValues&, const PreparedScene&) const { return 0; }
-  // Distance by which the effective tip, where the field of the tip begins, lies ahead of the tip's place [m].
+  // Distance by which the effective tip, at which the singular stress field is centred, lies ahead of the tip's place
+  // [m].
   virtual double effective_tip_ahead(const regions::TipValues&, const PreparedScene&) const { return 0; }
 
   // Moves the load factor without growth of cracks.
   virtual void go_to(double load_factor);
-  // Makes a trial with longer cracks at the present load factor, in whose history the growth is entered. go_on_in()
-  // accepts the trial, leave_trial() drops it. Throws crack::CannotGrow.
+  // Makes a trial with longer cracks at the present load factor, and enters the growth in the history of the trial.
+  // go_on_in() accepts the trial, leave_trial() drops it. Throws crack::CannotGrow.
   virtual LongerCracks lengthened(const std::vector<Lengthened>& tips);
-  // Extends the tips of `growing`, which the load drives, by the lengths given in `growing`, and accepts the longer
-  // cracks.
+  // Extends the tips of `growing`, which become critical by the loads, by the lengths given in `growing`, and accepts
+  // the longer cracks.
   GrowthResult grown_first(const Growing& growing);
   // Accepts a trial: its scene and cracks become those of the model.
   virtual void go_on_in(LongerCracks longer);

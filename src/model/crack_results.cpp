@@ -19,7 +19,7 @@ namespace bempd::model {
 
 namespace {
 
-// Copies the load factors and kink angles of growth from a tip of a carrier to the tip's results.
+// Copies the load factors at which a tip grows, and its kink angles, from crack::Tip to the tip's results.
 void copy_growth(regions::TipValues& values, const crack::Tip& tip) {
   values.kink_angle = tip.kink_angle, values.critical_kink_angle = tip.critical_kink_angle;
   values.critical_load_factor = in_range(tip.range.highest);
@@ -49,7 +49,8 @@ bool has_extensions(const crack::TipId& tip, std::span<const fracture::CrackExte
                      [&](const fracture::CrackExtension& e) { return e.tip() == tip; });
 }
 
-// Length by which an end of a crack has grown in lattices, without extensions that the scene's crack contains [m].
+// Length by which an end of a crack has grown in lattices [m]. Extensions that the scene's crack `described` already
+// contains do not count.
 double grown_among_bonds(int crack, int end, const scene::Crack& described,
                          std::span<const fracture::CrackExtension> extensions) {
   double sum = 0;
@@ -102,7 +103,7 @@ std::vector<regions::TipValues> CrackResults::present_tips() const {
   return all;
 }
 
-// Tips found from the broken bonds of lattices, in growth bond by bond.
+// Tips in lattices in which cracks grow bond by bond, found from the broken bonds.
 std::vector<regions::TipValues> CrackResults::tips_in_lattices() const {
   const regions::BondedBody body = bonded_body(model_.scene(), model_.prepared());
   std::vector<regions::TipValues> tips =
@@ -198,7 +199,7 @@ std::vector<Point> ElementCarrier::openings(int crack, const std::vector<double>
   for (std::size_t k = 0; k < fractions.size(); ++k) {
     double part = is_whole ? fractions[k] : (fractions[k] * length - before) / own;
     // The path of a crack in a lattice differs a little from the described points, and so does its length. A place near
-    // an end in elements may therefore lie slightly beyond that end.
+    // an end of the crack that has elements may therefore lie slightly beyond that end.
     if (cracks[number].region_at(0) > 0) part = std::max(part, 0.0);
     if (cracks[number].region_at(1) > 0) part = std::min(part, 1.0);
     const int region = part < 0 || part > 1 ? 0 : cracks[number].part_at(part).region;

@@ -19,7 +19,7 @@ class CrackResults {
  public:
   explicit CrackResults(Model& model) : model_(model) {}
 
-  // Tips of cracks with boundary elements, then tips in lattices, each group sorted by crack. They are computed once
+  // Tips of cracks with boundary elements, then tips in lattices, each group sorted by crack. Tips are computed once
   // for each generation (state of the body).
   const std::vector<regions::TipValues>& tips();
   int count() const;
@@ -44,11 +44,11 @@ class CrackResults {
 
   // Tips of all cracks under the loads that act at present.
   std::vector<regions::TipValues> present_tips() const;
-  // Tips of cracks with boundary elements in a prepared scene.
+  // Tips of cracks with boundary elements in a prepared scene; `detail` says which values are computed.
   std::vector<regions::TipValues> tips_of(const PreparedScene& prepared, regions::TipDetail detail) const;
-  // Tips of crack lines (cracks that grow in lattices by steps of a spacing): place, direction and load factors of
-  // growth as in the run, stress intensity factors from contours (rings) around the tips. Without `with_loads` the load
-  // factors, which may need trial steps, are left out.
+  // Tips of crack lines (cracks that grow in lattices by steps of a spacing). Places, directions and load factors of
+  // growth are those of the run; stress intensity factors come from contours (rings) around the tips. Without
+  // `with_loads` the load factors of growth, which may need trial steps, are left out.
   std::vector<regions::TipValues> tips_of_lines(bool with_loads = true) const;
   bool have_elements() const;
   std::vector<Point> openings_in_lattices(int crack, const std::vector<double>& fractions) const;

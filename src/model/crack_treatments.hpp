@@ -24,8 +24,8 @@ class CrackTreatments {
  public:
   explicit CrackTreatments(Model& model) : model_(model) {}
 
-  // Sets the treatment of a crack. Throws Error (order) for another treatment once the model is prepared; freezing and
-  // releasing the crack's tips is always possible.
+  // Sets the treatment of a crack. Once the model is prepared, throws Error (order) if the crack would change from
+  // elements to a lattice patch or back; freezing and releasing the crack's tips is always possible.
   void set(int crack, CrackTreatment treatment);
   void set_lattice(int body, double spacing, int horizon_ratio);
 
@@ -33,7 +33,7 @@ class CrackTreatments {
   void add_patches();
   // Removes the patches from the scene, which is then the scene that the host described.
   void remove_patches() noexcept;
-  // Number of the host's own regions. Patches come after these regions.
+  // Number of the host's own regions. The regions of patches are numbered after these.
   int own_regions() const;
   const std::vector<regions::Patch>& patches() const { return patches_.present; }
   // Patches as they were first laid, before cracks grew in them.
@@ -46,9 +46,9 @@ class CrackTreatments {
   // are none. `patches` need not be in the scene yet.
   std::optional<ShorterPatches> shorter_patches(const std::vector<regions::Patch>& patches,
                                                 std::span<const crack::Extension> extensions) const;
-  // Repeats the layouts (changes of patches) that a saved run made when it had just the extensions `grown`, and removes
+  // Repeats the changes of patches (layouts) that a saved run made when it had just the extensions `grown`, and removes
   // them from `layouts` (fracture::EvolutionState). The scene's patches, the scene's cracks and the list `cracks`
-  // become those of that run. Returns whether there were such layouts; the prepared scene stays.
+  // become those of that run. Returns whether there were such changes; the prepared scene is not changed.
   bool repeat_layouts(std::span<const std::int64_t>& layouts, std::span<const crack::Extension> grown,
                       std::vector<scene::Crack>& cracks);
   // Replaces the patches in the scene by `next`, which have other blocks. The prepared scene stays as it is.
@@ -70,7 +70,8 @@ class CrackTreatments {
   // Takes the patches out of the scene for a while and returns them; bring_back() adds them again.
   Laid set_aside() noexcept;
   void bring_back(Laid aside) noexcept;
-  // Load factors of growth with boundary elements in place of the patches; empty if that scene cannot be solved.
+  // Load factor at which each tip first grows if boundary elements take the place of the patches; empty if that scene
+  // cannot be solved.
   const std::vector<TipLoad>& loads_of_elements() const { return loads_of_elements_; }
 
  private:

@@ -25,8 +25,9 @@ struct Grown {
   fracture::Growth growth;
 };
 
-// Directions of extensions: as they are given; as chords of the path if the option crack.direction says so; or chosen
-// together with the lengths by the library, which shortens extensions where the path turns sharply.
+// Directions of extensions. given: as Growing has them; by_option: chords of a curved path, if the option
+// crack.direction says so; chosen: the library chooses directions together with lengths, and shortens extensions where
+// the path turns sharply.
 enum class ExtensionDirections { given, by_option, chosen };
 
 // Time that a scene has taken so far.
@@ -47,12 +48,13 @@ fracture::CrackExtension last_extension_of(const crack::TipId& tip,
                                            std::span<const fracture::CrackExtension> extensions);
 // Number of leading entries of a list of extensions that a crack of the scene already contains at a tip: up to the
 // tip's last extension that ends at a point of the crack. The crack may have fewer points than extensions, because
-// points are left out where elements carry it.
+// points are left out where boundary elements carry the crack.
 std::size_t known_extensions(const scene::Crack& crack, const crack::TipId& tip,
                              std::span<const fracture::CrackExtension> extensions);
 // Adds to a crack those extensions of its tip that it does not contain.
 void add_extensions(scene::Crack& crack, const crack::TipId& tip, std::span<const fracture::CrackExtension> extensions);
-// Crack of a crack line, to which all places that the line has reached are added; at both ends if it began in the run.
+// Crack of the list `cracks` that belongs to a crack line, after all places that the line has reached were added; at
+// both ends if the line began in the run.
 scene::Crack& crack_with_line(std::vector<scene::Crack>& cracks, const crack::TipId& line,
                               std::span<const fracture::CrackExtension> extensions, const scene::Scene& scene,
                               double tolerance);

@@ -34,8 +34,8 @@ std::vector<int> EdgeResults::cells(int region, int edge) {
   return regions::edge_cells(model_.prepared().discretization, region, nodes(region, edge));
 }
 
-// Forces of neighbours and supports on a body (ids of its regions) at all nodes: the forces that the elements and bonds
-// of the body exert on the nodes, minus the loads on its regions.
+// Forces of neighbours and supports on a body (ids of its regions), at all nodes: the forces that deform the body's
+// elements and bonds, minus the loads on the body.
 Eigen::VectorXd EdgeResults::forces_from_outside(const std::vector<int>& body) {
   const PreparedScene& prepared = model_.prepared();
   const regions::Discretization& d = prepared.discretization;
@@ -78,7 +78,7 @@ Eigen::VectorXd EdgeResults::forces_from_outside(const std::vector<int>& body) {
 }
 
 // Forces of neighbouring regions at the nodes of an interface. Where several interfaces of a body meet in a node, each
-// interface gets the force of its own tractions, and an equal part of what the tractions leave of the node's force.
+// interface gets the force of the tractions along it, and an equal share of the rest of the node's force.
 std::map<int, Point> EdgeResults::forces_of_neighbours(int region_id, int edge) {
   const regions::Discretization& d = model_.prepared().discretization;
   const scene::Scene& scene = model_.scene();

@@ -14,7 +14,7 @@ using regions::Field;
 using regions::FieldValues;
 using EdgeName = std::pair<int, int>;  // id of the region, number
 
-// Edges whose supports hold a degree of freedom, for each degree of freedom.
+// Edges whose supports hold a degree of freedom; by degree of freedom.
 using Holders = std::map<int, std::vector<EdgeName>>;
 
 Holders holders_of(const scene::Scene& scene, const regions::DofConditions& conditions, const EdgeName& wanted) {
@@ -47,8 +47,8 @@ std::map<int, double> EdgeResults::forces_of_supports(int region_id, int edge) {
   const EdgeName wanted(region_id, edge);
   const PreparedScene& prepared = model_.prepared();
   const Holders holders = holders_of(model_.scene(), prepared.conditions, wanted);
-  // Forces of the tractions of each edge at the nodes that several held edges share. They divide the reaction among the
-  // edges.
+  // Nodal forces of the tractions along each held edge, at nodes that several held edges share. They divide the
+  // reaction at such a node among the edges.
   std::map<EdgeName, std::map<int, Point>> tractions;
   for (const auto& [dof, edges] : holders)
     if (edges.size() > 1)

@@ -24,7 +24,7 @@ class EdgeResults {
     Eigen::Vector2d force;
     double moment;
   };
-  // Reaction of all supports on an edge, with its moment about a place.
+  // Reaction of all supports on an edge [N], and its moment about a place [N m].
   Reaction reaction(int region, int edge, const Point& about);
 
  private:

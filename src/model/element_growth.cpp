@@ -11,7 +11,7 @@ namespace bempd::model {
 
 namespace {
 
-// Lengths of extensions that the library chooses: at most step_over_crack times the crack's length, and
+// Largest lengths of extensions that the library chooses: step_over_crack times the crack's length, and
 // step_over_clearance times the distance to the nearest edge, hole or other crack, where the latter limit is at least
 // least_step_over_crack times the crack's length. Stress intensity factors then change by about a tenth in a step, and
 // a ligament shorter than the last extension breaks with that extension.
@@ -153,7 +153,7 @@ std::optional<double> end_of_path(const Growing& growing, const std::vector<regi
 
 namespace {
 
-// Energy per area that growth straight ahead takes [J/m^2].
+// Fracture energy per area for growth straight ahead of a tip [J/m^2].
 double resistance_ahead_of(const regions::TipValues& tip) {
   const double share = tip.directions ? tip.directions->share(heading_of(tip.direction)) : 1;
   return tip.toughness * tip.toughness / tip.plane_modulus * share;
@@ -161,9 +161,10 @@ double resistance_ahead_of(const regions::TipValues& tip) {
 
 }  // namespace
 
-// Energies of a growth. An extension releases the integral of its energy release rate (trapezoidal rule); on the
-// equilibrium path the rate equals the fracture energy all along. Tips that have ended have no last rate: they share
-// the rest of `released` by the lengths of their extensions.
+// Enters the energies of a growth in its extensions. An extension releases the integral of its energy release rate
+// (trapezoidal rule); on the equilibrium path the rate equals the fracture energy all along. Tips that have ended have
+// no rate at the end of the extension: they share the rest of `released` in proportion to the lengths of their
+// extensions.
 fracture::Growth with_energies(Growing growing, const std::vector<regions::TipValues>& after,
                                const std::vector<double>& thickness, double released,
                                std::optional<double> beyond_path) {

@@ -31,26 +31,28 @@ struct Growing {
 
 crack::AffineFactors factors_of(const regions::TipValues& tip);
 crack::GrowthLaw law_of(const regions::TipValues& tip, const scene::Options& options);
-// Tip as a carrier of cracks (crack::Carrier) describes it, from known stress intensity factors.
+// Tip in the form that carriers of cracks use (crack::Carrier), from known stress intensity factors.
 crack::Tip tip_for_carrier(const regions::TipValues& tip, const scene::Options& options);
 
-// Computes load factors and kink angles of growth of a tip with known stress intensity factors, by the growth criterion
-// in force.
+// Computes the load factors at which a tip with known stress intensity factors grows, and its kink angles, by the
+// growth criterion that the options name.
 void complete(regions::TipValues& tip, const scene::Options& options);
 
-// Growth of tip number `first`, and of the tips that the option crack.tie_share lets grow with that tip.
+// Growth of the tip with the index `first`, and of the tips that the option crack.tie_share lets grow together with
+// that tip.
 Growing growing_with(const std::vector<regions::TipValues>& tips, std::size_t first, double load_factor,
                      const scene::Options& options);
 
-// Sets the lengths of the extensions: `length` times (equivalent K_I / toughness)^(2 m) for each tip, where m is the
-// option crack.exponent.
+// Sets the length of each extension: `length` times (equivalent K_I / toughness)^(2 m), where m is the option
+// crack.exponent.
 void set_lengths(Growing& growing, double length, const scene::Options& options);
 
-// Length of the extensions [m]: the option crack.step or, if that is 0, the least share of the crack's length and of
-// the distance to the nearest obstacle.
+// Length of the extensions [m]: the option crack.step or, if that is 0, the smallest length over all growing tips. Each
+// tip's length is a share of its crack's length, or of the distance to the nearest edge, hole or crack if that is less.
 double chosen_length(const scene::Scene& scene, const Growing& growing, const scene::Options& options);
 
-// Copies of the cracks with the extensions added. The extensions in `growing` get their end points, lengths and states.
+// Copies of the cracks with the extensions of `growing` added. These extensions get their end points, lengths and
+// states.
 std::vector<scene::Crack> extended(const scene::Scene& scene, std::vector<scene::Crack> cracks, double tolerance,
                                    Growing& growing);
 
@@ -60,17 +62,18 @@ double largest_turn(const Growing& growing, const std::vector<regions::TipValues
                     const scene::Options& options);
 
 // Turns each extension by half of the angle by which the crack would turn at the extension's end, so that the extension
-// is a chord of the curved path.
+// is a chord of the curved path. Extensions whose tip has ended or has a fracture energy that depends on the direction
+// keep their directions.
 void turn_to_chords(Growing& growing, const std::vector<regions::TipValues>& after, const scene::Options& options);
 
-// Load factor of the equilibrium path after growth that began in equilibrium. Empty if the growth began out of
-// equilibrium, or if the load factor is unknown because a tip has ended.
+// Load factor at which tips that have grown are in equilibrium again. Empty if the growth began out of equilibrium, or
+// if the load factor is unknown because a tip has ended.
 std::optional<double> end_of_path(const Growing& growing, const std::vector<regions::TipValues>& after,
                                   const scene::Options& options);
 
-// Growth with the energies of its extensions. `thickness` has an entry for each extension; `released` is the energy
-// released at constant loads. `beyond_path` is the part of `released` that exceeds the release along the equilibrium
-// path; empty if unknown.
+// Growth with the energies of its extensions. `thickness` is that of the body at each extension; `released` is the
+// energy that the body releases at constant loads. `beyond_path` is the part of `released` that exceeds the release
+// along the equilibrium path; empty if unknown.
 fracture::Growth with_energies(Growing growing, const std::vector<regions::TipValues>& after,
                                const std::vector<double>& thickness, double released,
                                std::optional<double> beyond_path);

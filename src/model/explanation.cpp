@@ -73,14 +73,15 @@ class Explainer {
  private:
   bool is_before(double one, double other) const { return upwards_ ? one < other : one > other; }
 
-  // Whether a tip grows by itself in this stepping mode. In load increments no tip does. In a lattice only the tip of a
-  // crack line does; in growth bond by bond, tips are only read from broken bonds.
+  // Whether a tip grows by itself in the current stepping mode. In the mode of load increments no tip does. In a
+  // lattice only the tip of a crack line does; where cracks grow bond by bond, tips are only read from broken bonds.
   bool grows(const regions::TipValues& tip) const {
     if (stepping_.mode != fracture::SteppingMode::events) return false;
     return tip.method == regions::TipMethod::elements || evolution_.lines() != nullptr;
   }
 
-  // Finds the tip that grows next. If the load factor is held constant, an overloaded tip grows at the present one.
+  // Finds the tip that grows next and its load factor. If the load factor is held constant, an overloaded tip grows at
+  // the present load factor.
   void find_tip() {
     const bool is_held = stepping_.control == fracture::Control::load;
     for (const regions::TipValues& tip : model_.cracks().tips()) {
@@ -190,8 +191,7 @@ class Explainer {
     }
   }
 
-  // Records of tips at the end of the last growth by cycles: only tips that grow, and cracks that have not changed
-  // since.
+  // Records of growing tips at the end of the last growth by cycles, without cracks that have changed since.
   std::vector<FatigueRecord> grown_by_cycles() const {
     std::vector<FatigueRecord> last;
     for (const FatigueRecord& record : model_.fatigue().records()) {
@@ -213,7 +213,7 @@ class Explainer {
     return last;
   }
 
-  // Tells which tip limits the life: the one that grows fastest in relation to the length of its crack.
+  // Tells which tip limits the life: the tip that grows fastest in relation to the length of its crack.
   void tell_of_cycles(Reasons& reasons) const {
     std::vector<FatigueRecord> tips = grown_by_cycles();
     if (tips.empty()) return;

@@ -13,8 +13,8 @@ using crack::TipState;
 
 namespace {
 
-// Search distance ahead of a tip, as a multiple of the extension's length: a tip that would stop within this distance
-// before an edge or a crack is extended to it.
+// Search distance ahead of a tip, as a multiple of the extension's length: if an edge or a crack lies within this
+// distance, the tip is extended to it.
 constexpr double reach = 1.25;
 
 // Distance, as a share of the extension's length, within which a tip that passes the end of a crack joins that end,
@@ -25,8 +25,8 @@ constexpr double near_an_end = 0.1;
 // beside the corner would become tiny.
 constexpr double near_a_corner = 1e-3;
 
-// Distance, as a share of the extension's length, that is left before an interface; at most half of the tip's distance
-// to the interface. Elements can neither cross such an interface nor lie on it.
+// Distance, as a share of the extension's length, that a tip keeps from an interface which cracks cannot cross; at most
+// half of the tip's present distance from the interface. Elements cannot lie on such an interface either.
 constexpr double before_an_interface = 0.25;
 
 // Smallest distance, as a share of the extension's length, between a tip and an interface that its crack crosses.
@@ -102,8 +102,8 @@ class Meetings {
   // Distances from the tip to interfaces that the crack crosses, because boundary elements continue behind them.
   const std::vector<double>& crossings() const { return crossings_; }
 
-  // First obstacle on the path; empty if there is none. Ends of cracks are tested last and replace an obstacle next to
-  // them.
+  // First obstacle on the path, where the extension ends; empty if there is none. Ends of cracks are tested last and
+  // replace an obstacle next to them.
   std::optional<ExtensionEnd> first() {
     for (const Point& end : ends_) {
       const double fraction = closest_fraction(way_, end), close = near_an_end * length_;
@@ -134,17 +134,18 @@ class Meetings {
   std::vector<Point> ends_;
 };
 
-// Distances from the interface with a lattice, in spacings. A tip with elements that would come closer than
-// near_a_lattice to the lattice is extended into it, so that no element becomes much shorter than a spacing.
-// The tip then lies into_a_lattice behind the interface, or in the middle of a narrower lattice; lattices narrower than
-// twice least_into_a_lattice are not entered. The half spacing puts the tip midway between two columns of points: on a
-// column the error of the load factor of its first growth is twice as large.
+// Distances from the interface with a lattice, in spacings. A tip with elements that would end closer than
+// near_a_lattice to the lattice is extended into it, so that no element becomes much shorter than a spacing. The tip
+// then lies into_a_lattice behind the interface, or in the middle of a narrower lattice; lattices narrower than twice
+// least_into_a_lattice are not entered. The half spacing in into_a_lattice puts the tip midway between two columns of
+// points: for a tip on a column, the error of the load factor of its first growth in the lattice is twice as large.
 constexpr double near_a_lattice = 2, into_a_lattice = 4.5, least_into_a_lattice = 1;
 
-// Smallest cosine of the angle between a path and the interface's normal by which into_a_lattice is divided.
+// Smallest divisor of into_a_lattice, which is divided by the cosine of the angle between a path and the interface's
+// normal.
 constexpr double least_cosine_to_border = 1.0 / 3;
 
-// First straight edge of a lattice of the same material on the path of a tip.
+// First straight edge, on the path of a tip, of a lattice that has the material of the tip's region.
 struct LatticeAhead {
   Point place;
   double way, spacing, width;  // to the edge, between points, and across the lattice along the path [m]

@@ -17,7 +17,7 @@ namespace bempd::model {
 
 namespace {
 
-// Equivalent stress intensity factor (mode I) in the direction `angle`, by the growth criterion.
+// Equivalent stress intensity factor (mode I) of growth in the direction `angle`, by the growth criterion.
 double equivalent_in(const Point& factors, double angle, KinkCriterion criterion) {
   return criterion == KinkCriterion::hoop_stress ? hoop_factor(factors, angle) : kinked_factors(factors, angle).x();
 }
@@ -49,13 +49,14 @@ const crack::RateLaw* FrontReader::law_in(int region) {
   return law.get();
 }
 
-// Sets the direction of a tip: the direction under the load with the largest equivalent factor, out of the highest and
+// Sets the direction in which a tip grows: that of the load with the largest equivalent factor, out of the highest and
 // the lowest load factor, or out of all combinations of load cases.
 void FrontReader::set_direction(FrontTip& tip) const {
   const KinkCriterion criterion = growth_criterion(model_.options());
   crack::GrowthLaw law = law_of(tip.values, model_.options());
   tip.high = levels_.highest(), tip.low = levels_.lowest();
-  // A crack line without room for a contour (ring) around its tip turns, under load cases, by the stress ahead of it.
+  // Load cases: a crack line without room for a contour (ring) around its tip turns by the stress ahead of the
+  // tip.
   const bool by_stress = tip.values.method == regions::TipMethod::stress_ahead && levels_.combine_cases();
   const auto kink_at = [&](std::size_t level) {
     Kink kink = law.kink(tip.levels[level].factors);
@@ -102,7 +103,8 @@ Front FrontReader::front(const std::vector<regions::TipValues>& tips, LongerCrac
   for (std::size_t t = 0; t < front.size(); ++t) {
     front[t].levels = std::move(factors[t]);
     set_direction(front[t]);
-    // The effective tip under load cases is that under the highest combination, not under the present loads.
+    // Load cases: the place of the effective tip follows from the combination with the highest equivalent factor,
+    // not from the present loads.
     if (levels_.combine_cases()) front[t].values.felt_ahead = front[t].levels[front[t].high].felt_ahead;
     front[t].effective_tip_ahead = lengthening_.effective_tip_ahead(front[t].values, scene);
   }
@@ -133,8 +135,9 @@ void FrontReader::add_net_sections(Front& front, LongerCracks* longer) {
   });
 }
 
-// Factors at which a tip breaks, at equally spaced places of a step. They change linearly from its beginning to its
-// end, except for a fracture energy that varies from place to place, which is read along the step.
+// Stress intensity factors at which a tip breaks, at equally spaced places of a step. They change linearly from the
+// beginning of the step to its end, except for a fracture energy that varies from place to place, which is read along
+// the step.
 std::vector<double> FrontReader::critical_along(const FrontTip& before, const FrontTip* after, const Point& to) const {
   const pd::VariedEnergy* energies = lengthening_.scene().discretization.region(before.region).toughness().if_any();
   const bool is_stated = parameters_of(before.region)->critical > 0;

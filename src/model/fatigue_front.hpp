@@ -34,8 +34,8 @@ class FrontReader {
 
   // Front of the scene of the trial `longer`; null: of the model's scene.
   Front front(const std::vector<regions::TipValues>& tips, LongerCracks* longer);
-  // Whether a tip turns at each spacing by the stress ahead of it: the tip of a crack line around which no contour
-  // (ring) fits, unless load cases are combined.
+  // Whether a tip chooses its direction anew at each spacing, from the stress ahead of it: the tip of a crack line
+  // around which no contour (ring) fits, unless load cases are combined.
   bool turns_by_itself(const FrontTip& tip) const {
     return tip.values.method == regions::TipMethod::stress_ahead && !levels_.combine_cases();
   }

@@ -7,11 +7,12 @@
 
 namespace bempd::model {
 
-// Overload that is remembered of a tip at its present place; null if there is none.
+// Overload in the list `known` that a tip has met, if the tip is at the place where the overload was recorded; else
+// null.
 const RememberedOverload* remembered_at(const FrontTip& tip, const std::vector<RememberedOverload>& known,
                                         const std::vector<scene::Crack>& cracks);
 
-// Waiting growth: growth of tips by cycles by which their cracks have not been extended yet [m].
+// Waiting growth of tips [m]: growth by cycles that is too small to extend the crack yet.
 class WaitingGrowth {
  public:
   double& operator[](const crack::TipId& tip) { return of_tips_[tip]; }
@@ -20,7 +21,7 @@ class WaitingGrowth {
     return found == of_tips_.end() ? 0 : found->second;
   }
   std::vector<double> of(const Front& front) const;
-  // Takes over the growth that was waiting at the end of the previous call.
+  // Takes over the waiting growth of tips at the end of the previous call.
   void take_up(const std::vector<RememberedOverload>& known, const Front& front,
                const std::vector<scene::Crack>& cracks);
 
@@ -28,7 +29,8 @@ class WaitingGrowth {
   std::map<crack::TipId, double> of_tips_;
 };
 
-// Overloads that tips have met in a call of growth by cycles, measured from the tips' present places.
+// Overloads that tips have met in a call of growth by cycles. Distances in them are measured from the tips' present
+// places.
 class MetOverloads {
  public:
   // Takes over the overloads that the tips had met at the end of the earlier call which this call continues. Throws
@@ -39,7 +41,7 @@ class MetOverloads {
   // Sets the overload of a tip after a step in which the tip has grown.
   void set_after_step(const crack::TipOnStep& tip, crack::Overload overload);
   crack::Overload of(const crack::TipId& tip) const;
-  // Overloads to be remembered, with the waiting growth of each tip.
+  // Overloads and waiting growth of each tip, in the form that a later call or a saved state takes over.
   std::vector<RememberedOverload> remembered(const Front& front, const std::vector<double>& waiting) const;
 
  private:

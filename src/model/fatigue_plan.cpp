@@ -9,8 +9,9 @@ namespace bempd::model {
 
 namespace {
 
-// Length of a step towards an edge, a hole or another crack: length_over_clearance times the distance that is left, but
-// at least least_step times the tip's size (size_of()), so that ever shorter steps arrive there.
+// Largest length of a step, if the tip approaches an edge, a hole or another crack: length_over_clearance times the
+// distance that is left, but at least least_step times the tip's size (size_of()), because ever shorter steps would
+// never arrive at the obstacle.
 constexpr double length_over_clearance = 0.25, least_step = 0.02;
 
 }  // namespace
@@ -32,7 +33,7 @@ crack::TipOnStep FatigueRun::without_growth(std::size_t tip) const {
   return one;
 }
 
-// Length of a tip's crack between the effective tips at its ends [m].
+// Length of the crack of a tip, measured between the effective tips at its ends [m].
 double FatigueRun::length_of_crack(std::size_t tip) const {
   const int crack = front_[tip].values.crack;
   double length = length_of(cracks_[static_cast<std::size_t>(crack) - 1]);
@@ -41,8 +42,8 @@ double FatigueRun::length_of_crack(std::size_t tip) const {
   return length;
 }
 
-// Length of a tip's crack by the cycles so far [m], including growth of crack lines that waits until it fills a
-// spacing.
+// Length of the crack of a tip by the cycles so far [m]; growth of crack lines that waits until it fills a spacing is
+// included.
 double FatigueRun::length_by_cycles(std::size_t tip) const {
   double length = length_of_crack(tip);
   for (std::size_t t = 0; t < front_.size(); ++t)
@@ -50,8 +51,8 @@ double FatigueRun::length_by_cycles(std::size_t tip) const {
   return length;
 }
 
-// Size of a tip: its part of the crack's length. The growing ends of a crack share the length in proportion to their
-// rates.
+// Size of a tip [m]: the tip's share of its crack's length. The growing ends of a crack share the length in proportion
+// to their growth rates.
 double FatigueRun::size_of(std::size_t tip) const {
   double sum = 0;
   for (std::size_t t = 0; t < front_.size(); ++t)
@@ -67,8 +68,8 @@ double FatigueRun::longest(std::size_t tip) const {
   return std::max(length, lengthening_.growth_increment(at));
 }
 
-// Plans a step; empty if no tip grows by more than rounding. If few cycles are left, the growth in them at the present
-// rates limits the lengths, with room for rising rates.
+// Plans the lengths of a step; empty if no tip grows by more than rounding. If few cycles are left, the lengths are at
+// most the growth in these cycles at the present rates, times a factor that leaves room for rising rates.
 std::optional<FatigueRun::Plan> FatigueRun::plan() const {
   constexpr double room = 1.3;
   Plan plan;
@@ -87,22 +88,22 @@ std::optional<FatigueRun::Plan> FatigueRun::plan() const {
   return plan;
 }
 
-// Whether a crack line is not extended in a trial, because the cycles end before the line has grown by half a step.
+// Whether a crack line is not extended in a trial, because the cycles end before the line has grown by half a spacing.
 bool FatigueRun::waits(const Trial& trial, std::size_t tip) const {
   return trial.cycles.end != crack::CyclesEnd::growth &&
          trial.cycles.growth[tip] < 0.5 * lengthening_.growth_increment(front_[tip].values);
 }
 
-// Tip with elements that leads the step instead of a crack line that waits; empty if no such tip grows by more than
-// rounding.
+// Tip with boundary elements that leads the step in place of a crack line that waits; empty if no such tip grows by
+// more than rounding.
 std::optional<std::size_t> FatigueRun::leader_instead(const Trial& trial) const {
   for (std::size_t t = 0; t < front_.size(); ++t)
     if (!is_line(t) && trial.cycles.growth[t] > tiny_growth * size_of(t)) return t;
   return std::nullopt;
 }
 
-// Shortens a plan to the largest crack length. The tip whose crack reaches that length becomes the leader, so that its
-// length is met exactly.
+// Shortens a plan so that no crack becomes longer than options_.most_length. A tip whose crack reaches this length
+// becomes the leader, because the leader's length is met exactly.
 void FatigueRun::keep_within_length(Plan& plan) const {
   double share = 1;
   for (std::size_t t = 0; t < front_.size(); ++t) {

@@ -10,15 +10,16 @@ namespace bempd::model {
 namespace {
 
 // Least growth for which a tip's crack is extended: the smaller of least_growth times the tip's size and `slow` times
-// the growth of the leader. Smaller growth is carried over to later steps.
+// the growth of the leader (tip that sets the length of the step). Smaller growth is carried over to later steps.
 constexpr double least_growth = 0.005, slow = 0.05;
 
-// Turn of a tip in a step [rad]: above `turns` the step is repeated in the direction of its chord, above turns_too_much
-// it is halved.
+// Turn of a tip in a step [rad]. Above `turns` the step is repeated with the direction of the chord of its curved path;
+// above turns_too_much the step is halved.
 constexpr double turns = 0.01, turns_too_much = 0.35;
 
 // Largest difference between the length of an extension and the tip's growth in the cycles of the step, as a share of
-// the length: in the first trial, and always for the leader (off_at_first), and in repeated trials (off_later).
+// the length: off_at_first for the first trial of a step, and for the leader in all trials; off_later for the other
+// tips in repeated trials.
 constexpr double off_at_first = 0.005, off_later = 0.03;
 
 constexpr int most_trials = 5;
@@ -64,8 +65,8 @@ void FatigueRun::find_front() {
   find_rates();
 }
 
-// Makes a step; returns false if the run is over. A step is halved if it turns too much, if the error of its cycles is
-// too large, or if it is impossible.
+// Makes a step; returns false if the run is over. A step is halved if a tip turns too much, if the error of the counted
+// cycles is too large, or if no scene with the longer cracks is possible.
 bool FatigueRun::step() {
   constexpr int most_halvings = 4;
   if (report_.steps >= options_.most_steps) return end_by(FatigueEnd::steps);
@@ -88,8 +89,8 @@ bool FatigueRun::step() {
       const bool may_stand = is_last || largest_turn(trial) <= turns_too_much;
       if (may_stand && choose_step(trial, leader, is_last)) return accept(std::move(trial), leader);
     } catch (const Error& error) {
-      // A crack ends where the remaining ligament is too thin for a solution, or where no scene with the longer crack
-      // is possible.
+      // The crack of the leading tip ends where the remaining ligament is too thin for a solution, or where no scene
+      // with the longer crack is possible.
       const bool has_no_scene = dynamic_cast<const crack::CannotGrow*>(&error) != nullptr;
       if (!has_no_scene && error.failure() != Failure::unsolvable) throw;
       if (halvings == most_halvings) {
@@ -101,8 +102,8 @@ bool FatigueRun::step() {
   }
 }
 
-// Computes a step by repeated trials, until its lengths belong to one number of cycles. If tips turn much in the first
-// trial, the second trial begins with directions turned by half of these angles.
+// Computes a step by repeated trials, until the growth of all tips belongs to one number of cycles. If tips turn much
+// in the first trial, the second trial begins with directions turned by half of these angles.
 FatigueRun::Trial FatigueRun::compute_step(const Plan& plan) {
   std::vector<double> angles;
   for (const FrontTip& tip : front_) angles.push_back(tip.angle);
@@ -174,8 +175,8 @@ double FatigueRun::largest_turn(const Trial& trial) const {
   return largest;
 }
 
-// Whether the growth of any tip in the cycles of a trial differs by more than a share from the length for which the
-// trial was made. A tip that has ended cannot grow further, so that a larger growth does not count.
+// Whether the growth of any tip in the cycles of a trial differs from the tip's length in the trial by more than
+// `share` of that length. A tip that has ended cannot grow further, so its larger growth does not count.
 bool FatigueRun::differs_from_cycles(const Trial& trial, std::size_t leader, double share) const {
   for (std::size_t t = 0; t < front_.size(); ++t) {
     const crack::TipOnStep& tip = trial.on_step[t];
@@ -189,7 +190,8 @@ bool FatigueRun::differs_from_cycles(const Trial& trial, std::size_t leader, dou
 }
 
 bool FatigueRun::choose_step(const Trial& trial, std::size_t leader, bool must_stand) {
-  // Factors in lattices are rough from step to step, so that their changes do not show the error of the cycles.
+  // Stress intensity factors in lattices scatter from step to step, so their changes do not show the error of the
+  // cycles.
   if (lengthening_.growth_increment(front_[leader].values) > 0) return true;
   const crack::TipOnStep& tip = trial.on_step[leader];
   const double so_far = report_.cycles - options_.first_cycle + trial.cycles.cycles;
@@ -231,7 +233,8 @@ bool FatigueRun::pass(const crack::CyclesOnStep& cycles) {
   return !is_over(cycles);
 }
 
-// Counts the cycles while no crack is extended.
+// Counts the cycles until the growth of a tip suffices to extend its crack or the cycles end; no crack is extended
+// here.
 bool FatigueRun::pass_without_growth() {
   std::vector<crack::TipOnStep> here;
   for (std::size_t t = 0; t < front_.size(); ++t) here.push_back(without_growth(t));

@@ -11,13 +11,14 @@
 
 namespace bempd::model {
 
-// Growth of a tip, as a share of the tip's size, below which its crack is not extended and the growth waits for more.
+// Growth of a tip, as a share of the tip's size, below which the tip's crack is not extended: the growth waits until it
+// has added up to more.
 inline constexpr double tiny_growth = 1e-6;
 
-// Run of a call in which cracks grow by load cycles.
-// A step extends the tips in proportion to their rates. Its length is that of the leader, the tip that grows most in
-// relation to its size. The cycles are then counted with the factors before and after the step (crack/cycle_step). If
-// lengths or directions differ from the assumed ones, the step is repeated with the new values, as in Heun's method; a
+// Run of a call in which cracks grow by load cycles. A step extends the tips in proportion to their growth rates. The
+// leader, the tip that first reaches the largest length that a step may have for it, sets the length of the step. The
+// cycles are then counted with the stress intensity factors before and after the step (crack/cycle_step). If lengths or
+// directions differ from the assumed values, the step is repeated with the new values, as in Heun's method; a
 // difference that remains enters the next step.
 class FatigueRun {
  public:
@@ -39,7 +40,7 @@ class FatigueRun {
     std::vector<crack::TipOnStep> on_step;
     crack::CyclesOnStep cycles;
   };
-  // Plan of a step: the growth of each tip, and the leader, the tip that grows most in relation to its size.
+  // Plan of a step: the growth of each tip, and the leader (tip that sets the length of the step).
   struct Plan {
     std::vector<double> lengths;
     std::size_t leader = 0;

@@ -66,8 +66,8 @@ void add_option(Hash& hash, const scene::OptionDescription& option, const scene:
   }
 }
 
-// Adds an option to a hash if its value in effect is not the default, so that states survive when options are added or
-// removed. A changed default needs a new format of states.
+// Adds an option to a hash unless the value in effect is the default, so that saved states stay readable when the
+// library gets or loses options. A changed default value needs a new format of states.
 void add_changed_option(Hash& hash, const scene::OptionDescription& option, const scene::Options& options) {
   const scene::Options defaults;
   const bool is_default = option.is_text ? options.text_in_effect(option.name) == defaults.text_in_effect(option.name)
@@ -81,7 +81,7 @@ constexpr std::array options_of_format_14 = {
     "scheme",  "critical_stretch",         "pd.crack_tip", "pd.criterion", "crack.rule",
     "contact", "bem.quadrature_tolerance", "bem.grading"};
 
-// Adds the options by which the library chooses the boundary elements of bodies: wanted error, time and memory.
+// Adds the options by which the library chooses the boundary elements of bodies: wanted error, time and memory allowed.
 void hash_wish(Hash& hash, const scene::Options& options) {
   for (const char* name : {"error.wanted", "budget.seconds", "memory.limit"}) hash.add(options.number(name));
 }
@@ -126,7 +126,7 @@ SceneFingerprint fingerprint(const scene::Scene& scene, const scene::Options& op
   for (const scene::OptionDescription& option : scene::option_descriptions()) {
     if (option.shapes_operators) add_changed_option(body, option, options);
   }
-  // Options of other schemes have no effect and are left out.
+  // Options of schemes other than the chosen scheme have no effect and are left out.
   for (const scene::OptionDescription& option : regions::scheme_options(options))
     add_changed_option(body, option, options);
   Hash supports;

@@ -14,16 +14,16 @@ namespace bempd::model {
 
 namespace {
 
-// Largest distance, in spacings, between a crack's path and a point that is left out of the path where elements carry
-// the crack.
+// Largest distance, in spacings, by which a crack's path may shift if a point is left out of it where boundary elements
+// carry the crack.
 constexpr double off_path = 0.02;
 
 // Distance in spacings from a crack's path within which a bond counts as broken by the crack, or a material point as
 // lying on it.
 constexpr double beside_path = 0.25;
 
-// Marks points of a polyline between `first` and `last` until no point is farther than `off` from the polyline through
-// the marked points.
+// Marks points of a polyline between the points `first` and `last`, until no point is farther than `off` from the
+// polyline through the marked points (Douglas-Peucker).
 void mark_needed(const std::vector<Point>& points, std::size_t first, std::size_t last, double off,
                  std::vector<char>& is_needed) {
   std::size_t farthest = first;
@@ -37,8 +37,8 @@ void mark_needed(const std::vector<Point>& points, std::size_t first, std::size_
   mark_needed(points, farthest, last, off, is_needed);
 }
 
-// Leaves out points that growth has added between the distances `from` and `to` along a crack, where the path stays the
-// same up to `off`.
+// Leaves out points of a crack that growth has added, where the path then moves by at most `off`: only points whose
+// distance along the crack is between `from` and `to`.
 void leave_out_points(scene::Crack& crack, double from, double to, double off) {
   const std::vector<Point>& points = crack.points;
   const std::size_t count = points.size(), first_given = static_cast<std::size_t>(crack.grown_at_start),

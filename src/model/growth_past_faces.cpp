@@ -3,8 +3,9 @@
 
 namespace bempd::model {
 
-// Takes the load factors of growth from a state a little ahead, if crack faces open or close as soon as the load factor
-// moves, as in a body at rest. If there is no equilibrium ahead, the growth is unknown.
+// Replaces load factors of growth that change as soon as the load factor moves, because crack faces then open or close,
+// as in a body at rest. The new values are those of a state a little ahead. If there is no equilibrium ahead, the load
+// factors of growth are unknown.
 void CrackResults::take_growth_past_face_changes(std::vector<regions::TipValues>& tips) {
   for (const bool upwards : {true, false}) {
     std::vector<regions::TipValues> ahead(tips.size());

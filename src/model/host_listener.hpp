@@ -15,8 +15,8 @@ namespace bempd::model {
 // an estimated time is always reported, and written to the log if the estimate is at least a second.
 class HostListener final : public PhaseListener {
  public:
-  // Function of the host. It receives the phase, the share done, the seconds so far and the expected total (0 if
-  // unknown), and returns false to cancel the call.
+  // Progress function of the host. It receives the phase, the share of it that is done, the seconds so far and the
+  // expected total (0 if unknown), and returns false to cancel the call.
   using Function = std::function<bool(const char* phase, double share, double seconds, double expected)>;
 
   // Function of the host's log, which receives a line and its level.

@@ -19,7 +19,7 @@ namespace {
 
 using Keys = std::unordered_map<std::uint64_t, int>;
 
-// Number of a place on the grid of a lattice; empty if the place is no point of the grid.
+// Number of a place as a point of a lattice's grid; empty if no grid point is there.
 std::optional<std::uint64_t> key_of(const Point& place, const regions::LatticeGrid& grid) {
   constexpr double slack = 1e-3;  // spacings
   const Point at = (place - grid.origin) / grid.spacing;
@@ -41,8 +41,8 @@ int nearest(std::span<const regions::Region* const> regions, const std::vector<P
   return found;
 }
 
-// Relation of the nodes of a scene to those of the previous scene. Material points of patches keep their places on the
-// grid.
+// Match between the nodes of a scene and those of the previous scene: material points of patches by the grid's points,
+// other nodes by equal places. A node without a counterpart takes the values of the nearest previous node.
 class NodeMatch {
  public:
   NodeMatch(const scene::Scene& scene, const regions::Discretization& now, const regions::Discretization& before)
@@ -68,7 +68,8 @@ class NodeMatch {
     former.node_now[static_cast<std::size_t>(other)] = node;
   }
 
-  // Lattice patches of a body in the previous scene. Patches of the present scene may be parts of these.
+  // Lattice patches of a body in the previous scene. A patch of the present scene may consist of parts of several of
+  // them.
   std::vector<const regions::Region*> patches_before(const scene::Scene& scene, int body) const {
     std::vector<const regions::Region*> found;
     for (const auto& region : before_.regions)
@@ -123,9 +124,9 @@ std::vector<int> nodes_of(const coupling::Terms& terms, std::size_t term) {
   return nodes;
 }
 
-// Present numbers of those energy terms (bonds and cell squares) of the previous scene that are not virgin. Terms with
-// the same nodes keep their order. Throws crack::CannotGrow if such a term does not exist in the present scene, unless
-// its nodes are gone with a part of a lattice.
+// Present numbers of those energy terms (bonds and cell squares) of the previous scene that are damaged or broken.
+// Terms with the same nodes keep their order. Throws crack::CannotGrow if such a term does not exist in the present
+// scene, unless its nodes are gone with a part of a lattice.
 std::unordered_map<int, int> terms_now(const PreparedScene& now, const PreparedScene& before,
                                        const fracture::FormerBody& former) {
   const std::vector<std::uint8_t>& stages = before.evolution->progress().stages;
@@ -157,8 +158,8 @@ std::unordered_map<int, int> terms_now(const PreparedScene& now, const PreparedS
   return found;
 }
 
-// Continues the run of the previous scene in the next one. Throws crack::CannotGrow if the run would lose broken bonds,
-// or if elements in place of a lattice would set a part free.
+// Continues the run of the previous scene in the next scene. Throws crack::CannotGrow if broken bonds would be lost, or
+// if boundary elements in place of a lattice would leave a part of the body free to move.
 void continue_in(PreparedScene& next, const PreparedScene& before, const scene::Scene& scene, std::int64_t layout) {
   NodeMatch nodes(scene, next.discretization, before.discretization);
   nodes.former.has_fewer_terms = regions::gives_back(layout);

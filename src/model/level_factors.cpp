@@ -30,7 +30,8 @@ class FactorsByLoadFactor {
   }
 
  private:
-  // Sets the factors at the load factors with the indices `from` up to, but without, `to`.
+  // Sets the factors of the loads `from` up to, but without, `to`, from tips whose factors are affine in the load
+  // factor.
   void take(std::size_t from, std::size_t to, const std::vector<regions::TipValues>& tips) {
     for (std::size_t level = from; level < to; ++level)
       for (std::size_t t = 0; t < tips_.size(); ++t)
@@ -38,8 +39,9 @@ class FactorsByLoadFactor {
           factors_[t][level].factors = factors_of(*tip).at(levels_.factor(level));
   }
 
-  // Moves the scene from the highest load factor downwards or upwards, until the same faces are closed at a load factor
-  // and at the last one. Gaps and contact forces are affine, so the same faces are closed in between as well.
+  // Moves the scene from the highest load factor step by step towards the first or the last one, until the same faces
+  // are closed at the load factor reached and at that end. Gaps and contact forces are affine, so the same faces are
+  // closed in between as well.
   void follow(bool downwards) {
     const std::size_t last = downwards ? 0 : levels_.size() - 1;
     if (last == levels_.highest()) return;
@@ -87,8 +89,8 @@ FactorsOfTips LevelSolver::factors(const std::vector<regions::TipValues>& tips, 
   return found;
 }
 
-// Whether faces of crack lines may close or open between the highest load and another load. Loads in proportion to load
-// factors >= 0 press the same faces on each other.
+// Whether faces of crack lines may close or open between the highest load and the load number `level`. No faces do if
+// all loads are proportional to load factors >= 0, because such loads press the same faces on each other.
 bool LevelSolver::changes_faces(std::size_t level) {
   if (!lengthening_.grows_lines(scene()) || levels_.size() == 1 || scene().system->constraints().size() == 0)
     return false;

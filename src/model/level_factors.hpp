@@ -12,10 +12,9 @@ namespace bempd::model {
 // Values of each tip under each load of a program of cycles: lists by tip, then by load.
 using FactorsOfTips = std::vector<std::vector<crack::LevelFactors>>;
 
-// Finds the stress intensity factors of tips under the loads of a program of cycles. Between load factors at which no
-// faces close or open, the factors are affine functions of the load factor. Otherwise the scene is moved to these load
-// factors and back to the highest one, or solved under each load separately. The history of the run does not record
-// this.
+// Finds the stress intensity factors of tips under the loads of a program of cycles. As long as no faces close or open,
+// the factors are affine functions of the load factor. Otherwise the scene is moved to each load factor and back to the
+// highest one, or solved under each load separately. The history of the run does not record this.
 class LevelSolver {
  public:
   // `longer`: trial whose scene is used; null: the model's scene.

@@ -50,8 +50,8 @@ std::optional<fracture::TipFactors> factors_around(const scene::Scene& scene, co
   std::vector<Point> path = points_of_path(path_in(scene, prepared, tip.id.crack));
   if (tip.id.end == 0) std::reverse(path.begin(), path.end());
   if (path.size() < 2) return std::nullopt;
-  // The field at the load factor 1 tells the relative error of the factors and the place of the effective tip if
-  // nothing loads the body now.
+  // If nothing loads the body now, the field at the load factor 1 serves instead: it gives the relative error of the
+  // stress intensity factors and the place of the effective tip.
   const double present = prepared.evolution->progress().load_factor;
   const double load_factor = present == 0 && displacement.col(0).isZero(0) ? 1 : present;
   const Eigen::VectorXd total = coupling::evaluate(displacement, load_factor);

@@ -14,11 +14,12 @@
 // their stress intensity factors.
 namespace bempd::model {
 
-// Lattices of a prepared scene in their present state, in the form that functions for cracks in bonds read.
+// Lattices of a prepared scene with the bonds that are intact at present, in the form that functions for cracks in
+// bonds read.
 regions::BondedBody bonded_body(const scene::Scene& scene, const PreparedScene& prepared);
 
-// Path of a crack that cuts bonds. An end that has grown is counted from the place where its first extension begins; an
-// end in a lattice that has not grown lies at its effective tip.
+// Path of a crack that cuts bonds. At an end that has grown, the described end point is replaced by the place where the
+// first extension begins. An end in a lattice that has not grown lies at its effective tip.
 std::vector<crack::PathVertex> path_in(const scene::Scene& scene, const PreparedScene& prepared, int crack);
 
 // Stress intensity factors of a crack line's tip from contours (rings) around it; empty if no contour fits or the faces

@@ -30,9 +30,9 @@ void LineLengthening::return_to_accepted() {
 
 namespace {
 
-// Scales the stress intensity factors of a grown tip around which no contour (ring) fits. They become the geometric
-// mean of the factors by the stress ahead of the tip and the factors by the energy of the tip's next step, if this
-// energy gives the tip's load factor of growth.
+// Corrects the stress intensity factors of a grown tip around which no contour (ring) fits. They become the geometric
+// mean of the factors by the stress ahead of the tip and the factors by the energy of the tip's next step. If that
+// energy does not give the tip's load factor of growth, the factors stay as they are.
 void scale_to_step_energy(regions::TipValues& tip, const scene::Options& options, double load_factor) {
   const bool is_told = tip.grown && tip.load_rule == crack::LoadRule::energy && tip.constant_factors.isZero(0) &&
                        load_factor > 0 && tip.critical_load_factor > 0;
@@ -113,7 +113,7 @@ double LineLengthening::growth_increment(const regions::TipValues& tip) const {
   return spacing_at(tip, model_.prepared());
 }
 
-// Law of crack tips in the lattice around a tip; empty if the tip lies in no lattice.
+// Growth law of crack lines in the lattice around a tip; empty if the tip lies in no lattice.
 std::optional<pd::TipLaw> LineLengthening::law_at(const regions::TipValues& tip, const PreparedScene& scene) const {
   const int region = region_of(tip, scene);
   const regions::RegionBonds* bonds = region == 0 ? nullptr : scene.discretization.region(region).bonds();
@@ -131,9 +131,9 @@ double LineLengthening::spread(const regions::TipValues& tip, const PreparedScen
   return law ? 2 * law->horizon : 0;
 }
 
-// Distance of the effective tip ahead of a tip's place. It is 0 for an initial crack, whose cut ends so that the
-// effective tip is at the described place. The stress field gives the distance for a line that has grown; if it does
-// not, the mean distance of straight lines counts.
+// Distance by which the effective tip lies ahead of a tip's place. It is 0 for an initial crack, whose cut ends so that
+// the effective tip is at the described place. For a line that has grown, the stress field gives the distance or, if
+// its value is implausible, the mean distance of straight lines is taken.
 double LineLengthening::effective_tip_ahead(const regions::TipValues& tip, const PreparedScene& scene) const {
   constexpr double in_the_mean = 0.1, farthest = 1;  // in spacings
   if (tip.method == regions::TipMethod::elements || !tip.grown) return 0;
@@ -141,8 +141,8 @@ double LineLengthening::effective_tip_ahead(const regions::TipValues& tip, const
   return std::abs(tip.felt_ahead) < farthest * spacing ? tip.felt_ahead : in_the_mean * spacing;
 }
 
-// Freezes all tips while the load factor moves. Bonds that break meanwhile lie away from tips: the body cannot bear the
-// load, which is an error.
+// Moves the load factor with all tips frozen. Throws Error (unsolvable) if bonds break meanwhile: they lie away from
+// the tips, so the body cannot bear the load.
 void LineLengthening::go_to(double load_factor) {
   std::set<crack::TipId> all;
   for (const regions::TipValues& tip : model_.cracks().tips_of_lines(false)) all.insert(tip.id());
@@ -184,8 +184,8 @@ crack::Extension LineLengthening::extend(const Lengthened& one) {
     whole.state = crack::TipState::at_interface;
     break;
   }
-  // The length is that by which the crack's path becomes longer, not the sum of the steps: the effective tip of an
-  // initial crack lies ahead of the end of its cut, where the first step begins.
+  // The length of the extension is that by which the crack's path becomes longer, not the sum of the steps: the
+  // effective tip of an initial crack lies ahead of the end of its cut, where the first step begins.
   whole.from_x = one.tip.place.x(), whole.from_y = one.tip.place.y();
   whole.length = model_.cracks().length(id.crack) - before;
   return whole;

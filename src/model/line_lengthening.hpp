@@ -10,8 +10,8 @@
 namespace bempd::model {
 
 // Call of the host that extends crack lines (cracks in lattices) by whole spacings, and cracks with boundary elements
-// beside them. A step that extends elements has a scene of its own, in which crack lines are extended as well. A step
-// of crack lines alone changes the model's scene, which is then in its last accepted state or in that of a trial. A
+// beside them. A trial that extends elements has a scene of its own, in which crack lines are extended as well. A trial
+// that extends crack lines only changes the model's scene, which leave_trial() returns to its last accepted state. A
 // crack line that has reached boundary elements continues in them in one step.
 class LineLengthening final : public CrackLengthening {
  public:

@@ -18,8 +18,8 @@ void add(Kind& sum, const Kind& values, double factor) {
     sum.constant[k] += factor * values.constant[k] + factor * values.proportional[k];
 }
 
-// Sum of values of one condition at the load factor 1, each times a factor. If all values are of the same kind as
-// `zero` (samples or places), so is the sum; else the sum is a function.
+// Sum of values of one support or load, each times a factor. If all values are of the same kind as `zero` (samples or
+// places), so is the sum; else the sum is a function.
 class Sum {
  public:
   explicit Sum(scene::Values zero) : sum_(std::move(zero)) {}
@@ -62,8 +62,8 @@ class Sum {
   std::vector<std::pair<scene::BoundaryFunction, double>> terms_;
 };
 
-// Values of all supports, or of all loads, under a combination of cases. `part` gives the values of a condition in a
-// case, and the factor of the case.
+// Values of all supports, or of all loads, under a combination of cases. `part` gives the values of a support or load
+// in a case, and the factor of the case.
 template <class Part>
 std::vector<scene::Values> combined_of(const std::vector<scene::Values>& zeros, std::size_t cases, const Part& part) {
   std::vector<scene::Values> all;

@@ -19,8 +19,8 @@ class LoadDriver {
 
   // Moves the load factor to a target, at the values of loads and supports that the host has set.
   StepResult advance(double target, fracture::Goal goal);
-  // Moves the load factor, and with it changes loads and supports: linearly from their values at the end of the last
-  // step to those that the host has set since.
+  // Moves the load factor to a target. On the way loads and supports change linearly with the load factor, from their
+  // values at the end of the last step to the values that the host has set since.
   StepResult advance_to_values(double target, fracture::Goal goal);
   // Runs a table of load values row by row, from the present load factor on (programs.cpp). The load factor is the time
   // of the table.

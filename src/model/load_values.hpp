@@ -71,9 +71,9 @@ class LoadValues {
   // Calls `read` while the prepared body is in equilibrium under other values, with its present bonds and cracks. The
   // state of the run is restored afterwards.
   void under(scene::SceneValues values, const std::function<void(PreparedScene&)>& read);
-  // Ends a path of values at its end values, which act already, and enters them as the values in force. `known` are the
-  // conditions that they cause; empty: the conditions are computed here, because cracks have grown since. After a
-  // failure the model stays at that point of the path.
+  // Ends a step in which values changed linearly: its end values, which act already, become the values in force.
+  // `known` are the conditions that these values cause; empty: the conditions are computed here, because cracks have
+  // grown since. After a failure the model stays at the end of the step, with the values still marked as on the way.
   void arrive(std::optional<regions::DofConditions> known, std::optional<scene::SceneValues> host_values) noexcept;
 
  private:

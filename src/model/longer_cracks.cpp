@@ -10,7 +10,7 @@ namespace bempd::model {
 
 namespace {
 
-// Nodes by their exact places, in a hash table with free slots, because bodies have very many nodes.
+// Nodes found by their exact places, in a hash table (open addressing), because bodies have very many nodes.
 class NodesAt {
  public:
   NodesAt(const std::vector<int>& nodes, const std::vector<Point>& positions) : positions_(positions) {
@@ -22,7 +22,8 @@ class NodesAt {
     }
   }
 
-  // Next node at a place, in the order of the nodes; after the last node, the last one again. -1 if there is no node.
+  // Node at a place. Each call for the same place returns the next node there in the order of the nodes; after the last
+  // node, the last node again. -1 if there is no node.
   int take(const Point& place) {
     int last = -1;
     for (std::size_t slot = first_slot(place); slots_[slot].node >= 0; slot = behind(slot)) {
@@ -48,8 +49,8 @@ class NodesAt {
   std::vector<Slot> slots_ = std::vector<Slot>(2);  // their number is a power of two
 };
 
-// Whether the lattices of two scenes have the same bonds in the same order, so that broken bonds can be taken over. A
-// lattice with points on its outline may have moved its points to avoid a longer crack.
+// Whether the lattices of two scenes have the same bonds in the same order, so that broken bonds can be taken over.
+// They differ if a lattice with points on its outline has moved its points to avoid a longer crack.
 bool has_same_bonds(const PreparedScene& now, const PreparedScene& before) {
   const coupling::Terms &a = now.system->terms(), &b = before.system->terms();
   if (a.size() != b.size()) return false;
@@ -84,7 +85,8 @@ std::vector<int> nodes_before(const regions::Discretization& now, const regions:
   return found;
 }
 
-// First node of the new scene that takes the displacement of each node of the previous scene; -1: there is none.
+// Node of the new scene for each node of the previous scene, given the map `before` of nodes_before() from new to
+// previous nodes. If several new nodes come from one previous node, the first of them; -1 if none does.
 std::vector<int> nodes_now(const std::vector<int>& before, std::size_t count) {
   std::vector<int> now(count, -1);
   for (std::size_t node = before.size(); node-- > 0;)
@@ -92,7 +94,7 @@ std::vector<int> nodes_now(const std::vector<int>& before, std::size_t count) {
   return now;
 }
 
-// Crack ends that have entered a lattice: in the previous scene they had elements.
+// Crack ends that have entered a lattice: in the previous scene these ends had boundary elements.
 std::vector<crack::TipId> entering(const regions::Discretization& next, const regions::Discretization& previous) {
   std::vector<crack::TipId> tips;
   const std::vector<regions::PartedCrack>& before = previous.cracks;

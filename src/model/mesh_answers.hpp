@@ -15,11 +15,11 @@ struct TipLoad {
   double load_factor;
 };
 
-// Load factors of growth of all tips, in elements and in lattices, of a body in equilibrium; infinite for the tips
+// Load factors at which the tips of a body in equilibrium grow, in elements and in lattices; infinite for the tips
 // `frozen`. The load factor 0 of this body stands for the load factor `shift` (scene::moved()).
 std::vector<TipLoad> growth_loads(const PreparedScene& scene, const std::vector<regions::TipValues>& tips,
                                   const std::set<crack::TipId>& frozen, double shift);
-// Smallest load factor of growth among some cracks (ids); NaN if none of these cracks has a tip.
+// Smallest load factor at which a tip of some cracks (ids) grows; NaN if none of these cracks has a tip.
 double first_load(const std::vector<TipLoad>& loads, const std::vector<int>& cracks);
 
 // Results of a scene with one mesh, to compare with those of another mesh.
@@ -36,7 +36,8 @@ struct MeshAnswers {
   crack::TipId first;      // tip that grows first
 };
 
-// Reads the results of a body in equilibrium. `supports` is their number; `tips` and `loads` are those of the body.
+// Reads the results of a body in equilibrium. `supports` is the number of supports; `tips` and `loads` are those of the
+// body.
 MeshAnswers read_answers(const PreparedScene& scene, std::size_t supports, std::vector<regions::TipValues> tips,
                          std::vector<TipLoad> loads);
 

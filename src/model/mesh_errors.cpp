@@ -11,12 +11,13 @@ namespace bempd::model {
 
 namespace {
 
-// Factors on estimated errors, because differences of meshes vary around what the order of convergence says: for a
-// series of meshes, and for a mesh with a finer one, where they vary less.
+// Factors by which estimated errors are increased, because differences between meshes vary around what the order of
+// convergence says: for a series of meshes (caution), and for a mesh and a finer one, where differences vary less
+// (caution_by_finer).
 constexpr double caution = 1.6, caution_by_finer = 1.3;
 
-// Order of convergence: the power with which an error falls with the length of elements. Two meshes do not show it, so
-// that the usual order is taken; from three meshes on, the measured order within limits is taken.
+// Order of convergence: the exponent of the length of elements with which an error falls. Two meshes do not show the
+// order, so the usual order is taken; from three meshes on, the measured order is taken within limits.
 struct Order {
   double usual, least, largest;
 
@@ -29,17 +30,19 @@ struct Order {
 };
 
 // Orders of convergence by kinds of results. Quadratic elements have the order 3 for displacements once they resolve
-// the field, and more for reactions, which are energies. The length of a tip's (K_I, K_II) comes from the energy of a
-// virtual extension and has an order between 4 and 5; its direction comes from the openings of the tip's elements and
-// has the order 2. In random bodies the differences of two meshes were 15 to 40 times (length), and 4 times
-// (direction), those of the next two meshes (docs/bodies.md).
-// The parts of reactions that supports share are no energies, and converge like tractions at the place that they share.
-// Beside singular places displacements converge with the order 1 to 2, which two meshes do not tell.
+// the field, and more for reactions, which are energies. The length of a tip's (K_I, K_II) (of_size) comes from the
+// energy of a virtual extension and has an order between 4 and 5; its direction (of_turn) comes from the openings of
+// the tip's elements and has the order 2. In random bodies, the difference of two meshes was 15 to 40 times the
+// difference of the next two meshes for the length, and 4 times for the direction (docs/bodies.md). Where several
+// supports hold the same node, the reaction of each support is no energy, and converges like the tractions at that node
+// (of_shared_reaction). Beside singular places displacements converge with the order 1 to 2, which two meshes do not
+// show (of_slow_displacement).
 constexpr Order of_displacement{2.3, 0.5, 2.7}, of_slow_displacement{1.5, 0.5, 2.7}, of_reaction{3, 0.5, 3},
     of_shared_reaction{2, 0.5, 3}, of_size{4, 0.5, 4}, of_turn{2, 1, 2};
 
 // Rule that estimates an error from the differences of successive meshes: the error of the finest mesh (of_finest), of
-// a mesh with its elements halved once more (of_next), or of the coarser one of the last two meshes (of_coarser).
+// a mesh with the finest elements halved once more (of_next), or of the coarser one of the last two meshes
+// (of_coarser).
 using Rule = double (*)(const Order&, const std::vector<double>&);
 
 double of_finest(const Order& order, const std::vector<double>& differences) {
@@ -64,7 +67,7 @@ int find_place(const std::vector<Point>& places, const Point& x, double toleranc
   return -1;
 }
 
-// Length of a vector whose square may be beyond the range of numbers.
+// Length of a vector, without overflow if its square is beyond the range of numbers.
 double far_length_of(const Point& v) { return std::hypot(v.x(), v.y()); }
 
 // Ratio of an error to the scale of its results; at most `largest`, also if the results are zero.
@@ -87,8 +90,8 @@ double displacement_difference(const MeshAnswers& fine, const MeshAnswers& coars
   return relative(error, scale);
 }
 
-// Largest difference of reactions, relative to the largest reaction or, if that is larger, to a tenth of the force that
-// the body carries: reactions to loads that balance each other are only rounding.
+// Largest difference of reactions between two meshes, relative to the largest reaction or, if that is larger, to a
+// tenth of the force that the body carries: where loads balance each other, reactions are only rounding errors.
 double reaction_difference(const MeshAnswers& fine, const MeshAnswers& coarse) {
   double error = 0, scale = 0.1 * fine.carried;
   for (std::size_t s = 0; s < fine.reactions.size(); ++s) {
@@ -118,7 +121,8 @@ MeshErrors difference(const MeshAnswers& fine, const MeshAnswers& coarse, double
   return errors;
 }
 
-// Change of the load factor at which a tip grows while the load factor rises, caused by errors of the tip's factors.
+// Error of the load factor at which a tip grows while the load factor rises, caused by errors of the tip's stress
+// intensity factors.
 double load_change(const regions::TipValues& tip, const TipErrors& errors, const scene::Options& options) {
   const crack::GrowthLaw law{tip.toughness, tip.plane_modulus, growth_criterion(options), tip.directions,
                              heading_of(tip.direction)};
@@ -195,8 +199,9 @@ MeshErrors estimated_by_finer(const MeshAnswers& finer, const MeshAnswers& mesh,
   const std::vector<MeshErrors> differences{difference(finer, mesh, tolerance)};
   MeshErrors errors = errors_by(of_coarser, finer, differences, options);
   errors.displacement = of_coarser(of_slow_displacement, {differences.front().displacement});
-  // The error of the load factor of growth comes from its own difference between the meshes. The errors of a tip's
-  // length and direction, which have different orders and can cancel in the load factor, give a lower bound.
+  // The error of the load factor of growth comes from the difference of this load factor between the meshes. Half of
+  // the error that follows from the tip's stress intensity factors is the least value, because errors of their length
+  // and direction, which have different orders, can cancel in the load factor.
   constexpr double share_of_tip = 0.5;
   errors.growth_load =
       std::max(share_of_tip * errors.growth_load, of_coarser(of_slow_displacement, {differences.front().growth_load}));

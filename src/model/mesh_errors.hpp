@@ -36,7 +36,7 @@ MeshErrors estimated(const std::vector<const MeshAnswers*>& meshes, double toler
 MeshErrors estimated_by_finer(const MeshAnswers& finer, const MeshAnswers& mesh, double tolerance,
                               const scene::Options& options);
 
-// Factor by which the largest error of the finest mesh falls if its elements are halved.
+// Factor by which the largest error of the finest mesh falls if the elements are halved once more.
 double expected_reduction(const std::vector<const MeshAnswers*>& meshes, double tolerance,
                           const scene::Options& options);
 

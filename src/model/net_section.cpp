@@ -10,16 +10,18 @@ namespace bempd::model {
 
 namespace {
 
-// Number of places at which the stress on each piece of the section is evaluated. Their distances from the ends of the
-// piece make the integral exact for stresses with a square root's singularity at either end.
+// Number of places at which the stress on each piece of the section is evaluated. The places are chosen so that the
+// integral is exact for stresses with a square root's singularity at either end of the piece.
 constexpr int places_on_piece = 16;
 
-// Cracks nearer to the section's line than this share of the section's length count as lying along it.
+// Share of the section's length: parts of cracks that are nearer to the section's line than this count as lying on the
+// line.
 constexpr double along = 0.05;
 
 double angle_of(int k) { return (k + 0.5) * std::numbers::pi / places_on_piece; }
 
-// Positions along the line, from the tip, at which the line meets edges or their ends; ascending.
+// Positions along the section's line, measured from the tip, at which the line meets edges or their ends; ascending.
+// `half` is half of the line's length.
 std::vector<double> crossings_of(const Edge& line, double half, const std::vector<Edge>& edges, double tolerance) {
   std::vector<double> found;
   for (const Edge& edge : edges) {
@@ -92,7 +94,7 @@ void NetSection::take_out(const scene::Crack& crack, double half_width) {
   for (std::size_t k = 0; k + 1 < crack.points.size(); ++k) {
     const Point from = crack.points[k] - place_, way = crack.points[k + 1] - crack.points[k];
     const double beside = across.dot(from), turn = across.dot(way);
-    // Shares of the segment between which the segment is near the line.
+    // First and last fraction of the crack's segment, between which the segment is near the section's line.
     double first = 0, last = 1;
     if (std::abs(turn) > 1e-12 * way.norm()) {
       const double a = (-half_width - beside) / turn, b = (half_width - beside) / turn;
@@ -132,8 +134,9 @@ std::vector<Point> NetSection::places() const {
   return all;
 }
 
-// Integrates the stress over the section. Near a spread tip the stress is K / sqrt(2 pi r) plus a part in proportion to
-// sqrt(r), which is fitted to the stress at the radius.
+// Integrates the tensile stress over the section; `pulls` are its values at places(). At a spread tip (tip of a crack
+// line in a lattice) the stress is K / sqrt(2 pi r), where r is the distance from the tip, plus a part in proportion to
+// sqrt(r), which is fitted to the stress at the tip's radius.
 NetSection::Resultant NetSection::resultant(const std::vector<double>& pulls,
                                             const std::vector<double>& factors) const {
   Resultant sum;
@@ -180,8 +183,9 @@ double NetSection::share(const std::vector<regions::PointValue>& stresses, doubl
   for (const Piece& piece : pieces_) length += piece.to - piece.from;
   if (!(length > 0)) return 0;
   const double size = std::max(pieces_.back().to, -pieces_.front().from);
-  // Ratio of works for a rotation about the place at size * tan(angle) from the tip. The sense in which the rotation
-  // opens the tip depends on whether the place lies behind the tip (angle < 0) or ahead of it.
+  // Ratio of the work of the stresses to the plastic work, for a rotation about the place at size * tan(angle) from the
+  // tip. The sense in which the rotation opens the tip depends on whether the place lies behind the tip (angle < 0) or
+  // ahead of it.
   const auto ratio = [&, force = force, moment = moment](double angle) {
     const double centre = size * std::tan(angle);
     const double work = (angle < 0 ? 1 : -1) * (moment - centre * force);

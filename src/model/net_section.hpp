@@ -10,8 +10,8 @@
 
 namespace bempd::model {
 
-// Tip of a crack line in a lattice. The lattice spreads the stress, which is unbounded at the tip, over about a
-// horizon.
+// Tip of a crack line in a lattice. The lattice smooths the stress, which is unbounded at the tip of an ideal crack,
+// over a radius around the tip.
 struct SpreadTip {
   Point place{0, 0};
   double radius = 0;  // distance from the tip beyond which the lattice has the body's stress [m]
@@ -29,13 +29,15 @@ class NetSection {
   // Places at which the stress must be known.
   std::vector<Point> places() const;
   // Load on the section over its limit load as a rigid, perfectly plastic section: the largest ratio of the work of the
-  // stresses to `flow_stress` times the opening, over all rotations and the translation that open the tip. 0 if the
-  // loads press the section together. `factors`: mode I factors of the spread tips.
+  // stresses to `flow_stress` times the opening, over the translation and all rotations that open the tip. 0 if the
+  // loads press the section together. `stresses` are those at places(); `factors` are the mode I factors of the spread
+  // tips.
   double share(const std::vector<regions::PointValue>& stresses, double flow_stress,
                const std::vector<double>& factors) const;
 
  private:
-  // End of a piece of the section at a spread tip. Within the radius the field of the tip replaces the stress.
+  // End of a piece of the section at a spread tip (tip in a lattice). Within the radius the singular field of the tip
+  // replaces the stress of the lattice.
   struct SpreadEnd {
     std::size_t tip = 0;
     double radius = 0;  // 0: the piece does not end at such a tip [m]
@@ -57,8 +59,8 @@ class NetSection {
 
   void take_out(const scene::Crack& crack, double half_width);
   void take_out(const Piece& part);
-  // Integral over the section of the distance from the place `centre`, which is measured along the section from the
-  // tip.
+  // Integral of the distance from the place `centre` over the section: the opening by a unit rotation about that place.
+  // `centre` is measured along the section from the tip.
   double opening_about(double centre) const;
 
   Point place_, direction_;

@@ -23,11 +23,11 @@ struct PieceState {
   coupling::RigidFit motion;
 };
 
-// Directions of displacement that supports hold at some nodes.
+// Directions of displacement that supports hold at the nodes `nodes`.
 std::vector<coupling::HeldDirection> held_directions(const PreparedScene& prepared, const std::vector<int>& nodes);
 
-// Throws crack::FreesLoadedPart if cracks free a piece of a boundary element region with loads inside it (body forces).
-// Such loads belong to the region as a whole, so they cannot be removed from one piece.
+// Throws crack::FreesLoadedPart if cracks cut a piece out of a boundary element region with loads inside (body forces),
+// so that the piece can move. Such loads belong to the region as a whole and cannot be removed from one piece.
 void check_loads_inside_free_pieces(const PreparedScene& prepared);
 
 // Pieces of a model's body, with the supports and loads of each.

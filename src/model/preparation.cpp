@@ -21,7 +21,7 @@ namespace bempd::model {
 
 namespace {
 
-// Whether `nodes` belong to a piece inside one region that is bounded by cracks only.
+// Whether `nodes` belong to a piece that cracks alone cut out of the inside of one region.
 bool is_island(const scene::Scene& scene, const regions::Discretization& d, const std::vector<int>& nodes) {
   const auto has = [&](const std::unique_ptr<regions::Region>& region) {
     const std::vector<int>& own = region->nodes();
@@ -36,7 +36,8 @@ bool is_island(const scene::Scene& scene, const regions::Discretization& d, cons
   });
 }
 
-// Throws Error (argument) if a lattice that breaks bond by bond has a fracture energy by growth or direction.
+// Throws Error (argument) if a lattice in which cracks grow bond by bond has a fracture energy that depends on growth
+// or direction.
 void require_constant_resistance(const scene::Scene& scene) {
   for (const int id : scene.region_ids())
     require(scene.region(id).has_elements() || scene.material_of(id).resistance.is_constant(), "region ", id,
@@ -63,8 +64,8 @@ double extent(const std::vector<Point>& positions, const std::vector<int>& nodes
        gap.empty() ? "; add" : "; if not, add", " supports that prevent this, for example with bempd_fix_point()");
 }
 
-// Flags of lattice nodes on interfaces with boundary elements of the same material. The two ends of an interface are
-// not flagged, unless another such interface begins there.
+// Flags of lattice nodes on interfaces with boundary elements of the same material. A node at the end of an interface
+// is only flagged if another such interface begins there.
 std::vector<char> nodes_where_material_goes_on(const scene::Scene& scene, const regions::Discretization& d) {
   constexpr int on_interface = 2, at_its_end = 1;
   std::vector<int> found(d.positions.size(), 0);
@@ -83,7 +84,7 @@ std::vector<char> nodes_where_material_goes_on(const scene::Scene& scene, const 
   return goes_on;
 }
 
-// Tips of initial cracks in lattices, each with the number of the law by which it grows.
+// Tips of initial cracks in lattices, each with the number of its growth law.
 std::vector<fracture::GrowingTip> first_tips(const scene::Scene& scene, const scene::Options& options,
                                              const PreparedScene& p, const std::map<int, int>& law_of_region) {
   std::vector<fracture::GrowingTip> tips;

@@ -20,11 +20,11 @@ class Preparation {
   scene::Scene& scene() { return scene_; }
   const scene::Scene& scene() const { return scene_; }
 
-  // Operators of a scene that is prepared after another one: unchanged ones are reused, or all are computed anew, so
-  // that their digits do not depend on the scenes before.
+  // Origin of the operators of a scene that is prepared after another one. kept: unchanged operators are reused; anew:
+  // all operators are computed, so that their last digits do not depend on the scenes before.
   enum class Operators { kept, anew };
-  // Builds a prepared scene, which does not replace the present one yet. `before` is the scene with shorter cracks or
-  // other patches; null if there is none.
+  // Builds a prepared scene; the present one stays in place. `before` is the scene with shorter cracks or other
+  // patches; null if there is none.
   std::unique_ptr<PreparedScene> build(const PreparedScene* before, Operators operators = Operators::kept) const;
   PreparedScene* prepared() const { return prepared_.get(); }  // null before the scene is prepared
   // Replaces the prepared scene by another one, or by null, and returns the previous one.

@@ -30,7 +30,7 @@ struct PreparedScene {
   std::size_t first_tips = 0, tip_laws = 0;
   int anchored_pieces = 0;  // number of pieces with a support or a load before any growth
   std::int64_t interior_kernel_evaluations = 0;
-  // Places of unbounded stress; empty until they are asked for.
+  // Places where the elastic stress is unbounded; empty until results ask for them.
   std::optional<std::vector<regions::SingularPlace>> singular_places;
 };
 

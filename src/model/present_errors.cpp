@@ -17,8 +17,8 @@ namespace bempd::model {
 namespace {
 
 // Largest number of elements of a scene that is solved with halved elements to estimate errors, if memory allows: the
-// change of its results is then most of the error. Larger scenes are solved with longer elements, which takes less time
-// than the scene itself took, but requires extrapolation.
+// change of the results is then most of the error. Larger scenes are solved with longer elements instead, which takes
+// less time than the scene itself took, but requires extrapolation.
 constexpr std::int64_t most_halved = 1000;
 
 bool can_be_halved(const Model& model, const PreparedScene& scene) {
@@ -26,7 +26,7 @@ bool can_be_halved(const Model& model, const PreparedScene& scene) {
          bytes_of_elements(scene, 2) <= regions::memory_allowed(model.options());
 }
 
-// Relative difference between the next load factors of growth by the two growth criteria; 0 if no tip grows.
+// Relative difference between the load factors of the next growth by the two growth criteria; 0 if no tip grows.
 double between_criteria(const std::vector<regions::TipValues>& tips) {
   const auto load_by = [&](KinkCriterion criterion) {
     double least = std::numeric_limits<double>::infinity();
@@ -53,8 +53,8 @@ PreparedScene& comparable(Model& model) {
   return scene;
 }
 
-// Calls `read` with the present scene in another mesh, whose elements are halved `halvings` times (merged if negative).
-// Adds the time that this took to `seconds`.
+// Calls `read` with the present scene in another mesh, whose elements are halved `halvings` times (merged in pairs if
+// negative). Adds the time that this took to `seconds`.
 void read_with(Model& model, int halvings, double& seconds, const std::function<void(PreparedScene&)>& read) {
   const Stopwatch watch(seconds);
   model.accuracy().solve_with({model.accuracy().refinement().of_bodies, halvings}, model.loads().acting_values(),
@@ -88,8 +88,8 @@ ErrorSources errors_now(Model& model) {
   const MeshAnswers coarser = with(-1, seconds_of_coarser);
   MeshAnswers coarsest;
   std::vector<const MeshAnswers*> meshes{&coarser, &present};
-  // A mesh that is two halvings coarser shows the order of convergence. Bodies that were halved less than twice have no
-  // such mesh.
+  // A second coarser mesh, with elements merged twice, shows the order of convergence. Bodies whose elements were
+  // halved less than twice have no such mesh.
   if (!model.accuracy().chosen() || model.accuracy().refinement().of_bodies > 1) {
     coarsest = with(-2, seconds_of_coarsest);
     meshes.insert(meshes.begin(), &coarsest);
@@ -102,18 +102,20 @@ ErrorSources errors_now(Model& model) {
 
 namespace {
 
-// Limits of the order with which the value at a place converges, as coarser meshes show it. Coarse meshes often show
-// too high an order, so the largest orders are those on edges; inside, errors are smaller than estimated.
+// Limits of the order of convergence of the value at a place, as coarser meshes show it. Coarse meshes often show too
+// high an order, so the upper limits are the orders of values on edges; inside the body errors are smaller than
+// estimated.
 constexpr double least_order_at_places = 1, largest_order_of_stress = 2, largest_order_of_displacement = 3;
-// Factor on errors at places that are extrapolated from coarser meshes.
+// Factor by which errors at places are increased that are extrapolated from coarser meshes.
 constexpr double caution_at_places = 2;
-// Factor from the change of a value by halved elements to its error. In random bodies 5 % of the errors of stress on
-// edges were larger.
+// Ratio of the estimated error of a value to its change by halved elements. In random bodies 5 % of the errors of
+// stress on edges were larger.
 constexpr double caution_at_places_by_finer = 1.6;
 
 double distance_of(const Point& a, const Point& b) { return (a - b).norm(); }
 
-// Distance of two stress tensors, given as xx, yy, xy; it bounds the differences of their principal stresses.
+// Norm of the difference of two stress tensors, given as xx, yy, xy; the principal stresses differ by no more than
+// this.
 double distance_of(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
   const Eigen::Vector3d d = a - b;
   return std::sqrt(d.x() * d.x() + d.y() * d.y() + 2 * d.z() * d.z());
@@ -121,8 +123,8 @@ double distance_of(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
 
 using Values = std::vector<regions::PointValue>;
 
-// Error of the value at a place, by two meshes (the one with halved elements, then the present one) or by three (the
-// present one, then ever coarser ones).
+// Error of the value at a place, from two meshes (the mesh with halved elements, then the present one) or from three
+// meshes (the present one, then ever coarser ones).
 template <class Value>
 double error_at(const std::vector<Values>& meshes, std::size_t place, Value regions::PointValue::*value,
                 double largest_order) {

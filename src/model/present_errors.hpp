@@ -12,14 +12,15 @@ class Model;
 // Errors of the present results, by source.
 struct ErrorSources {
   MeshErrors boundary;
-  // Relative difference of the next load factor of growth between the growth criteria.
+  // Relative difference between the load factors of the next growth by the two growth criteria.
   double model = 0;
   bool has_lattices = false;
   double halving_seconds = 0, halving_bytes = 0;  // time [s] and memory for preparing with halved elements
 };
 
-// Errors at the present loads and cracks. For these the scene is solved with its elements merged in pairs and fours, or
-// halved if there are few elements. Throws Error (order) once bonds have broken or a part has come off.
+// Errors of the present results at the present loads and cracks. To find them, the scene is solved with its elements
+// merged in pairs and in fours or, if there are few elements, halved. Throws Error (order) once bonds have broken or a
+// part has come off.
 ErrorSources errors_now(Model& model);
 
 // Magnitudes of the errors of displacements [m] and stresses [Pa] at places; NaN where they are not known.

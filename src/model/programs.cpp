@@ -75,7 +75,7 @@ StepResult LoadDriver::run_program(const scene::LoadTable& table, fracture::Goal
     StepResult sum{fracture::StopReason::load_factor};
     auto row = static_cast<std::size_t>(std::lower_bound(table.times.begin(), table.times.end(), present) -
                                         table.times.begin());
-    // A row whose time has been reached is skipped, unless it is the first one.
+    // A row whose time is the present load factor is skipped, unless it is the first or the last row.
     if (row + 1 < table.times.size() && row > 0 && table.times[row] == present) ++row;
     for (; row < table.times.size(); ++row) {
       add(sum, run_to_row(table, row, given, goal));

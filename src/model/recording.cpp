@@ -7,7 +7,7 @@ namespace bempd::model {
 
 namespace {
 
-// Whether the body counts as separated although bonds still connect the held part and the loaded part, like a hinge.
+// Whether the body counts as separated although a few bonds still connect the held and the loaded part, like a hinge.
 bool hangs(Model& model) {
   const PreparedScene& prepared = model.prepared();
   return prepared.evolution->progress().separated && model.pieces().anchored_count() <= prepared.anchored_pieces;

@@ -18,8 +18,8 @@ struct RememberedOverload {
   double waiting = 0;
 };
 
-// Overloads as numbers in states, and back. A waiting growth is a row of its own. overloads_of() throws Error
-// (argument) for numbers that are no overloads.
+// Conversion of overloads to the numbers that states store, and back. The waiting growth of a tip has a row of its own.
+// overloads_of() throws Error (argument) for numbers that numbers_of() cannot have written.
 std::vector<double> numbers_of(const std::vector<RememberedOverload>& overloads);
 std::vector<RememberedOverload> overloads_of(const std::vector<double>& numbers);
 

@@ -45,9 +45,9 @@ std::map<crack::TipId, TipPath> paths_of(const std::vector<crack::Extension>& ex
   return paths;
 }
 
-// Difference between two paths of a tip: the largest distance of the vertices of `path` from `other`, over the length
-// that both have grown. If the lengths differ by more than the last steps of both paths, the difference is at least
-// that excess.
+// Difference between two paths of a tip [m]: the largest distance of a vertex of `path` from `other`, up to the length
+// that both paths have. If the lengths of the paths differ by more than their last steps together, the difference is at
+// least that excess.
 double between(const TipPath& path, const TipPath& other) {
   const double common = std::min(path.length(), other.length());
   double most = other.distance_to(path.at(common));
@@ -57,8 +57,8 @@ double between(const TipPath& path, const TipPath& other) {
   return std::max(most, apart - path.last_step() - other.last_step());
 }
 
-// Largest resistance up to a length of growth, and the growth at which it occurs. Values between events are
-// interpolated.
+// Largest resistance of the body at events up to the growth `grown`, and the growth at which it occurs. Between events
+// the resistance is interpolated.
 RunAnswers::Place peak_until(const std::vector<RunAnswers::Place>& places, double grown) {
   RunAnswers::Place best{0, 0};
   const auto consider = [&](const RunAnswers::Place& place) {

@@ -13,20 +13,21 @@ namespace bempd::model {
 
 namespace {
 
-// Factors on differences of paths between a run and a run with extensions twice as long. Such differences are 0.8 to
-// 1.4 times the error where extensions turn by more than 0.05 [rad], and two to four times the error where they turn by
-// 0.01 (docs/bodies.md).
+// The error of a run's paths is their difference from those of a run with extensions twice as long, times a factor:
+// least_caution_of_path plus caution_of_turns times the largest turn of an extension [rad], at most
+// largest_caution_of_path. Such differences are 0.8 to 1.4 times the error where extensions turn by more than 0.05, and
+// two to four times the error where they turn by 0.01 (docs/bodies.md).
 constexpr double least_caution_of_path = 0.7, caution_of_turns = 20, largest_caution_of_path = 1.9;
 
-// Number of extensions of the extra run with short extensions, which shows a resistance that rises right behind the
+// Number of extensions of the extra run with short extensions, which shows whether the resistance rises right after the
 // first growth.
 constexpr std::int64_t short_extensions = 3;
-// Length of the extensions of the extra run over that of the run's own extensions, and factor on the rise of resistance
-// that it shows, because the highest resistance may lie between two extensions.
+// Length of the extensions of that extra run over that of the run's own extensions (shorter). The rise of resistance
+// that it shows is multiplied by caution_of_rise, because the highest resistance may lie between two extensions.
 constexpr double shorter = 0.25, caution_of_rise = 1.5;
 
-// Time of a repeated run over that of the run itself: with extensions twice as long (share_of_coarser), and with
-// elements in place of lattice patches (share_of_elements).
+// Computing time of a repeated run over that of the run itself: with extensions twice as long (share_of_coarser), and
+// with elements in place of lattice patches (share_of_elements).
 constexpr double share_of_coarser = 0.5, share_of_elements = 1;
 
 // Length of the extensions of a coarser run over that of the run's own extensions.
@@ -172,8 +173,9 @@ void require_repeatable(const Model& model, const RunJournal& journal) {
   fail(Failure::order, "no crack has grown yet; bempd_error_estimate() tells the errors of the present results");
 }
 
-// Errors of a run, estimated with caution from its difference `d` from a run with longer extensions. The run's
-// `beginning`, repeated with shorter extensions, may show that the resistance rises higher.
+// Errors of a run: the differences `d` from a run with longer extensions, times factors of caution. `beginning` is the
+// beginning of the run with shorter extensions, which may show that the resistance rises higher; `plan` is the mesh
+// that was chosen for bodies, whose error of the first growth counts too.
 RunDifference cautious(RunDifference d, const RunAnswers& run, const RunAnswers& beginning,
                        const std::optional<MeshPlan>& plan) {
   if (plan) d.first_growth = plan->errors.growth_load;

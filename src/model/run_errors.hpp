@@ -31,7 +31,7 @@ struct RunDifference {
 };
 
 RunDifference difference(const RunAnswers& run, const RunAnswers& other);
-// Share by which the largest resistance of `other` exceeds that of `run`; 0 if it does not exceed it.
+// Relative amount by which the largest resistance of `other` exceeds that of `run`; 0 if it does not exceed it.
 double rise_above_peak(const RunAnswers& run, const RunAnswers& other);
 // Largest angle by which an extension turns from the previous extension of the same tip [rad].
 double largest_turn_of(const RunAnswers& run);
@@ -46,10 +46,10 @@ struct RunErrors {
   RunDifference lattice;   // error by lattice patches in place of elements
 };
 
-// Errors of the run of a model until now, from further runs of its scene: one with extensions twice as long (and
-// elements twice as long if the host gave them); one of the first extensions only, a quarter as long; and, if the scene
-// has lattice patches, one with elements in place of the patches. Nothing is run if the estimated time exceeds
-// `allowed` seconds. Throws Error (order) for a run that cannot be repeated.
+// Errors of the model's run so far, found by further runs of its scene: one with extensions twice as long (and elements
+// twice as long if the host gave the elements); one of the first extensions only, a quarter as long; and, if the scene
+// has lattice patches, one with elements in place of the patches. If the estimated time exceeds `allowed` seconds,
+// nothing is run and only that time is returned. Throws Error (order) for a run that cannot be repeated.
 RunErrors errors_of_run(Model& model, double allowed);
 
 }  // namespace bempd::model

@@ -5,8 +5,8 @@
 
 namespace bempd::model {
 
-// Largest number of pieces: hosts that change values before each of very many steps would fill the memory with copies
-// of the values.
+// Largest number of pieces of a journal (successive steps under the same loads): hosts that change values before each
+// of very many steps would fill the memory with copies of the values.
 constexpr std::size_t most_pieces = 1000;
 
 RunJournal RunJournal::continued(const std::optional<RunJournal>& of_state) {

@@ -15,7 +15,8 @@ namespace bempd::model {
 // Record of the steps of a run so far, by which another mesh of the same scene can repeat the run: how far cracks have
 // grown, and under which loads. A run with other calls than steps cannot be repeated.
 struct RunJournal {
-  // Successive steps in one direction of the load factor, under the same values of loads and supports.
+  // Successive steps in one direction of the load factor, under the same values of loads and supports and with the same
+  // frozen tips.
   struct Piece {
     std::shared_ptr<const scene::SceneValues> values;  // shared with copies of the journal in states
     std::set<crack::TipId> frozen;

@@ -23,8 +23,8 @@ enum class Acting : std::uint8_t {
   on_path
 };
 
-// Version of the bytes of states, raised when their content changes; and the oldest version that can be read, so that
-// hosts can restore states of earlier versions of the library.
+// Format version of states as bytes, raised when the content of the bytes changes; and the oldest version that can be
+// read, so that hosts can restore states of earlier versions of the library.
 constexpr int state_format = 16, oldest_state_format = 14;
 
 // Saved state of a run, tied to a scene by its fingerprint.

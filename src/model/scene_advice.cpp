@@ -21,8 +21,8 @@ namespace {
 constexpr double unbounded = std::numeric_limits<double>::infinity();
 constexpr double fewest_cells = 10;    // least number of cells across a lattice that breaks
 constexpr double fewest_horizons = 2;  // least ligament ahead of a tip in a lattice, in horizons
-// Distance of a tip from an edge, as a share of the crack's length, below which the tip counts as right before the
-// edge.
+// Distance of a tip from an edge, as a share of the crack's length, below which a warning says that the tip ends right
+// before the edge.
 constexpr double share_before_edge = 0.01;
 constexpr double largest_strain = 0.2;       // strain at growth above which numbers look like mixed units
 constexpr double smallest_strain = 1e-7;     // strain at growth below which numbers look like mixed units

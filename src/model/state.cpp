@@ -65,8 +65,8 @@ void require_fit(const SavedState& saved, const PreparedScene& scene) {
   must(fits(saved.continuation, state, scene));
 }
 
-// Values of a saved state where they are alike to the values of the scene's conditions (are_alike()), elsewhere the
-// present values. Functions are not written to bytes, and the scene may have other loads.
+// Values of a saved state for those supports and loads of the scene whose values they can replace (are_alike());
+// elsewhere the present values. Functions are not written to bytes, and the scene may have other loads.
 scene::SceneValues fitted(const scene::SceneValues& values, const scene::SceneValues& present) {
   const auto fit = [](const std::vector<scene::Values>& of_state, const std::vector<scene::Values>& of_scene) {
     std::vector<scene::Values> all = of_scene;
@@ -77,8 +77,8 @@ scene::SceneValues fitted(const scene::SceneValues& values, const scene::SceneVa
   return {fit(values.supports, present.supports), fit(values.loads, present.loads)};
 }
 
-// Whether all values of a state can replace those of the scene's conditions (are_alike()), so that none of them is an
-// unknown function.
+// Whether all values of a state can replace those of the scene's supports and loads (are_alike()), so that none of them
+// is an unknown function.
 bool are_known(const scene::SceneValues& values, const scene::SceneValues& present) {
   return std::equal(values.supports.begin(), values.supports.end(), present.supports.begin(), present.supports.end(),
                     scene::are_alike) &&
@@ -86,8 +86,8 @@ bool are_known(const scene::SceneValues& values, const scene::SceneValues& prese
                     scene::are_alike);
 }
 
-// Whether an extension is the step of a crack line in a lattice. Lines may begin or end slightly outside the outline of
-// their lattice, so both ends of the extension are tested.
+// Whether an extension is a step of a crack line in a lattice: neither end of it lies inside boundary elements. Lines
+// may begin or end slightly outside the outline of their lattice, so it does not suffice to look for the lattice.
 bool grew_in_lattice(const Model& model, const crack::Extension& e) {
   const scene::Scene& scene = model.scene();
   const double tolerance = model.prepared_or_null()->discretization.tolerance;
@@ -96,12 +96,12 @@ bool grew_in_lattice(const Model& model, const crack::Extension& e) {
       return scene.region(id).has_elements() && scene::has_inside(scene, id, {x, y}, tolerance);
     });
   };
-  // A stopped line may lie a little behind the border.
+  // The end of a stopped line is not tested, because it may lie a little behind the border.
   const bool has_stopped = e.state == crack::TipState::at_interface;
   return !lies_in_elements(e.from_x, e.from_y) && (has_stopped || !lies_in_elements(e.x, e.y));
 }
 
-// Whether two extensions are the same up to loads and energies.
+// Whether two extensions are equal but for loads and energies.
 bool are_same(const crack::Extension& a, const crack::Extension& b) {
   const auto place = [](const crack::Extension& e) { return std::tuple(e.crack, e.end, e.x, e.y, e.from_x, e.from_y); };
   return place(a) == place(b);

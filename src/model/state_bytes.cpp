@@ -170,7 +170,7 @@ std::vector<std::uint8_t> to_bytes(const SavedState& state) {
   Writer writer;
   writer.raw(magic, sizeof magic), writer(byte_order_mark), writer(static_cast<std::uint32_t>(state_format));
   visit_members(state, writer);
-  // Optional lists, up to the last one that is not empty.
+  // Optional lists, written up to the last one that is not empty.
   const std::vector<std::int64_t>& layouts = state.evolution.layouts;
   if (!state.frozen.empty() || !state.overloads.empty() || !layouts.empty()) writer(state.frozen);
   if (!state.overloads.empty() || !layouts.empty()) writer(state.overloads);

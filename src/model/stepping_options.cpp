@@ -52,8 +52,9 @@ const scene::OptionGroup hooks(scene::OptionPlace::test_hooks, [] {
                            0, 1e4, false)};
 });
 
-// Share below the largest stretch ratio within which bonds tie and break together: if the option crack.tie_share is not
-// set, and the largest share that this option can give bonds.
+// Bonds tie, and break together, if their stretch ratio (stretch over critical stretch) is less than this share below
+// the largest ratio: the share if the option crack.tie_share is not set, and the largest share that this option can
+// give bonds.
 constexpr double tie_share_of_bonds = 1e-3, most_tie_share_of_bonds = 0.5;
 
 }  // namespace

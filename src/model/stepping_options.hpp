@@ -5,7 +5,7 @@
 
 namespace bempd::model {
 
-// Stepping options from the options of the host; throws Error (argument) for options that exclude each other.
+// Options of stepping from the options of the host; throws Error (argument) for options that exclude each other.
 fracture::SteppingOptions stepping_options(const scene::Options& options);
 
 }  // namespace bempd::model

@@ -13,11 +13,11 @@ namespace bempd::model {
 
 namespace {
 
-// Reciprocal condition number at which three or four digits of the displacements are left.
+// Reciprocal condition number of the system of equations at which three or four digits of the displacements are left.
 constexpr double poor_condition = 1e-12;
 
-// Residual (force out of balance over the largest force) above which a warning is logged. Bent strips that are 400
-// times as long as wide reach this residual, with errors of 1e-5 in reactions.
+// Residual (largest force out of balance over the largest force) above which a warning is logged. Bent strips that are
+// 400 times as long as wide reach this residual; their reactions have relative errors of 1e-5.
 constexpr double poor_residual = 1e-8;
 
 // Number of unknowns above which the speed of the BLAS matters.
