@@ -38,8 +38,8 @@ double length_of(const BoundaryMesh& mesh, const BoundaryElement& e) {
   return Arc{mesh.nodes[e.nodes[0]], mesh.nodes[e.nodes[2]], e.sweep}.length();
 }
 
-// Whether the mid node lies halfway along the line or arc between the end nodes. The mid node of a parabola does not,
-// and the parabola's arc lengths do not follow from its end nodes.
+// Whether the mid node lies halfway along the line or arc between the end nodes. If it does not, the element is a
+// parabola, whose arc lengths do not follow from its end nodes.
 bool has_even_nodes(const BoundaryMesh& mesh, const BoundaryElement& e) {
   const Arc arc{mesh.nodes[e.nodes[0]], mesh.nodes[e.nodes[2]], e.sweep};
   return (arc.at(0.5) - mesh.nodes[e.nodes[1]]).norm() <= 1e-9 * arc.length();

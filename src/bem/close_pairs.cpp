@@ -13,8 +13,8 @@ namespace bempd::bem {
 
 namespace {
 
-// Makes `one` a set of the single point `p`. Its position is repeated, because whole vectors are read; the repeated
-// points have the weight 0.
+// Makes `one` a set of the single point `p`. Its position is repeated, because the vector unit reads whole vectors; the
+// repeated points have the weight 0.
 void pick_point(const ElementPoints& points, int p, ElementPoints& one) {
   const auto repeat = [p](const ElementPoints::Values& from, ElementPoints::Values& to) { to.fill(from[p]); };
   const auto alone = [p](const ElementPoints::Values& from, ElementPoints::Values& to) {
@@ -35,8 +35,8 @@ void pick_point(const ElementPoints& points, int p, ElementPoints& one) {
 
 }  // namespace
 
-// Splits a side into pieces that one rule can integrate: the length of a piece grows geometrically with its distance
-// from the nearest of `singularities`.
+// Splits a part of an element (`side`) into pieces that one Gauss rule can integrate: the length of a piece grows
+// geometrically with its distance from the nearest of `singularities`.
 void PairIntegrator::split(const Side& side, const Singularities* singularities, std::size_t count,
                            std::vector<Piece>& pieces) const {
   constexpr int largest = static_cast<int>(regular_point_counts.size()) - 1;

@@ -117,8 +117,9 @@ Merged merge_pairs(const BoundaryMesh& mesh, const CrackMesh& cracks) {
   return merged;
 }
 
-// Map from the unknowns of the coarse level to the displacements and openings of all nodes. Only those constraints
-// between openings at joints are taken over that belong to nodes of the coarse level.
+// Map from the unknowns of the coarse level to the displacements and openings of all nodes. Constraints between
+// openings at joints (places where crack lines meet) are taken over only where they belong to nodes of the coarse
+// level.
 Map from_coarse_unknowns(const Merging& merging, const Map& from_unknowns) {
   const Map some = merging.selection() * from_unknowns;
   std::vector<Eigen::Triplet<double>> entries;

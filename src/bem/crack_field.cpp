@@ -84,7 +84,8 @@ CrackField::CrackField(const ScaledBoundary& boundary, const CrackMesh& cracks, 
     std::array<Point, 3> nodal;
     for (int k = 0; k < 3; ++k) nodal[k] = openings.segment<2>(2 * e.nodes[k]) / boundary.length;
     if (e.tip == TipEnd::end) {
-      // An element with its tip at its end is turned round to start at the tip: its left face becomes the right one.
+      // An element whose tip is at its end is turned round, so that it starts at the tip: its left face becomes the
+      // right one.
       std::swap(start, end);
       nodal = {-nodal[2], -nodal[1], -nodal[0]};
     }
@@ -103,8 +104,9 @@ CrackField::CrackField(const ScaledBoundary& boundary, const CrackMesh& cracks, 
 }
 
 // Adds the displacement and stress due to one crack element. They follow from derivatives of the integrals g = 1 / (4
-// pi (1 - nu)) integral of w ln r of both components of the opening w (Crouch and Starfield, Boundary Element Methods
-// in Solid Mechanics, 1983, section 5.2, with the opposite sign of the discontinuity).
+// pi (1 - nu)) integral of w ln r over the element, for both components of the opening w, where r is the distance from
+// x (Crouch and Starfield, Boundary Element Methods in Solid Mechanics, 1983, section 5.2, with the opposite sign of
+// the discontinuity).
 void CrackField::add(const Piece& piece, const Point& x, Value& value) const {
   const Point left = left_of(piece.axis), r = x - piece.start;
   Complex z(r.dot(piece.axis) / piece.length, r.dot(left) / piece.length);

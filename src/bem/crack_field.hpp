@@ -32,7 +32,7 @@ class CrackField {
   // stress is the mean of the values a little further inside, because the openings have a kink at the end.
   Value anywhere(const Point& x) const;
 
-  // Smallest distance from x to a tip, in lengths of the tip's element; infinite without tips.
+  // Distance from x to a tip over the length of that tip's element, the smallest of all tips; infinite without tips.
   double nearness_of_tip(const Point& x) const;
 
  private:

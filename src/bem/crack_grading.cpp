@@ -18,7 +18,8 @@ constexpr double largest_distance = 1e100;  // in place of infinity, for boxes
 constexpr std::size_t many_edges = 100;     // from this number on, a tree finds near edges faster than a loop
 
 // Limit on a ratio for a crack line that meets a neighbour (crack or edge) at a joint: the distance of a point of the
-// line from the neighbour, over its distance along the line from the joint. Below it the two run beside each other.
+// line from the neighbour, over its distance along the line from the joint. Below the limit, line and neighbour count
+// as running beside each other.
 constexpr double aside = 0.3;
 
 // Turn of a crack line at a corner [rad] below which the corner counts as a part of a curve drawn as a polygon.
@@ -35,12 +36,12 @@ constexpr double longest = 0.5, longest_at_tip = 0.25;
 // strip between the faces bends: openings are right to 4e-5 with elements of two widths, to 6e-4 with four, if the
 // elements at the ends of the gap are short.
 constexpr double longest_along_gap = 2, growth_along_gap = 0.25;
-// Largest length of elements along a gap over the element length without a gap, on cracks and on the boundary. It
-// limits elements along wide gaps, where longer elements would save little.
+// Largest length of elements along a gap over the element length without a gap, on cracks and on the boundary. The
+// limit matters along wide gaps, where longer elements would save little.
 constexpr double part_along_crack = 0.125, part_along_boundary = 0.25;
 
-// Growth of elements per distance from a crack mouth on an edge with fixed node spacing: factor 1.6 from one to the
-// next.
+// Growth of the element length per distance from a crack mouth on an edge with fixed node spacing; each element is then
+// 1.6 times as long as the one before.
 constexpr double growth_from_rows = 0.6;
 
 Segment segment(const CrackLine& line, std::size_t i) { return {line.points[i], line.points[i + 1]}; }
@@ -64,7 +65,7 @@ double turn(const CrackLine& line, std::size_t vertex) {
   return std::abs(std::atan2(cross(before, after), before.dot(after)));
 }
 
-// Largest number of elements on one crack line or piece of the boundary; only a gap that is an error needs more.
+// Largest number of elements on one crack line or piece of the boundary; only a gap made by mistake would need more.
 constexpr std::size_t most_elements = 100000;
 
 void require_few(const std::vector<double>& ends) {
@@ -102,8 +103,8 @@ CrackSizes::CrackSizes(const CrackLines& cracks, const std::vector<Edge>& bounda
   for (int l = 0; l < static_cast<int>(cracks.lines.size()); ++l) stations_.push_back(stations_of(l));
 }
 
-// Length of elements on segment `i` of line `l` before grading. Described segments keep their elements when the crack
-// grows.
+// Length of elements on segment `i` of line `l` before they are graded (shortened near tips, kinks and gaps). Described
+// segments keep their elements when the crack grows.
 double CrackSizes::target(int l, std::size_t i) const {
   const CrackLine& line = cracks_.lines[l];
   if (!line.grown[i]) return targets_[l];
@@ -197,8 +198,8 @@ void CrackSizes::for_neighbours(int l, double way, const Point& x, const double&
       visit(Neighbour{bempd::distance(segment(line, i), x), std::max(ways[i] - way, way - ways[i + 1]), l});
 }
 
-// Limit on the element length at x along a gap of width `gap`. `shortest` is the length of the elements at the ends of
-// the gap, `undivided` the limit without the gap.
+// Limit on the element length at the place x on a crack or edge along a gap of width `gap`. `shortest` is the length of
+// the elements at the ends of the gap, `undivided` the limit without the gap.
 double CrackSizes::along_gap(double gap, double shortest, double undivided, const Point& x) const {
   if (shortest >= undivided) return shortest;
   double to_end = infinite;
@@ -258,8 +259,8 @@ std::vector<double> CrackSizes::stations_of(int l) const {
 }
 
 double CrackSizes::on_boundary(const Point& x, double undivided) const {
-  // Least element length in a small angle between boundary and crack, over the length of the crack element at the
-  // mouth.
+  // Least length of a boundary element in a small angle between boundary and crack, over the length of the crack
+  // element at the mouth.
   const double least = std::ldexp(1, -grading_.halvings_at_kinks);
   double limit = infinite;
   for (std::size_t l = 0; l < cracks_.lines.size(); ++l) {

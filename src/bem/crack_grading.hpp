@@ -27,8 +27,8 @@ struct NarrowGap {
   Point place;  // on the line
 };
 
-// Crack mouth on an edge whose nodes have a fixed spacing (a row of material points). The crack element at the mouth
-// has that length, and elements grow with the distance from the mouth.
+// Crack mouth on an edge whose nodes have a fixed spacing (a row of material points). The crack element at the mouth is
+// as long as this spacing, and elements grow with the distance from the mouth.
 struct MouthOnRow {
   Point place;
   double spacing;

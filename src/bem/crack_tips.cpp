@@ -26,8 +26,8 @@ class MovedTips {
         elements_(with_moved(body)),
         blocks_(elements_, body.elasticity().effective_poisson_ratio(), body.options().quadrature_tolerance) {}
 
-  // Derivatives of 1/2 u^T D u + t^T B u by the position of tip number `k`, one for each column. `values` are the
-  // displacements and openings u, `tractions` the scaled tractions t.
+  // Derivatives of 1/2 u^T D u + t^T B u by the position of tip number `k`, one for each column. D is the hypersingular
+  // matrix and B the double layer; `values` are the displacements and openings u, `tractions` the scaled tractions t.
   Eigen::VectorXd derivatives(int k, const Eigen::MatrixXd& values, const Eigen::MatrixXd& tractions) const {
     const int first = static_cast<int>(body_.elements().size()) + 2 * k;
     const double length = 2 * body_.elements()[element_of(k)].geometry.c1.norm();
@@ -64,8 +64,8 @@ class MovedTips {
     return own;
   }
 
-  // Part of 1/2 u^T D u + t^T B u that depends on the position of tip `k`, one value for each column: the sum over all
-  // pairs with the tip's element, in place of which element number `variant` is used.
+  // Part of 1/2 u^T D u + t^T B u (see derivatives()) that depends on the position of tip `k`, one value for each
+  // column: the sum over all pairs with the tip's element, in place of which element number `variant` is used.
   Eigen::VectorXd forms(int k, int variant, const Eigen::MatrixXd& values, const Eigen::MatrixXd& tractions) const {
     const GalerkinElement& tip = elements_[variant];
     const int own = element_of(k), count = static_cast<int>(body_.elements().size());
@@ -211,8 +211,8 @@ std::vector<double> stresses_along_crack(const CrackedOperator& body, const Crac
     const double c = d.x() * d.x() - d.y() * d.y();
     double stress = c * (s[0] - s[1]) + 4 * d.x() * d.y() * s[2];
     if (is_closed(cracks, tip, state)) {
-      // Closed faces only slide, and their openings give no normal stress on the crack's line. T is then the stress
-      // along the crack.
+      // Closed faces only slide, and their openings give no normal stress on the crack's line. The T-stress is then the
+      // stress along the crack.
       results.push_back(d.x() * d.x() * s[0] + d.y() * d.y() * s[1] + 2 * d.x() * d.y() * s[2]);
       continue;
     }

@@ -26,12 +26,13 @@ struct StressIntensity {
   Point factors;               // K_I, K_II [Pa m^(1/2)]; K_I < 0: faces would overlap
 };
 
-// Stress intensities of every tip in each of `states`, as [tip][state]. The energy release rate is the derivative of
+// Stress intensities of every tip in each of `states`, as [tip][state]. The energy release rate G is the derivative of
 // the energy by the position a of the tip with the solution held: a virtual crack extension (deLorenzi, Eng. Fract.
 // Mech. 21, 1985) with the boundary element matrices,
-//   G = -(1/h) d/da [1/2 u^T K u - f^T u] = -G_shear [1/2 u^T D' u + t^T B' u] + f'^T u / h,
-// where primes are derivatives by a, h is the thickness and G_shear the shear modulus. G is split between the modes in
-// the ratio of the squared openings next to the tip.
+//   G = -(1/h) d/da [1/2 u^T K u - f^T u] = -G_shear [1/2 u^T D' u + t^T B' u] + f'^T u / h.
+// u are displacements and openings, f forces, t scaled tractions; K is the stiffness, D the hypersingular matrix, B the
+// double layer, h the thickness and G_shear the shear modulus; primes are derivatives by a. G is split between the
+// modes in the ratio of the squared openings next to the tip.
 std::vector<std::vector<StressIntensity>> stress_intensities(const CrackedOperator& body,
                                                              const std::vector<CrackedState>& states);
 

@@ -78,7 +78,7 @@ class TransposedMap {
   std::vector<Eigen::Index> others_;
 };
 
-// Node in the earlier body for each node of the unknowns: the one that stands for the same displacements and openings;
+// Node in the earlier body for each node of the unknowns: the node that stands for the same displacements and openings;
 // -1 for new nodes. `map` and `map_before` give displacements and openings from the unknowns of each body; `kept_nodes`
 // has the number of each node in the earlier body.
 std::vector<int> kept_unknowns(const std::vector<int>& kept_nodes, const Eigen::SparseMatrix<double>& map,
@@ -184,7 +184,8 @@ CrackedOperator::CrackedOperator(const BoundaryMesh& mesh, const CrackMesh& crac
                        kept.whole_boundary ? &before->of_openings_ : nullptr, unknowns);
 }
 
-// Computes L^-1 B and D + B^T V^-1 B, copying the parts that `before` has, so that only columns of new nodes cost work.
+// Computes L^-1 B and D + B^T V^-1 B, where D, B and V = L L^T are the Galerkin matrices. The parts that `before` has
+// are copied, so that only columns of new nodes cost work.
 void CrackedOperator::take_from(const CrackedOperator& before, const KeptNodes& kept) {
   const Eigen::Index size = matrices_.hypersingular.rows();
   const bool knows = kept.whole_boundary && before.reduced_.size() > 0;

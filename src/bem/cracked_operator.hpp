@@ -73,8 +73,8 @@ class CrackedOperator final : public BoundaryOperator {
   std::vector<GalerkinElement> elements_;
   GalerkinMatrices matrices_;
   std::shared_ptr<const linalg::DenseCholesky> single_layer_;
-  // Products L^-1 B and D + B^T V^-1 B, with L L^T = V, on all displacements and openings; empty unless cracks have
-  // grown.
+  // Products L^-1 B and D + B^T V^-1 B of the Galerkin matrices, with L L^T = V, on all displacements and openings;
+  // empty unless cracks have grown.
   Eigen::MatrixXd reduced_, raw_;
   Eigen::MatrixXd full_;
   OpeningSchurComplement of_openings_;
@@ -85,7 +85,8 @@ class CrackedOperator final : public BoundaryOperator {
 std::vector<GalerkinElement> cracked_galerkin_elements(const BoundaryMesh& mesh, const ScaledBoundary& boundary,
                                                        const CrackMesh& cracks);
 
-// Adds B^T V^-1 B to the lower triangle of D and copies the sum to the upper one; `double_layer` is B^T.
+// Adds B^T V^-1 B to the lower triangle of `stiffness` and copies the sum to the upper triangle. `double_layer` is B^T,
+// `single_layer` the Cholesky factor of V.
 void add_forces_of_tractions(Eigen::MatrixXd double_layer, const linalg::DenseCholesky& single_layer,
                              Eigen::MatrixXd& stiffness);
 

@@ -35,7 +35,7 @@ class ElementBasis {
   struct Pair {
     double odd, even;
   };
-  // Sine and cosine of alpha xi / 2, half the angle of the arc for a parameter xi or for a difference of two
+  // Sine and cosine of alpha xi / 2, where alpha is the half angle of the arc and xi a parameter or a difference of two
   // parameters.
   struct HalfAngle {
     double sine = 0, cosine = 1;
@@ -73,7 +73,8 @@ class ElementBasis {
     return {scale * odd_scale_ * mean.cosine, 0.5 * scale * even_scale_ * even_scale_ * mean.sine};
   }
 
-  // Remainder even(xi) - even(from) - (odd(xi) - odd(from)) even'(from) / odd'(from), without cancellation.
+  // Remainder of the even function without its linear part in the odd function, even(xi) - even(from) - (odd(xi) -
+  // odd(from)) even'(from) / odd'(from), without cancellation.
   double second_order(double xi, double from) const {
     const double d = xi - from;
     return powers() ? d * d : even(d) / std::cos(alpha_ * from);

@@ -34,8 +34,8 @@ struct GalerkinMatrices {
 struct KnownBlocks;
 
 // Assembles the Galerkin matrices of a body over the elements of its boundary, followed by those of its cracks. Cracks
-// have no traction nodes, so they have columns in B and D only. Blocks in `known`, which belong to another body, are
-// copied (null: none).
+// have no traction nodes, so they have columns in the double layer and the hypersingular matrix only. Blocks in
+// `known`, which belong to another body, are copied (null: none).
 GalerkinMatrices assemble_galerkin(const std::vector<GalerkinElement>& elements, int nodes, int traction_nodes,
                                    double nu, const AssemblyOptions& options, const KnownBlocks* known = nullptr);
 

@@ -117,7 +117,8 @@ InteriorEvaluator::Nearest InteriorEvaluator::nearest(const Point& x) const {
 }
 
 // Linear field with the displacement, the tangential derivative and the traction of the nearest boundary point. Its
-// gradient H follows from H tau = du/ds and the traction, for plane strain with nu and the shear modulus 1.
+// gradient H follows from H tau = du/ds (tau: unit tangent, s: arc length) and from the traction, for plane strain with
+// nu and the shear modulus 1.
 InteriorEvaluator::LinearField InteriorEvaluator::matching_field(const Nearest& nearest,
                                                                  const Point& displacement_derivative) const {
   const ElementGeometry& element = boundary_.elements[nearest.element];
@@ -140,8 +141,8 @@ InteriorEvaluator::LinearField InteriorEvaluator::matching_field(const Nearest& 
   return field;
 }
 
-// Displacement of element `e` at xi less the linear field, without cancellation near the nearest point, because the
-// stress kernel divides this difference by the square of the distance.
+// Displacement of element `e` at the parameter xi less the linear field `field`, without cancellation near the nearest
+// point, because the stress kernel divides this difference by the square of the distance.
 Point InteriorEvaluator::remainder(int e, double xi, const Nearest& nearest, const LinearField& field) const {
   const ElementGeometry& element = boundary_.elements[e];
   const ElementGeometry& displacement = displacement_[e];

@@ -55,9 +55,9 @@ class InteriorEvaluator {
   struct LinearField;
   struct Sums;
 
-  // Correction of the derivative of an element's displacement by xi. It is the derivative of xi (xi^2 - 1) (odd + even
-  // xi), which vanishes at all nodes: the slopes at the ends become those of boundary_slopes.hpp, and nodal
-  // displacements stay.
+  // Correction of the derivative of an element's displacement by xi: the derivative of xi (xi^2 - 1) (odd + even xi)
+  // with the members `odd` and `even`. This product vanishes at all nodes, so nodal displacements stay, while the
+  // slopes at the ends become those of boundary_slopes.hpp.
   struct SlopeCorrection {
     Point odd = Point::Zero(), even = Point::Zero();
 

@@ -6,7 +6,7 @@ namespace bempd::bem {
 
 namespace {
 
-// Whether two elements are equal up to rounding, which differs if positions were computed in different ways.
+// Whether two elements are equal up to the rounding errors of positions that were computed in different ways.
 bool alike(const GalerkinElement& a, const GalerkinElement& b) {
   if (a.crack != b.crack || a.geometry.tip != b.geometry.tip) return false;
   const double slack = 1e-12 * a.geometry.c1.norm() + 1e-15;

@@ -15,8 +15,9 @@ struct KeptNodes {
   std::vector<int> pieces, traction_pieces;  // piece of the body on which each node lies
 
   bool has(const GalerkinElement& element) const;
-  // Whether the integrals over a pair of elements are known. Rows of B on boundary nodes are known only if the whole
-  // boundary is the same, because the term that removes the forces of rigid motions is a sum over the whole boundary.
+  // Whether the integrals over a pair of elements are known. Rows of the double layer on boundary nodes are known only
+  // if the whole boundary is the same, because the term that removes the forces of rigid motions is a sum over the
+  // whole boundary.
   bool has(const GalerkinElement& outer, const GalerkinElement& inner) const {
     return has(outer) && has(inner) && (whole_boundary || outer.crack || inner.crack);
   }

@@ -159,7 +159,7 @@ class Sums {
     }
   }
 
-  // Sums over all points kernel * outer functions * function `b` of the inner element (`own`: of the outer element).
+  // Sums over all points the kernel times the outer functions times function `b` of the inner (`own`: outer) element.
   [[gnu::always_inline]] static void add_products(const SingularPoints& points, const SingularRow* kernel,
                                                   Functions of_outer, bool own, Functions of_other, int b,
                                                   PairMoments::Column& column) {

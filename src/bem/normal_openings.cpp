@@ -13,7 +13,8 @@ namespace {
 // smooth: the node then has one mean normal.
 constexpr double smooth_turn = 0.9;
 
-// Limit on 1 - cosine of the angle between two gap functions at joints; below the limit they count as the same.
+// Limit on 1 - cosine of the angle between the weight vectors of two gaps at joints (gap_function()); below the limit
+// the gaps count as the same.
 constexpr double same_direction = 1e-10;
 
 }  // namespace

@@ -8,7 +8,8 @@
 namespace bempd::bem {
 
 // Gaps (normal openings) between crack faces at the nodes of crack elements; frictionless contact keeps them from
-// becoming negative. With the displacements u of the boundary, forces f on openings, and one contact force q per gap,
+// becoming negative. With the displacements u of the boundary, the openings w, the stiffness K, forces f on openings,
+// and one contact force q per gap,
 //   gaps = G u + S q + gaps of f,   G = C_u - C_w K_ww^-1 K_wu,   S = C_w K_ww^-1 C_w^T,
 // where C gives the gaps from the unknowns (u, w) of the operator. A gap at a crack mouth depends on displacements
 // alone.

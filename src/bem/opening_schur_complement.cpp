@@ -11,7 +11,8 @@ namespace bempd::bem {
 
 namespace {
 
-// Ratio of a pivot to the diagonal entry below which a piece of the body can move without a force.
+// Ratio of a pivot of the factorization to the diagonal entry of the matrix, below which a piece of the body can move
+// without a force.
 constexpr double least_pivot = 1e-12;
 
 std::vector<Eigen::Index> components_of(const std::vector<int>& nodes) {
@@ -22,8 +23,8 @@ std::vector<Eigen::Index> components_of(const std::vector<int>& nodes) {
 
 }  // namespace
 
-// Orders the opening nodes, first those whose rows of the factor are copied from `before`; returns the number of their
-// components.
+// Orders the opening nodes, first the nodes whose rows of the factor are copied from `before`; returns the number of
+// components of these first nodes.
 Eigen::Index OpeningSchurComplement::take_over(const OpeningSchurComplement& before, Eigen::Index displacements,
                                                const std::vector<int>& kept) {
   const int first = static_cast<int>(displacements / 2), count = static_cast<int>(kept.size());
@@ -74,7 +75,8 @@ void OpeningSchurComplement::compute(const Eigen::MatrixXd& full, Eigen::Index d
   copy_lower_to_upper(stiffness_);
 }
 
-// Computes the rows of L and of L^-1 K_wu from row `known` on; earlier rows have been copied.
+// Computes the rows of L and of L^-1 K_wu from row `known` on, where K_ww = L L^T for the openings w; earlier rows have
+// been copied.
 void OpeningSchurComplement::factorize(const Eigen::MatrixXd& full, Eigen::Index displacements, Eigen::Index known) {
   const std::vector<Eigen::Index> rows = components_of(order_);
   const std::vector<Eigen::Index> front(rows.begin(), rows.begin() + known), fresh(rows.begin() + known, rows.end());

@@ -11,8 +11,9 @@ namespace bempd::bem {
 class OpeningSchurComplement {
  public:
   // Eliminates the openings from `full`, whose first `displacements` unknowns stay. `before` is the result for the body
-  // with other cracks (null: none); its factor is used if all displacements are the same. `kept` has for each node of
-  // the unknowns its number in `before`, or -1. Throws Error (argument) if cracks cut out a piece that nothing holds.
+  // with other cracks (null: none); its factor is used if the displacement nodes are the same in both bodies. `kept`
+  // has for each node of the unknowns its number in `before`, or -1. Throws Error (argument) if cracks cut out a piece
+  // that nothing holds.
   void compute(const Eigen::MatrixXd& full, Eigen::Index displacements, const OpeningSchurComplement* before,
                const std::vector<int>& kept);
 

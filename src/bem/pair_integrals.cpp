@@ -72,9 +72,9 @@ class PairIntegrator::ShortPairs {
   alignas(ShortPair) std::byte memory_[sizeof(ShortPair) * (most_short_pairs + 1)];
 };
 
-// Nearness of the singularity on the stretch `own`, as seen from sample points of the stretch `other`. The kernels are
-// analytic up to the complex parameter at which the distance r vanishes. On a straight stretch this parameter is as far
-// from both ends as the sample point is in the plane.
+// Nearness to the part `own` of an element of the singularity that sample points of the part `other` cause. The kernels
+// are analytic up to the complex parameter at which the distance r vanishes. On a straight part this parameter is as
+// far from both ends as the sample point is in the plane.
 PairIntegrator::Nearness PairIntegrator::nearness(const Stretch& own, const std::array<double, 3>& sums,
                                                   const Stretch& other) const {
   const Side& side = own.side;
@@ -96,8 +96,8 @@ PairIntegrator::Closeness PairIntegrator::closeness(const Stretch& outer, const 
           nearness(inner, {d[0][0] + d[0][2], d[1][0] + d[1][2], d[2][0] + d[2][2]}, outer)};
 }
 
-// Halves two stretches until each pair of their parts has rules that are good enough, and collects these pairs. Returns
-// false if there are more than most_short_pairs pairs.
+// Halves parts of two elements until there is a good enough Gauss rule for each pair of them, and collects these pairs.
+// Returns false if there are more than most_short_pairs pairs.
 bool PairIntegrator::halve(const Stretch& outer, const Stretch& inner, int depth, ShortPairs& pairs) const {
   constexpr int max_depth = 60;
   const Closeness close = closeness(outer, inner);

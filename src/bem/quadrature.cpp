@@ -68,7 +68,7 @@ int gauss_points_needed(double ellipse, double tolerance) {
   constexpr double never = 1000;
   const double rate = 2 * std::log(ellipse);
   const double points = rate > 0 ? -std::log(tolerance) / rate : never;
-  // One point more accounts for the polynomial factor of the integrand.
+  // The additional point accounts for the polynomial factor of the integrand.
   return static_cast<int>(std::ceil(std::min(points, never))) + 1;
 }
 
@@ -80,7 +80,8 @@ int regular_rule(int points_needed) {
 
 RegularRules::RegularRules(double tolerance) {
   for (std::size_t rule = 0; rule < least_sum_.size(); ++rule) {
-    // The bound solves rho^(-2 (n - 1)) = tolerance, where the sum of the distances is rho + 1 / rho.
+    // The least sum of distances for a rule with n points is rho + 1 / rho, where rho is the size of the ellipse with
+    // rho^(-2 (n - 1)) = tolerance.
     const double ellipse = std::pow(tolerance, -0.5 / (regular_point_counts[rule] - 1));
     least_sum_[rule] = ellipse + 1 / ellipse;
   }

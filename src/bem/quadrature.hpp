@@ -20,15 +20,17 @@ const GaussRule& gauss_rule(int point_count);
 // `sum_of_distances` is the sum of the distances of the integrand's nearest singularity from -1 and 1.
 double ellipse_size(double sum_of_distances);
 
-// Number n of points that a Gauss rule needs for the relative error `tolerance`. The error falls like rho^(-2 n) with
-// the size rho of the ellipse.
+// Number n of points that a Gauss rule needs for the relative error `tolerance`. The error falls like rho^(-2 n), where
+// rho is the size `ellipse` (ellipse_size()).
 int gauss_points_needed(double ellipse, double tolerance);
 
-// Numbers of points used for smooth integrals; they are few, so that they can be tabulated for every element.
+// Numbers of points of the Gauss rules for smooth integrals; only a few, so that they can be tabulated for every
+// element.
 inline constexpr std::array<int, 8> regular_point_counts{4, 5, 6, 7, 8, 10, 12, 16};
 inline constexpr int max_regular_points = 16;
 
-// Index in `regular_point_counts` of the least count that is enough; the number of counts if none is enough.
+// Index in `regular_point_counts` of the smallest number of points that is enough; the length of that list if none is
+// enough.
 int regular_rule(int points_needed);
 
 // Choice of a rule with the result of gauss_points_needed() and regular_rule(), but by tabulated limits instead of a

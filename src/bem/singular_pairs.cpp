@@ -1,8 +1,8 @@
 // Integrals over pairs of elements that share a point, or of an element with itself. Coordinates are chosen in which
 // the distance is r = radius * chord, where the chord is smooth and does not vanish: Duffy's coordinates around a
 // common end, or the difference of two parameters on one element. The logarithm ln r is then the smooth ln|chord| plus
-// ln(radius), which a product rule integrates. The factor 1 / r of the double layer cancels against N(y) - N(x), which
-// vanishes with the radius.
+// ln(radius), which a product rule integrates. The factor 1 / r of the double layer cancels against N(y) - N(x), the
+// difference of the shape functions at both points, which vanishes with the radius.
 
 #include <cmath>
 #include <complex>

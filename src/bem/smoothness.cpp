@@ -29,9 +29,9 @@ double Singularities::sum_of_distances(const Interval& interval) const {
   return 2 * closest / std::abs(interval.to - interval.from);
 }
 
-// Solves for the length h. Let the singularity have the distance r from the start of the interval and the coordinate u
-// along the interval. Its distance from the end is then sqrt(r^2 - 2 u h + h^2), and both distances add to sum h / 2
-// where h = 2 (k r - u) / (k^2 - 1) with k = sum / 2.
+// Solves for the length h of the interval. Let the singularity have the distance r from the start of the interval and
+// the coordinate u along the interval. Its distance from the end is then sqrt(r^2 - 2 u h + h^2), and both distances
+// add to sum h / 2 where h = 2 (k r - u) / (k^2 - 1) with k = sum / 2.
 double Singularities::longest_interval(double from, double sum) const {
   const double k = 0.5 * sum;
   double longest = std::numeric_limits<double>::infinity();
@@ -64,8 +64,10 @@ double ArcParameters::sum_of_distances(const Point& x, const Interval& interval)
   return 2 * std::min(sum(xi), sum(next_turn)) / std::abs(interval.to - interval.from);
 }
 
-// The bound follows from the parameters of two places at z and z' from the arc's centre: these parameters differ by
-// |ln(z' / z)| / alpha <= q / (1 - q) / alpha, where q = |z' - z| / |z|.
+// Bound by places as complex numbers: x has the parameter -i ln(z / m) / alpha on the arc, where z is x less the arc's
+// centre, m the arc's mid node less its centre, and alpha half the arc's angle. The parameters of two places z and z'
+// therefore differ by |ln(z' / z)| / |alpha| <= q / (1 - q) / |alpha|, where q = |z' - z| / |z|, and both distances
+// change by at most this.
 double ArcParameters::largest_change(const std::array<Point, 3>& places, const Interval& interval) const {
   const double apart =
       std::sqrt(std::max((places[0] - places[1]).squaredNorm(), (places[2] - places[1]).squaredNorm()));

@@ -28,8 +28,8 @@ class Singularities {
   int count_ = 0;
 };
 
-// Complex parameters on a circular arc, x = centre + (mid - centre) exp(i alpha xi). With complex xi this reaches every
-// place of the plane but the centre.
+// Complex parameters on a circular arc, x = centre + (mid - centre) exp(i alpha xi), where alpha is half the arc's
+// angle. With complex xi this reaches every place of the plane but the centre.
 class ArcParameters {
  public:
   explicit ArcParameters(const ElementGeometry& arc);
@@ -40,7 +40,8 @@ class ArcParameters {
   // Sum of the distances from a parameter to both ends of the interval, in units of half its length. Of the two
   // parameters that of() finds for x, the nearer one counts.
   double sum_of_distances(const Point& x, const Interval& interval) const;
-  // Bound on the change of sum_of_distances() between places[1] and either of the other two places.
+  // Upper bound on the change of sum_of_distances() between places[1] and either of the other two places; infinite if
+  // the arc's centre is too near.
   double largest_change(const std::array<Point, 3>& places, const Interval& interval) const;
 
  private:

@@ -47,7 +47,7 @@ const model::Part& part_at(const std::vector<model::Part>& parts, std::int64_t i
   return entry_at(parts, index, "; the model has ", " parts");
 }
 
-// Load factor within the range of numbers; NaN if it is unknown.
+// Load factor limited to finite numbers; NaN, which stands for unknown, stays.
 double known_load(double load_factor) { return std::isnan(load_factor) ? load_factor : in_range(load_factor); }
 
 bempd_model_part described(const model::Part& part) {

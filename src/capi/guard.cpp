@@ -13,7 +13,7 @@ namespace bempd::capi {
 
 namespace {
 
-// Largest number of points in one call; larger numbers come from a mistake.
+// Largest number of points that a call accepts; larger numbers come from a mistake.
 constexpr std::int64_t most_points = std::int64_t{1} << 31;
 
 bempd_status status_of(Failure failure) {

@@ -9,7 +9,7 @@ using namespace bempd::capi;
 
 namespace {
 
-// Name that files and messages can show; empty to take a name away.
+// Name from the host, checked for characters that files and messages can show; empty text takes a name away.
 std::string name_from(const char* name) {
   require(name != nullptr, "name is NULL; give a word, or an empty text to take the name away");
   require(output::fits_xml(name) && output::printable(name) == name, "name is ", output::printable(name),

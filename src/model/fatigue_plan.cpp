@@ -68,8 +68,8 @@ double FatigueRun::longest(std::size_t tip) const {
   return std::max(length, lengthening_.growth_increment(at));
 }
 
-// Plans the lengths of a step; empty if no tip grows by more than rounding. If few cycles are left, the lengths are at
-// most the growth in these cycles at the present rates, times a factor that leaves room for rising rates.
+// Plans a step; empty if no tip grows by more than rounding. If few cycles are left, the lengths are at most the growth
+// in these cycles at the present rates, with room for rising rates.
 std::optional<FatigueRun::Plan> FatigueRun::plan() const {
   constexpr double room = 1.3;
   Plan plan;

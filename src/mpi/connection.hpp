@@ -9,9 +9,9 @@
 
 namespace bempd::mpi {
 
-// Connection of rank 0 to the other ranks of an MPI communicator, for the solver of one model. It answers the model's
-// requests (bempd_sparse_function), and makes the other ranks carry out the same orders, over a copy of the host's
-// communicator.
+// Connection of rank 0 to the other ranks of an MPI communicator, for the solver of one model. On rank 0 it answers the
+// model's requests (bempd_sparse_function), and makes the other ranks carry out the same orders. Messages go over a
+// copy of the host's communicator.
 class Connection {
  public:
   // Opens the connection; collective with follow_orders() on the other ranks.

@@ -33,7 +33,8 @@ class MumpsFactor {
   void name_kept(const Order& order, const bempd_sparse_task* task);
   Verdict run(int job);
   Verdict verdict(const char* doing) const;
-  // First entry of the matrix that a rank holds; for the rank number `ranks_`, the number of all entries.
+  // Index of the first of the matrix entries that a rank holds; for the rank number `ranks_`, the number of all
+  // entries.
   std::int64_t first_entry(std::int64_t entries, int rank) const {
     return entries / ranks_ * rank + std::min<std::int64_t>(entries % ranks_, rank);
   }
@@ -45,7 +46,8 @@ class MumpsFactor {
   std::string scratch_;
   std::vector<int> rows_, columns_;  // rows and columns of this rank's entries, counted from 1
   std::vector<double> values_;       // values of this rank's entries, during a factorization
-  // Position of each unknown in the order of elimination, and the kept unknowns; both on rank 0, counted from 1.
+  // Position of each unknown in the order of elimination; and the numbers of the kept unknowns. Both are on rank 0 and
+  // count from 1.
   std::vector<int> position_, kept_;
 };
 

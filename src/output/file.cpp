@@ -134,7 +134,7 @@ void replace(const fs::path& path, const fs::path& target, const struct stat* ol
   Descriptor file(unfinished, O_WRONLY | O_CREAT | O_EXCL);
   if (!file.is_open()) fail(path, errno);
   if (old != nullptr) {
-    // Owner and mode are kept as far as the file system and the rights of the process allow.
+    // The new file gets owner and mode of the old one as far as the file system and the rights of the process allow.
     [[maybe_unused]] const bool same_owner = ::fchown(file.number(), old->st_uid, old->st_gid) == 0;
     [[maybe_unused]] const bool same_mode = ::fchmod(file.number(), old->st_mode & 0777) == 0;
   }

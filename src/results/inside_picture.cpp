@@ -39,7 +39,7 @@ class OpenedMesh {
 
   const std::vector<std::array<int, 3>>& triangles() const { return mesh_.triangles; }
 
-  // Places at which the values of each point are computed, to be averaged: the point itself or, on a crack, where
+  // Places at which values are computed and then averaged, for each point: the point itself or, on a crack, where
   // values jump, places just inside each of its triangles.
   std::vector<std::vector<Point>> places() const {
     std::vector<std::vector<Point>> all;

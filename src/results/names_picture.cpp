@@ -94,7 +94,7 @@ class EdgePart {
   std::vector<Point> points_;
 };
 
-// Arrays with the number of each named region, support and load under its name.
+// Arrays, one for each named region, support and load, that store its number under its name.
 std::vector<output::VtuArray> numbers(const scene::Scene& scene, const Names& names) {
   std::vector<output::VtuArray> found;
   const auto add = [&](Kind kind, std::size_t count) {

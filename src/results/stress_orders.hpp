@@ -8,8 +8,8 @@ namespace bempd::results {
 // Search for places at which stress is unbounded, and for the order of the stress singularity there.
 class StressOrders {
  public:
-  // Prepares the search. `places` must outlive this object; a point closer to a place than `tolerance` counts as this
-  // place.
+  // Prepares the search. `places` must outlive this object; a point closer than `tolerance` to one of `places` counts
+  // as lying there.
   StressOrders(const std::vector<regions::SingularPlace>& places, double tolerance);
 
   // Order of the stress singularity at a place: stress grows as r^-order; 0 where stress is bounded.
