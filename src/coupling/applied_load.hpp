@@ -10,8 +10,8 @@
 
 namespace bempd::coupling {
 
-// Loads of a system: forces [N] on free degrees of freedom and displacements [m] of prescribed ones, numbered 2 * node
-// + component, each with a constant part and a part that is proportional to the load factor.
+// Loads of a system: forces [N] on free degrees of freedom and displacements [m] of prescribed ones (2 * node +
+// component), each with a constant part and a part that is proportional to the load factor.
 class AppliedLoad {
  public:
   explicit AppliedLoad(int node_count)
@@ -24,13 +24,14 @@ class AppliedLoad {
   const Affine& prescribed() const { return prescribed_; }
   bool is_zero(int part) const { return force_.col(part).isZero(0) && prescribed_.col(part).isZero(0); }
 
-  // Largest displacement of a support [m] in the proportional part; cheap enough to be asked for at every event.
+  // Largest displacement of a support [m] in the proportional part, that is per unit of the load factor; cheap enough
+  // to be asked for at every event.
   double support_motion() const;
   double support_motion(double load_factor) const;  // at a load factor
-  // Largest value of |constant part| + |load factor * proportional part| over the support displacements [m]. Magnitudes
-  // are added because the two parts may nearly cancel.
+  // Largest value of |constant part| + |load factor * proportional part| over the displacements of all supports [m].
+  // Magnitudes are added because the two parts may nearly cancel.
   double parts_of_support_motion(double load_factor) const;
-  // Sum of the largest force in the constant part and the largest in |load factor * proportional part| [N].
+  // Largest force in the constant part plus the largest force in |load factor * proportional part| [N].
   double parts_of_force(double load_factor) const { return force_parts_[0] + std::abs(load_factor) * force_parts_[1]; }
 
  private:

@@ -79,8 +79,8 @@ Affine Condensation::displacement(const Affine& kept) const {
   return all;
 }
 
-// All displacements are computed if nodes are tied, because tied nodes follow other nodes, and if the load has a
-// constant part, because one full solution for both parts is as fast as a partial solution for each.
+// All displacements are computed in two cases: if nodes are tied, because tied nodes follow other nodes; and if the
+// load has a constant part, because one full solution for both parts is as fast as a partial solution for each.
 Affine Condensation::displacement_at(const std::vector<int>& nodes, const Affine& kept) const {
   const bool has_constant_part = !(kept.col(0).isZero(0) && eliminated_.col(0).isZero(0));
   if (has_constant_part || !system_.ties.empty()) return displacement(kept);

@@ -9,13 +9,13 @@
 namespace bempd::coupling {
 
 // Linear function of all displacements, expressed by the kept displacements: value = constant + weights . (kept
-// displacements). Column 0 of `constant` is fixed, column 1 is multiplied by the load factor.
+// displacements). Column 0 of `constant` does not depend on the load factor, column 1 is multiplied by it.
 struct CondensedFunction {
   Eigen::VectorXd weights;
   Eigen::RowVector2d constant;
 };
 
-// Condensation of the whole body, under its present loads, onto the kept unknowns, which its factorization eliminates
+// Condensation of the whole body, under its present loads, onto the kept unknowns, which the factorization eliminates
 // last. The object uses the system's factor, which must not change meanwhile.
 class Condensation {
  public:

@@ -8,7 +8,8 @@ namespace bempd::coupling {
 
 namespace {
 
-// Calls visit(operator, number of its first constraint, count of its constraints) for all operators with constraints.
+// Calls visit(operator, number of the operator's first constraint, count of its constraints) for all operators with
+// constraints.
 template <class Operators, class Visit>
 void for_each_constrained(Operators& operators, const Visit& visit) {
   Eigen::Index first = 0;

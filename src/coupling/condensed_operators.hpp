@@ -36,7 +36,7 @@ class CondensedOperators {
   void forget_load();
   const Affine& load() const { return load_; }
 
-  // Rest displacements of every operator, which need no force.
+  // Rest displacements of every operator: displacements that need no force, as in a body that swells.
   std::vector<Affine> rests() const;
   void exchange_rests(std::vector<Affine>& others) noexcept;  // condense_load() has to follow
   // Whether some rest displacement is not zero in the constant (0) or the proportional (1) part.
@@ -59,7 +59,7 @@ class CondensedOperators {
   Affine gaps(const Affine& displacement) const;
   // Gaps at a displacement and a load factor if all multipliers were zero.
   Eigen::VectorXd gaps_without_multipliers(const Eigen::VectorXd& displacement, double load_factor) const;
-  // Multipliers, which are contact forces [N].
+  // Multipliers of all constraints, which are contact forces [N]; 0 for open ones.
   Eigen::VectorXd multipliers(const Eigen::VectorXd& displacement, double load_factor) const;
   // Work of loads inside the operators on the displacements that the multipliers cause.
   double work_due_to_multipliers(const Eigen::VectorXd& displacement, double load_factor) const;

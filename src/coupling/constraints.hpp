@@ -21,7 +21,8 @@ struct Constraint {
   bool operator==(const Constraint&) const = default;
 
   bool is_exact() const { return stiffness == exact; }
-  // Gap c.u, where displacement(dof) returns the displacement u of degree of freedom 2 * node + component.
+  // Gap c.u with the coefficients c of the constraint, where displacement(dof) returns the displacement u of degree of
+  // freedom 2 * node + component.
   template <class Displacement>
   double gap_at(const Displacement& displacement) const {
     double sum = 0;
@@ -87,7 +88,7 @@ class Constraints {
     barred_exact_ = std::move(exact);
   }
 
-  // Calls visit(constraint) for the closed constraints with a penalty.
+  // Calls visit(constraint) for all closed constraints that have a penalty.
   template <class Visit>
   void for_each_closed_penalty(const Visit& visit) const {
     if (closed_penalties_ == 0) return;
@@ -96,7 +97,8 @@ class Constraints {
     }
   }
 
-  // Adds to `force` the forces k (c.u) c of the closed constraints with a penalty, numbered 2 * node + component.
+  // Adds to `force` the forces k (c.u) c of the closed constraints with a penalty k and coefficients c, at the
+  // displacements u; numbered 2 * node + component.
   void add_penalty_forces(const double* displacement, double* force) const {
     for_each_closed_penalty([&](const Constraint& constraint) {
       const double tension = constraint.stiffness * constraint.gap(displacement);

@@ -38,8 +38,8 @@ class ContactConstraints {
   // Gaps of all constraints. A closed exact constraint gets the gap that it would have without its multiplier, which is
   // negative while its faces press.
   Affine gaps(const Affine& displacement) const;
-  // Weights of the displacements in the gap of an open constraint, 2 * node + component, 0 at tied nodes. The gap of an
-  // exact constraint has an offset besides, which loads inside its operator cause.
+  // Weights of the displacements (2 * node + component) in the gap of an open constraint, 0 at tied nodes. The gap of
+  // an exact constraint has an offset besides, which loads inside its operator cause.
   Eigen::VectorXd gap_function(std::size_t number) const;
 
  private:

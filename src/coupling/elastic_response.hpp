@@ -22,19 +22,20 @@ class ElasticResponse {
 
   // Nodal forces; forces on tied nodes are moved to their masters.
   Eigen::VectorXd internal_force(const Eigen::VectorXd& displacement, double load_factor = 0) const;
-  // Nodal forces of the terms with these numbers alone; forces on tied nodes are not moved to their masters.
+  // Nodal forces of only the energy terms with these numbers; forces on tied nodes are not moved to their masters.
   Eigen::VectorXd force_of_terms(std::span<const int> terms, const Eigen::VectorXd& displacement,
                                  double load_factor) const;
 
   // Energy at a displacement and a load factor.
   double energy(const Eigen::VectorXd& displacement, double load_factor = 0) const;
-  // Energy as above, from the internal forces at this displacement, which saves most of the work.
+  // Energy at a displacement and a load factor. The internal forces `force` at this displacement are given, which saves
+  // most of the work.
   double energy(const Eigen::VectorXd& displacement, double load_factor, const Eigen::VectorXd& force) const;
   // Derivative of the energy by the load factor at a fixed displacement, due to the proportional parts of rest
   // elongations and rest displacements.
   double energy_slope(const Eigen::VectorXd& displacement, double load_factor) const;
-  // Strain energy of the proportional part of a displacement, with the proportional parts of rest elongations and rest
-  // displacements.
+  // Strain energy of the proportional part of a displacement alone, that is at the load factor 1 without constant
+  // parts; rest elongations and rest displacements count with their proportional parts.
   double unit_energy(const Eigen::VectorXd& proportional) const;
 
  private:

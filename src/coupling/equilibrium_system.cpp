@@ -10,9 +10,9 @@ namespace bempd::coupling {
 
 namespace {
 
-// Number of columns in a change of the factor, over the square root of the number n of unknowns, above which a fresh
-// factor costs less. In two dimensions a fresh factor takes some n^(3/2) operations, the change by one column some n.
-// With n = 12,500 a fresh factor takes as long as 100 to 200 columns.
+// Limit on the number of columns in a change of the factor, over the square root of the number n of unknowns; above the
+// limit a fresh factor costs less. In two dimensions a fresh factor takes some n^(3/2) operations, the change by one
+// column some n. With n = 12,500 a fresh factor takes as long as 100 to 200 columns.
 constexpr double most_columns_over_root = 2;
 
 }  // namespace

@@ -27,9 +27,9 @@ struct FactorizedSystem {
 };
 
 // Equilibrium of all nodes as one sparse system: dense operators condensed onto the unknowns that they share, energy
-// terms (bonds and cell squares) and holding springs. It is solved by the method that the operators name. Nothing is
-// condensed or factorized before the first solve(). The system owns the parts below, and callers ask the part that they
-// need.
+// terms (bonds and cell squares) and holding springs. The least demanding solution method that an operator names solves
+// the system. Nothing is condensed or factorized before the first solve(). The system owns the parts below, and callers
+// ask the part that they need.
 class EquilibriumSystem {
  public:
   // Creates the system. Masters of tied nodes belong to dense operators. Tied nodes have energy terms only and cannot
@@ -90,7 +90,8 @@ class EquilibriumSystem {
   FactorizedSystem factorized();
 
   const SolverCounters& counters() const { return parts_.counters; }
-  // Counts a reciprocal condition number of another matrix of the same body: the counters report the smallest of all.
+  // Counts the reciprocal condition number of another matrix of the same body: the counters report the smallest number
+  // of all matrices.
   void note_condition(double reciprocal) {
     parts_.counters.reciprocal_condition = std::min(parts_.counters.reciprocal_condition, reciprocal);
   }

@@ -11,7 +11,7 @@ namespace bempd::coupling {
 
 namespace {
 
-// Largest residual accepted in the equations for the entries of the trace matrix N, which are of order one.
+// Largest residual accepted in the equations for the entries of the trace matrix N; the equations are of order one.
 constexpr double largest_residual = 1e-11;
 
 struct Elements {
@@ -21,7 +21,7 @@ struct Elements {
   int node_count() const { return 2 * count() + 1; }
   double node(int a) const { return a % 2 == 0 ? stations[a / 2] : 0.5 * (stations[a / 2] + stations[a / 2 + 1]); }
   double length(int element) const { return stations[element + 1] - stations[element]; }
-  // Element that contains the coordinate s; the left element where two elements meet.
+  // Element that contains the coordinate s; where two elements meet, the element that ends there.
   int at(double s) const {
     const auto after = std::lower_bound(stations.begin() + 1, stations.end() - 1, s);
     return static_cast<int>(after - stations.begin()) - 1;
@@ -33,7 +33,7 @@ struct Elements {
     if (a == 2 * e) return 0.5 * xi * (xi - 1);
     return a == 2 * e + 1 ? 1 - xi * xi : 0.5 * xi * (xi + 1);
   }
-  // Integral of the shape function of a node.
+  // Integral of the shape function of node number `a` over the interface.
   double share(int a) const {
     if (a % 2 == 1) return length(a / 2) * 2 / 3;
     return ((a > 0 ? length(a / 2 - 1) : 0) + (a < node_count() - 1 ? length(a / 2) : 0)) / 6;
@@ -56,9 +56,9 @@ struct LatticeRow {
   bool starts_at_point, ends_at_point;
 
   bool is_end(int i) const { return (i == 0 && starts_at_point) || (i == length && ends_at_point); }
-  // Shares of the interface's length, in spacings, for each lattice point; their sum and first moment are those of the
-  // whole interface. At the mouth of a crack the interface goes on half a spacing beyond the last point. The shares of
-  // the last two points are changed so that the moment is right, too.
+  // Shares of the interface's length, in spacings, that the lattice points stand for; their sum and first moment are
+  // those of the whole interface. At the mouth of a crack the interface goes on half a spacing beyond the last point,
+  // and the shares of the last two points are changed so that the moment is right, too.
   std::vector<double> shares() const {
     constexpr double lever = 0.125;
     std::vector<double> all(static_cast<std::size_t>(length) + 1, 1.0);
@@ -96,8 +96,9 @@ std::optional<Eigen::SparseMatrix<double, Eigen::RowMajor>> interface_trace(cons
   const std::vector<Entry> entries = pattern(elements, row);
   const auto count = static_cast<Eigen::Index>(entries.size());
 
-  // Equations for the entries N. Each lattice point i has two: sum N = 1 and sum N (x_a - x_i) = 0 over the nodes a.
-  // Each node has one: a constant traction gives the forces of the boundary elements.
+  // Equations for the entries N_ia, for lattice points i at x_i and nodes a at x_a. Each lattice point has two: the
+  // sums of N_ia and of N_ia (x_a - x_i) over its nodes are 1 and 0. Each node has one equation: under a constant
+  // traction its force, the sum of N_ia times the share of point i, is that of the boundary elements.
   linalg::LeastChange problem;
   problem.lower = -std::numeric_limits<double>::infinity();
   problem.start.resize(count);

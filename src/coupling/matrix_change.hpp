@@ -11,8 +11,8 @@
 
 namespace bempd::coupling {
 
-// Change of a system's matrix by stiffnesses that are added or removed. Each stiffness is a column c over the unknowns,
-// by which the matrix gains or loses c c^T.
+// Change of a system's matrix by stiffnesses that are added or removed. Each stiffness is a column c over the unknowns:
+// the matrix gains or loses c c^T.
 class MatrixChange {
  public:
   struct Columns {

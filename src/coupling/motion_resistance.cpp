@@ -10,15 +10,15 @@ namespace bempd::coupling {
 
 namespace {
 
-// Limit on (stiffness * elongation) of a broken term, when forces of order 1 pull along the broken terms in the body
-// without them. The value would be 1 if a spring with the term's stiffness were the only resistance. Beyond the limit
-// hardly anything resists, so that a motion is free.
+// Limit on stiffness * elongation of a broken term, when forces of order 1 pull along the broken terms in the body
+// without these terms. The value would be 1 if a spring with the term's stiffness were the only resistance. Beyond the
+// limit hardly anything resists, so the motion counts as free.
 constexpr double suspicious_response = 1e8;
 
 // Share of a motion's energy that the rest of the body may carry if the motion is to count as resisted by springs only.
 constexpr double resisted_by_others = 1e-6;
 
-// Nodal forces that pull along all these terms at once, with uneven sizes, so that the forces hardly cancel in any
+// Nodal forces that pull along all the terms `along` at once, with uneven sizes, so that they hardly cancel in any
 // motion.
 Eigen::VectorXd uneven_pull(const Terms& terms, const NodeTies& ties, int node_count, std::span<const int> along) {
   Eigen::VectorXd pull = Eigen::VectorXd::Zero(2 * node_count);
@@ -67,7 +67,7 @@ bool MotionResistance::resists_all(std::span<const int> broken) {
 
 // Finds the motions by an eigenvalue problem. K is the matrix with the springs; the columns of S are unit vectors along
 // the springs times the roots of their stiffnesses. A motion m that only the springs resist has K m = S S^T m, so that
-// S^T K^-1 S y = y with y = S^T m: the eigenvalue is 1. All other eigenvalues are less.
+// S^T K^-1 S y = y with y = S^T m: it belongs to an eigenvalue 1 of S^T K^-1 S, while all other eigenvalues are less.
 std::vector<Eigen::VectorXd> MotionResistance::motions_held_by(std::span<const HoldingSpring> springs) {
   parts_.condense();
   // The matrix is summed without constraints, so that fragments held by contact of crack faces alone count as free.

@@ -26,12 +26,12 @@ class MotionResistance {
   // that does not. The loss may not show in elongations under the present load.
   bool resists_all(std::span<const int> broken);
 
-  // Motions that nothing but these springs resists, with all constraints open. A motion may be resisted by several
-  // springs.
+  // Motions that only the holding springs `springs` resist, with all constraints open. A motion may be resisted by
+  // several springs.
   std::vector<Eigen::VectorXd> motions_held_by(std::span<const HoldingSpring> springs);
 
-  // Motion with the least resistance. It is a free motion after solve() has failed or displacements have grown without
-  // bound.
+  // Motion with the least resistance. After solve() has failed or displacements have grown without bound, it is a free
+  // motion.
   SoftMotion softest();
 
  private:

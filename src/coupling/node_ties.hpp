@@ -5,9 +5,9 @@
 
 namespace bempd::coupling {
 
-// Tied nodes, whose displacements are weighted sums of those of other nodes, their masters. Lattice points on an
-// interface are tied to the nodes of the boundary elements there. A force on a tied node acts on its masters with the
-// same weights, so that no work is lost. Masters are not tied themselves.
+// Tied nodes, whose displacements are weighted sums of the displacements of other nodes, their masters. Lattice points
+// on an interface are tied to the nodes of the boundary elements there. A force on a tied node acts on the masters with
+// the same weights, so that no work is lost. Masters are not tied themselves.
 class NodeTies {
  public:
   struct Master {

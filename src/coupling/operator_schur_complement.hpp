@@ -99,8 +99,8 @@ class OperatorSchurComplement {
   std::shared_ptr<const ExactConstraints> constraints_;
   Affine gap_offsets_;            // gaps due to loads inside the body
   std::vector<char> can_switch_;  // whether private displacements or its own multiplier can close a constraint
-  // Active set: numbers of the closed constraints. `compliant_` has those of them whose gap opens by their own
-  // multiplier even with all displacements held.
+  // Active set: numbers of the closed constraints. `compliant_` has the numbers of those closed constraints whose own
+  // multiplier would open their gap even with all displacements held.
   std::vector<Eigen::Index> active_, compliant_;
   // Private displacements per unit multiplier, gaps per unit multiplier and gaps per shared displacement; computed when
   // first needed.

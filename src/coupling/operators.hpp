@@ -47,15 +47,15 @@ struct DenseOperator {
   std::vector<int> nodes;
   std::shared_ptr<const Eigen::MatrixXd> stiffness;  // equal operators share one matrix
   const SolutionMethod* method = &symmetric_solution();
-  // Rest displacement of the nodes (2 * node of the list + component), which needs no force, as in a body that swells:
-  // the force is stiffness * (displacement - rest). Empty: 0.
+  // Rest displacement of the nodes (2 * node of the list + component): the displacement that needs no force, as in a
+  // body that swells. The force is stiffness * (displacement - rest). Empty: 0.
   Affine rest = Affine(0, 2);
   std::shared_ptr<const ExactConstraints> constraints = nullptr;  // null: no cracks that can close
   std::vector<BodyPiece> pieces = {};                             // separate pieces of the body; empty: one piece
 };
 
-// Stress-free state of terms and operators: rest elongations of terms, constant and proportional parts, and the rest
-// displacements of each operator.
+// Stress-free state of terms and operators: rest elongations of terms and rest displacements of operators, each with
+// constant and proportional parts.
 struct Rests {
   std::array<std::vector<double>, 2> of_terms;
   std::vector<Affine> of_operators;

@@ -7,8 +7,8 @@
 
 namespace bempd::coupling {
 
-// Whether crack faces among bonds press on each other at a place: whether the nearest constraint with a penalty, at
-// most `within` away, is closed.
+// Whether crack faces among bonds press on each other at a place: whether the nearest constraint with a penalty is
+// closed. False if no such constraint is closer than `within`.
 inline bool faces_press_at(const Constraints& constraints, const std::vector<Point>& positions, const Point& place,
                            double within) {
   if (constraints.closed_penalty_count() == 0) return false;

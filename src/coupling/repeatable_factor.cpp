@@ -99,7 +99,8 @@ void RepeatableFactor::change(const MatrixChange::Columns& columns, linalg::Chan
   factor_.change(matrix, change);
 }
 
-// Stiffnesses are added before others are removed, so that the matrix is positive definite in between, too.
+// Adds the new stiffnesses to the factor before it removes others, so that the matrix is positive definite in between,
+// too.
 void RepeatableFactor::change(const MatrixChange& change) {
   this->change(change.added(), linalg::Change::add);
   this->change(change.removed(), linalg::Change::remove);

@@ -48,7 +48,7 @@ class RepeatableFactor {
   // Makes a Cholesky factor of the whole matrix if there is none. The system must be symmetric.
   const linalg::SparseCholesky& make_cholesky();
   int kept() const { return factor_.kept(); }  // number of unknowns that are eliminated last
-  // Changes an existing factor.
+  // Changes the factor, if there is one, along with the matrix.
   void change(const MatrixChange& change);
   // Solves for the unknowns with the present matrix, by a factor that exists already. Throws Error (unsolvable).
   Eigen::VectorXd solve(const Eigen::VectorXd& rhs);

@@ -11,7 +11,8 @@ class RightHandSide {
  public:
   explicit RightHandSide(const SystemParts& parts) : parts_(parts) {}
 
-  // Whether the body is loaded in the constant (0) or the proportional (1) part, not counting holding springs.
+  // Whether loads, moved supports, rest elongations or rest displacements act on the body in the constant (0) or the
+  // proportional (1) part. Holding springs do not count.
   bool is_loaded(int part) const {
     return !parts_.load.is_zero(part) || parts_.terms.have_offsets(part) || parts_.operators.have_rest(part);
   }

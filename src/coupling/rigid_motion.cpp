@@ -11,7 +11,8 @@ namespace bempd::coupling {
 
 namespace {
 
-// Ratio of an eigenvalue (square) of the held directions to the largest eigenvalue above which a motion counts as held.
+// Limit on the ratio of an eigenvalue (square) of the held directions to the largest eigenvalue; above the limit a
+// motion counts as held.
 constexpr double rank_tolerance = 1e-12;
 
 Eigen::Matrix<double, 3, Eigen::Dynamic> null_space(const Eigen::Matrix3d& gram) {

@@ -28,8 +28,8 @@ class RigidMotion {
   double work(int motion, const std::vector<Point>& positions, const std::vector<int>& nodes,
               const Eigen::Ref<const Eigen::VectorXd>& forces) const;
 
-  // Chooses supports from `candidates`: one for each free motion that any candidate can hold, where this motion is
-  // largest.
+  // Chooses supports from `candidates`: for each free motion that some candidate can hold, the candidate at which the
+  // motion is largest.
   std::vector<HeldDirection> missing_supports(const std::vector<Point>& positions,
                                               const std::vector<HeldDirection>& candidates) const;
 
@@ -44,7 +44,7 @@ class RigidMotion {
   Eigen::Matrix<double, 3, Eigen::Dynamic> free_;  // columns: (x, y, rotation * radius)
 };
 
-// Small rigid motion that is nearest to the displacements of some nodes in the mean square.
+// Small rigid motion that fits the displacements of some nodes best, in the mean square.
 struct RigidFit {
   Point centre = Point::Zero(), translation = Point::Zero();  // mean position, and its displacement
   double rotation = 0;                                        // counter-clockwise

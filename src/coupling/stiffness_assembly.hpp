@@ -12,14 +12,15 @@
 
 namespace bempd::coupling {
 
-// Entry of a pull (sparse vector over the unknowns, along which a stiffness acts): an unknown and its coefficient.
+// Entry of a pull: an unknown and its coefficient. A pull is a sparse vector of nodal forces by unit tension in a bond,
+// constraint or spring.
 struct UnknownEntry {
   int unknown;
   double weight;
 };
 
-// Appends to `entries` the pull size * (cosine, sine) at a node; for a tied node, the pulls at its masters. Degrees of
-// freedom that are no unknowns get no entry.
+// Appends to `entries` the pull of the force size * (cosine, sine) at a node; for a tied node, the pulls at its
+// masters. Degrees of freedom that are no unknowns get no entry.
 void append_pull(const std::vector<int>& unknown_of, const NodeTies& ties, int node, double cosine, double sine,
                  double size, std::vector<UnknownEntry>& entries);
 
@@ -35,8 +36,8 @@ class StiffnessAssembly {
                     const Constraints& constraints = {});
 
   // Sums the matrix with the present stiffness of every term. A broken term has the stiffness 0, but keeps its entries,
-  // so that the pattern does not change. The closed ones of `constraints` are included; null: all are open, exact ones
-  // too.
+  // so that the pattern does not change. The closed constraints of `constraints` are included; null: all constraints,
+  // exact ones too, count as open.
   const Eigen::SparseMatrix<double>& sum(const std::vector<double>& stiffness,
                                          const std::vector<HoldingSpring>& springs, const Constraints* constraints);
   bool has_room_for(const Constraints& constraints) const;  // for the closed ones

@@ -24,9 +24,11 @@ class StressFreeState {
     measure();
   }
 
-  // Largest displacement that free swelling would cause [m], in the proportional part.
+  // Largest displacement that free swelling would cause [m], in the proportional part, that is per unit of the load
+  // factor.
   double largest_motion() const { return largest_of(1); }
-  // Sum of the largest displacement in the constant part and the largest in |load factor * proportional part| [m].
+  // Largest displacement by free swelling in the constant part plus the largest in |load factor * proportional part|
+  // [m].
   double largest_motion(double load_factor) const { return largest_of(0) + std::abs(load_factor) * largest_of(1); }
 
  private:

@@ -12,8 +12,8 @@
 
 namespace bempd::coupling {
 
-// Substructure and its elimination. With the index a for eliminated and b for remaining unknowns, A_aa = L L^T:
-// `pivots` has L, `below` is A_ba L^-T, and `rest` is the Schur complement on b.
+// Substructure (part of a matrix) and its elimination. With the index a for eliminated and b for remaining unknowns,
+// A_aa = L L^T: `pivots` has L, `below` is A_ba L^-T, and `rest` is the Schur complement on b.
 struct Substructure {
   // Components of the substructure: two halves, or parts of the matrix. `places` has for each component (halves first)
   // the places of its unknowns among those of the substructure.
@@ -28,7 +28,7 @@ struct Substructure {
   Eigen::VectorXd diagonal;  // diagonal of the sum of all parts, for the remaining unknowns
   double smallest_pivot_ratio = 1;
 
-  // Last right-hand side and its result of eliminate_from(), which scenes with longer cracks often ask for again.
+  // Last right-hand side and result of eliminate_from(); solutions of scenes with longer cracks often need both again.
   mutable Eigen::VectorXd rhs, eliminated_rhs;
 
   void eliminate_from(Eigen::MatrixXd& values) const;
@@ -47,7 +47,7 @@ struct Substructure {
 
 namespace {
 
-// Number of parts up to which a substructure is not halved.
+// Number of matrix parts (condensed operators and holding springs) up to which a substructure is not halved.
 constexpr std::size_t smallest_substructure = 3;
 constexpr int most_halvings = 60;  // ends the halving of parts with one centre
 // Limit on the number of unknowns in changing parts, over the square root of the number of all unknowns, up to which
@@ -56,7 +56,7 @@ constexpr double most_joined_last = 8;
 
 }  // namespace
 
-// Computes the elimination; false if the matrix is not positive definite.
+// Eliminates the unknowns of the substructure that come first; false if its matrix is not positive definite.
 bool Substructure::eliminate() {
   check_cancelled();
   const Eigen::Index remaining = count - eliminated;
@@ -92,7 +92,7 @@ bool Substructure::eliminate() {
   return smallest_pivot_ratio > linalg::singular_pivot_ratio;
 }
 
-// Forward elimination of right-hand sides (one column each) of the substructure's unknowns.
+// Forward elimination of right-hand sides (one column each), whose rows are the unknowns of the substructure.
 void Substructure::eliminate_from(Eigen::MatrixXd& values) const {
   const bool is_one = values.cols() == 1;
   const auto bytes = static_cast<std::size_t>(values.size()) * sizeof(double);
@@ -146,8 +146,8 @@ class SubstructureFactor::Builder {
   }
 
  private:
-  // Appends the elimination steps of a substructure of the parts `members`, after the steps of its halves; false if the
-  // matrix is not positive definite.
+  // Appends the elimination steps of a substructure that consists of the matrix parts `members`, after the steps of its
+  // halves; false if the matrix is not positive definite.
   bool gather(std::vector<std::size_t> members, std::array<Point, 2> box, int depth) {
     if (members.size() <= smallest_substructure || depth == most_halvings) return finish({}, members);
     const int axis = (box[1] - box[0]).x() >= (box[1] - box[0]).y() ? 0 : 1;
@@ -169,8 +169,8 @@ class SubstructureFactor::Builder {
     return finish({end_of_first, made_->steps_.size() - 1}, {});
   }
 
-  // Makes a substructure of two halves or of parts: numbers its unknowns, first those that nothing outside of it has,
-  // and eliminates these. Returns false if its matrix is not positive definite or nearly singular.
+  // Makes a substructure of two halves (indices of steps) or of matrix parts, and eliminates its unknowns that occur in
+  // no part outside of it. Returns false if its matrix is not positive definite or nearly singular.
   bool finish(const std::vector<std::size_t>& halves, const std::vector<std::size_t>& members) {
     std::vector<const int*> begin, end;
     Substructure found;
@@ -209,7 +209,8 @@ class SubstructureFactor::Builder {
     return true;
   }
 
-  // Unknowns in the order of the components, but those to eliminate come first; sets place_ and eliminated_.
+  // Unknowns of a substructure, the eliminated ones first. Component k of it (half or matrix part) has the unknowns
+  // begin[k] .. end[k]. Sets place_ (index in the result) and eliminated_.
   std::vector<int> numbered(const std::vector<const int*>& begin, const std::vector<const int*>& end) {
     std::vector<int> order, kept;
     for (std::size_t c = 0; c < begin.size(); ++c)

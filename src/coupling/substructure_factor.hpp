@@ -61,7 +61,7 @@ class SubstructureFactor final : public linalg::SparseFactorization {
   std::size_t taken_over() const { return taken_over_; }
 
  private:
-  // Elimination in one substructure. The steps of its halves come before it.
+  // Elimination in one substructure; the steps of the substructure's halves come before this step.
   struct Step {
     std::shared_ptr<const Substructure> result;
     std::vector<int> unknowns;  // unknowns of the substructure, the eliminated ones first

@@ -36,7 +36,7 @@ class Substructures {
   const std::vector<Point>& positions() const { return positions_; }
   void take_over(const Substructures& before) { last_ = before.last_; }
   // Makes solver_of() return null from this call on, for callers that need a Cholesky factor of the whole matrix.
-  // Returns whether solver_of() has returned a solver since the last call.
+  // Returns whether solver_of() has returned a solver since the last call of disable().
   bool disable();
   // Solver with a factor of the matrix. Null if the system is of another kind, if disable() was called, if another
   // solver was chosen, or if the matrix is not positive definite.

@@ -13,22 +13,23 @@ namespace bempd::coupling {
 
 namespace {
 
-// Residual of the sparse system over its right-hand side at which the iteration ends; one application of an up-to-date
-// factor reaches it.
+// Residual over the right-hand side of the sparse system at which the iteration ends; one application of a factor of
+// the present matrix suffices for this.
 constexpr double solution_tolerance = 1e-13;
-// Relative residual above which a solution, due to rounding or too many changes of the factor, needs a fresh factor.
+// Residual over the right-hand side above which a fresh factor is made, because rounding or too many changes have
+// spoilt the factor.
 constexpr double acceptable_residual = 1e-12;
-// Residual that counts as rounding, over the forces that the largest displacement causes.
+// Residual over the forces that the largest displacement causes, up to which the residual counts as a rounding error.
 constexpr double acceptable_rounding = 1e-14;
 
-// Ratio of a pivot to the diagonal entry below which a motion may have lost its resistance.
+// Ratio of a pivot to the diagonal entry of the matrix, below which a motion may have lost its resistance.
 constexpr double suspicious_pivot_ratio = 1e-10;
 
 // Shifts of the matrix for inverse iteration, over its diagonal: `small_shift` is far below the stiffness of slender
 // parts, `safe_shift` survives the rounding errors of any factorization.
 constexpr double small_shift = 1e-12, safe_shift = 1e-9;
-// Ratio of a diagonal entry to the largest one below which the entry is rounding, and may be negative: a fragment that
-// was cut off has left the node without a bond in some direction.
+// Ratio of a diagonal entry to the largest one, below which the entry is a rounding error and may be negative: a
+// fragment that was cut off has left the node without a bond in some direction.
 constexpr double rounding_of_diagonal = 1e-14;
 constexpr int inverse_iterations = 8;
 constexpr double no_stiffness = 1e-16;  // times the largest diagonal entry: replaces zeros on the diagonal

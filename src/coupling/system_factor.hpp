@@ -51,7 +51,7 @@ class SystemFactor {
     ++counters_.matrices;
   }
   // Undoes the last forget() and returns true, if no other factor has been made since and the forgotten factor had
-  // undergone exactly these changes. The caller must know that the matrix is the same.
+  // undergone exactly the changes `changes`; else returns false. The caller must know that the matrix is the same.
   bool recall(const std::vector<FactorChange>& changes);
   void drop_forgotten() { forgotten_ = FactorState::none; }  // recall() fails then
   // Frees the factor and its solver; the next factorization makes a solver again.
@@ -114,8 +114,8 @@ Eigen::VectorXd stiff_diagonal(const Eigen::SparseMatrix<double>& matrix);
 std::unique_ptr<SystemSolver> shifted_solver(const SolutionMethod& method, const Eigen::SparseMatrix<double>& matrix,
                                              const Eigen::VectorXd& diagonal);
 
-// Vector (largest entry 1) that a matrix resists least, by inverse iteration. `resistance` is set to the ratio of its
-// energy to the energy with the diagonal alone.
+// Vector (largest entry 1) that a matrix resists least, by inverse iteration. `resistance` is set to the ratio of the
+// vector's energy with the matrix to its energy with the diagonal of the matrix alone.
 Eigen::VectorXd softest_vector(const SolutionMethod& method, const Eigen::SparseMatrix<double>& matrix,
                                double& resistance);
 

@@ -18,8 +18,8 @@ const SolutionMethod& least_demanding(const std::vector<DenseOperator>& operator
   return *method;
 }
 
-// Ratio of the smallest to the largest stiffness below which digits are lost, because rounding errors in the stiffest
-// part act as forces on the softest part.
+// Ratio of the smallest to the largest stiffness of a system below which digits are lost, because rounding errors in
+// the stiffest part act as forces on the softest part.
 constexpr double ordinary_stiffness_ratio = 1e-6;
 
 }  // namespace

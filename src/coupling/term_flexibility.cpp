@@ -10,8 +10,8 @@ namespace bempd::coupling {
 
 namespace {
 
-// Elongations of terms per displacement of the unknowns that they act on: one row of `weights` per unknown, ascending,
-// and one column per term.
+// Elongations of terms per displacement of the unknowns that they act on: `weights` has one row for each of the
+// unknowns, in ascending order, and one column per term.
 struct Pulls {
   std::vector<int> unknowns;
   Eigen::MatrixXd weights;

@@ -7,9 +7,10 @@
 
 namespace bempd::coupling {
 
-// Flexibility matrix F = B^T K^-1 B of energy terms (bonds or cell squares) [m/N]: F_ij is the elongation of term i in
-// the present body under unit pulls along term j. The system's factor is used; it is made first if there is none of the
-// present matrix.
+// Flexibility matrix F = B^T K^-1 B of energy terms (bonds or cell squares) [m/N], where K is the stiffness matrix and
+// a column of B has the nodal forces of unit tension in a term: F_ij is the elongation of term i in the present body
+// under unit tension along term j. The system's factor is used; if there is none of the present matrix, it is made
+// first.
 Eigen::MatrixXd flexibility_of(EquilibriumSystem& system, std::span<const int> terms);
 
 // Flexibility matrix of terms as by flexibility_of(), but with a temporary factor of the present stiffness matrix. The

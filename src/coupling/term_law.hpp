@@ -7,8 +7,8 @@
 namespace bempd::coupling {
 
 // Law of an energy term (bond or cell square): a list of damage stages. In each stage the term has a share of its
-// virgin stiffness. It goes on to the next stage at a share of its nominal critical elongation. After the last stage
-// the term is broken.
+// virgin stiffness. The term goes on to the next stage when its elongation reaches a share of its nominal critical
+// elongation. After the last stage the term is broken.
 class TermLaw {
  public:
   struct Stage {

@@ -36,7 +36,7 @@ class TermStages {
   std::vector<StageChange> with_followers(std::vector<StageChange> changes) const;
   // Changes that break `terms` and all terms that follow them.
   std::vector<StageChange> breaking(std::span<const int> terms) const;
-  // Number of terms that the changes break, not counting terms that merely follow others.
+  // Number of terms that the changes break; followers, which break along with another term, do not count.
   std::int64_t count_broken(std::span<const StageChange> changes) const;
 
   // Sets the stages of terms without changing their stiffness, so that fragments can be found before a system loses

@@ -17,14 +17,15 @@ namespace bempd::coupling {
 
 struct Terms;
 
-// Factors that turn elastic elongations of terms into shares of their critical elongations. The directions of bonds are
-// stored with these factors included, so that the product with a difference of displacements is such a share.
+// Factors that turn elastic elongations of terms into shares of the terms' critical elongations. The directions of
+// bonds are stored with these factors included: their product with the difference of the end displacements is such a
+// share.
 struct CriticalScales {
   std::vector<double> per_elongation;  // [1/m]
   std::vector<double> cosine, sine;
 
   explicit CriticalScales(std::size_t count = 0) : per_elongation(count), cosine(count), sine(count) {}
-  // Sets factor number `place` to that of a term; an infinite critical stretch makes it 0.
+  // Sets factor number `place` to that of term number `term`; an infinite critical stretch makes it 0.
   void set(std::size_t place, const Terms& terms, std::size_t term, double critical_stretch);
 };
 
@@ -54,8 +55,8 @@ struct Terms {
   // elongation 0; the arrays are empty if all rest elongations are 0.
   std::array<std::vector<double>, 2> rest_elongation;  // [m]
 
-  // Poisson's ratio of bonds whose stretch counts the effect of compression across them; 0 for other bonds, and for
-  // terms beyond the end.
+  // Poisson's ratio of bonds whose stretch also counts compression across them; 0 for other bonds, and for terms beyond
+  // the end.
   std::vector<double> contraction;
 
   // Law of each term as an index into `laws`; terms beyond the end are brittle.
@@ -171,7 +172,8 @@ struct Terms {
   void critical_shares(const Affine& displacement, const CriticalScales& scales, std::vector<double>& constant_part,
                        std::vector<double>& proportional_part) const;
 
-  // Adds to `force` the forces k (c.u) c of all terms with the given stiffnesses k; rest elongations are left out.
+  // Adds to `force` the forces k (c.u) c of all terms with the stiffnesses k, coefficients c and displacements u; rest
+  // elongations are left out.
   void add_forces(const std::vector<double>& present_stiffness, const double* displacement, double* force) const;
 
  private:

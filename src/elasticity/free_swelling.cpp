@@ -8,7 +8,8 @@ namespace bempd {
 
 namespace {
 
-// Deviation from a linear field, over the largest strain, that counts as rounding of the host's formulas.
+// Deviation of the host's swelling from a linear field, over the largest strain, up to which it counts as a rounding
+// error of the host's formulas.
 constexpr double linearity_tolerance = 1e-10;
 
 }  // namespace
@@ -26,7 +27,7 @@ std::optional<FreeSwelling> FreeSwelling::through(const std::vector<Point>& plac
     terms.row(i) << 1, arm.x(), arm.y();
     values.row(i) = swelling(places[static_cast<std::size_t>(i)]).transpose();
   }
-  // A uniform field gets its first value, so that it stays uniform to the last digit.
+  // A uniform field gets its first value everywhere, so that it stays uniform to the last digit.
   Eigen::Matrix<double, 3, 2> found = Eigen::Matrix<double, 3, 2>::Zero();
   found.row(0) = values.row(0);
   if ((values.rowwise() - values.row(0)).cwiseAbs().maxCoeff() > 0) {

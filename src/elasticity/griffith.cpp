@@ -29,7 +29,7 @@ double straight_load_factor(const Point& constant, const Point& proportional, do
   const double a = proportional.squaredNorm(), b = constant.dot(proportional), c = constant.squaredNorm() - square;
   const double root = b * b - a * c;
   if (c >= 0) return 0;
-  // The crack does not grow between the two roots, which have different signs. The positive root is the result.
+  // The crack does not grow between the two roots, which have different signs; the positive root is the result.
   return a > 0 ? in_range((std::sqrt(root) - b) / a) : never;
 }
 

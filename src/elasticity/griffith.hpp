@@ -9,8 +9,8 @@ namespace bempd {
 double plane_modulus(const PlaneElasticity& elasticity);
 
 // Smallest load factor >= 0 at which the energy release rate of a tip that grows straight on reaches the fracture
-// energy: the length of the pair (K_I, K_II) = constant + factor * proportional is then the toughness. The largest
-// double if there is no such load factor. A tip under shear turns and grows at a smaller load factor
+// energy: there the vector (K_I, K_II) = constant + factor * proportional is as long as the toughness. The largest
+// double if there is no such load factor. A tip under shear turns instead, and grows at a smaller load factor
 // (crack::GrowthLaw::range()).
 double straight_load_factor(const Point& constant, const Point& proportional, double toughness);
 

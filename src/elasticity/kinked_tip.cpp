@@ -45,7 +45,7 @@ Kink largest_hoop_stress(const Point& factors) {
 
 Kink largest_energy_release_rate(const Point& factors) {
   if (factors.y() == 0) return {0, factors.x()};
-  // The kink turns to the side on which the shear opens it. The angle is found on a grid, then by golden section
+  // The kink turns to the side on which the shear opens the kink. Its angle is found on a grid, then by golden section
   // search.
   const double side = factors.y() > 0 ? -1 : 1;
   constexpr int grid = 48;
@@ -61,8 +61,8 @@ Kink largest_energy_release_rate(const Point& factors) {
         opening_rate(factors, side * a) < opening_rate(factors, side * b) ? a : b;
   }
   double angle = side * 0.5 * (low + high), rate = opening_rate(factors, angle);
-  // The best kink of a closed tip is the smallest one that opens. Rounding may put the angle just below it, so larger
-  // angles are tried.
+  // The best kink of a closed tip is the smallest one that opens. Rounding may put the angle just below the smallest
+  // opening angle, so larger angles are tried.
   for (const double opens : {side * high, side * widest_kink * best / grid})
     if (rate <= 0) angle = opens, rate = opening_rate(factors, angle);
   return {angle, rate > 0 ? std::sqrt(rate) : -std::sqrt(-rate)};

@@ -30,8 +30,9 @@ Point kinked_factors(const Point& factors, double angle);
 // of the energy release rate times E'; negative if the kink closes.
 double factor_of_kink(const Point& factors, double angle, KinkCriterion criterion);
 
-// Change of the factors (K_I, K_II) of a straight kink with its length: the result, times the T-stress and the square
-// root of the length, is added to the factors of the infinitesimal kink (Amestoy and Leblond, section 5).
+// Change of the stress intensity factors (K_I, K_II) of a straight kink as it becomes longer: the result times the
+// T-stress and the square root of the kink's length is added to the factors of the infinitesimal kink (Amestoy and
+// Leblond, section 5).
 Point kink_growth(double angle);
 
 // Smallest load factor >= 0 at which the equivalent mode I factor of constant + factor * proportional reaches the

@@ -17,7 +17,7 @@ struct PlaneElasticity {
   bool incompressible() const { return state == PlaneState::strain && poisson_ratio > largest_ratio; }
 
   // Poisson's ratio for plane-strain formulas: nu itself in plane strain, nu / (1 + nu) in plane stress. Incompressible
-  // solids get the small compressibility 1 - 2 nu = 2e-8. The error of this value, and the digits lost in the pressure,
+  // solids get the small compressibility 1 - 2 nu = 2e-8: the error by this value, and the digits lost in the pressure,
   // are then both about 1e-8 of the results.
   double effective_poisson_ratio() const {
     if (state == PlaneState::stress) return poisson_ratio / (1 + poisson_ratio);

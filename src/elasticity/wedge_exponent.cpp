@@ -41,8 +41,8 @@ RayFunctions functions_on(double angle, const Complex& lambda, const PlaneElasti
   return result;
 }
 
-// Determinant of the conditions on all rays as a function of lambda: it is 0 if some displacement ~ r^lambda satisfies
-// all conditions.
+// Determinant of the conditions on all rays of a wedge as a function of the exponent lambda: it is 0 if some
+// displacement ~ r^lambda satisfies all conditions.
 class WedgeEquations {
  public:
   explicit WedgeEquations(const Wedge& wedge) : wedge_(wedge) {
@@ -101,8 +101,8 @@ class WedgeEquations {
   std::vector<double> from_;
 };
 
-// Whether the stress is certainly bounded: one sector with an angle up to 180 degrees, with both faces free or both
-// held.
+// Whether the stress is certainly bounded: the wedge is one sector with an angle up to 180 degrees, and its two faces
+// are both free or both held.
 bool is_surely_bounded(const Wedge& wedge) {
   if (wedge.sectors.size() != 1 || wedge.closed) return false;
   const int held = wedge.held[0];

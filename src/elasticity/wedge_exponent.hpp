@@ -27,9 +27,9 @@ struct Wedge {
 // Largest exponent of the displacement that counts as singular; the stress then grows at least as r^-0.01.
 constexpr double largest_singular_exponent = 0.99;
 
-// Exponent of the strongest singularity at the point: the displacement is ~ r to this power. Among the solutions of the
-// wedge's equations with a real part between 0 and largest_singular_exponent it has the least real part; of a conjugate
-// pair, the solution with the positive imaginary part is returned. Empty if the stress is bounded.
+// Exponent of the strongest stress singularity at the wedge's point: the displacement is ~ r to this power. It is the
+// solution of the wedge's equations with the least real part, between 0 and largest_singular_exponent; of a conjugate
+// pair, the solution with the positive imaginary part. Empty if the stress is bounded.
 std::optional<std::complex<double>> singular_exponent(const Wedge& wedge);
 
 }  // namespace bempd

@@ -17,8 +17,8 @@ struct Box {
   Complex middle() const { return {0.5 * (left + right), 0.5 * (low + high)}; }
 };
 
-// Value of a function, and magnitude of its slope over its value. A root at the distance d adds 1 / d to this ratio,
-// which thus tells how near roots are.
+// Value of a function at a place, and the magnitude of (slope / value) there. A root at the distance d adds about 1 / d
+// to this magnitude, which thus shows how near roots are.
 struct Sample {
   Complex place, value;
   double slope;
@@ -49,8 +49,8 @@ int count_roots(const AnalyticFunction& f, const Box& box) {
   return static_cast<int>(std::lround(sum / (2 * std::numbers::pi)));
 }
 
-// Left one of two roots that are close together or equal, near `start`. The two are roots of the parabola through three
-// values.
+// Root with the smaller real part of two roots that are close together or equal, near `start`. They are the roots of
+// the parabola through three values of the function.
 Complex left_of_two(const AnalyticFunction& f, const Complex& start, double reach) {
   Complex z = start;
   for (const double step : {reach, 0.3 * reach, 0.1 * reach, 0.1 * reach}) {
@@ -84,7 +84,8 @@ Complex refined(const AnalyticFunction& f, const Complex& start, double reach) {
 }  // namespace
 
 std::optional<Complex> leftmost_root(const AnalyticFunction& f, RealRange range, double most_imaginary) {
-  // Boxes are divided at an uneven ratio, because roots often lie half way, where no side of a box must be.
+  // Boxes are divided at an uneven ratio, because roots often lie at half of the range, and no side of a box may go
+  // through a root.
   constexpr double share = 0.4871, precise = 1e-4;
   Box box{range.from, range.to, -0.9713 * most_imaginary, most_imaginary};
   if (count_roots(f, box) <= 0) return std::nullopt;

@@ -183,7 +183,7 @@ class CholmodCholesky final : public SparseCholesky {
       for (std::size_t k = 0; k < order_.size(); ++k) position_[order_[k]] = static_cast<int>(k);
       pattern_.assign(lower);  // last, so that a failure before leads to a new analysis
     }
-    // A changed factor is simplicial, so the next factor is made from a copy of the analysis.
+    // A factor that was changed is simplicial, so the next factor is made from a copy of the analysis.
     if (!factor_ || !factor_->is_super) {
       factor_.reset(Cholmod<Index>::copy_factor(analysis_.get(), common_.get()));
       common_.check();
@@ -199,7 +199,8 @@ class CholmodCholesky final : public SparseCholesky {
     std::vector<Index> wanted(wanted_order_.begin(), wanted_order_.end());
     const bool given = !wanted_order_.empty();
     common_->method[0].ordering = given ? CHOLMOD_GIVEN : CHOLMOD_AMD;
-    // Postordering gathers columns into larger supernodes, but may move unknowns that must come last.
+    // Postordering gathers columns into larger supernodes, but may move unknowns that must come last; the analysis is
+    // then repeated without postordering.
     for (const int postorder : {1, 0}) {
       common_->postorder = postorder;
       analysis_.reset(

@@ -8,8 +8,8 @@
 
 namespace bempd::linalg {
 
-// Throws std::runtime_error if the loaded CHOLMOD has another main version than the one compiled with, because its
-// settings then lie elsewhere in memory.
+// Throws std::runtime_error if the loaded CHOLMOD has another main version than the version compiled with, because
+// CHOLMOD's settings then lie elsewhere in memory.
 inline void require_cholmod(int running) {
   if (running == CHOLMOD_MAIN_VERSION) return;
   throw std::runtime_error("CHOLMOD " + std::to_string(running) + " runs, but bempd was compiled with CHOLMOD " +

@@ -11,7 +11,7 @@ namespace bempd::linalg {
 
 namespace {
 
-// Number of operations (20 to 100 ms of work) from which the time is estimated.
+// Number of operations (20 to 100 ms of work) above which the time of a factorization is estimated in advance.
 constexpr double worth_foretelling = 1e9;
 
 // Least seconds of three calls of work().

@@ -27,8 +27,8 @@ std::int64_t next_number() {
   return ++last;
 }
 
-// Factor by an outside solver, which gets the matrix D A D. D makes diagonal entries lie between 1/2 and 2, so that a
-// pivot is its ratio to the diagonal entry within a factor of two. D has powers of two, so that scaling rounds nothing.
+// Factor by an outside solver, which gets D A D. The diagonal D brings diagonal entries between 1/2 and 2, so that a
+// pivot is its ratio to the diagonal entry within a factor of two. D has powers of two: scaling rounds nothing.
 class ExternalCholesky final : public SparseCholesky {
  public:
   ExternalCholesky(std::shared_ptr<ExternalSolver> solver, std::string scratch) : solver_(std::move(solver)) {
@@ -72,8 +72,8 @@ class ExternalCholesky final : public SparseCholesky {
     change_.correct(rhs);
   }
 
-  // The result has the given right-hand sides of the eliminated unknowns (the solver keeps their reduced values),
-  // followed by L^-1 times the reduced right-hand side of the kept unknowns.
+  // The result has the given right-hand sides of the eliminated unknowns (the solver keeps their reduced values), then
+  // L^-1 times those of the kept unknowns, reduced; L is the factor of the kept unknowns' Schur complement.
   void solve_forward(Eigen::Ref<Eigen::MatrixXd> rhs) const override {
     assert(has_factor_);
     for (Eigen::Index first = 0; first < rhs.cols(); first += most_sides_at_once) {
@@ -223,7 +223,7 @@ class ExternalCholesky final : public SparseCholesky {
     return true;
   }
 
-  // Block of A^-1 if all of `unknowns` are kept; it is then a block of the inverse of the Schur complement.
+  // Block of A^-1, a block of the Schur complement's inverse, if all `unknowns` are kept; empty if some are eliminated.
   std::optional<Eigen::MatrixXd> inverse_block_of_kept(const std::vector<int>& unknowns) const {
     std::vector<int> place(order_.size(), -1), places;
     for (int k = 0; k < plan_.kept; ++k) place[order_[static_cast<std::size_t>(eliminated_count() + k)]] = k;
@@ -237,7 +237,7 @@ class ExternalCholesky final : public SparseCholesky {
     return half.transpose() * half;
   }
 
-  // Columns of the kept unknowns, in the rows of the eliminated unknowns.
+  // Stores the coupling block of the matrix: columns of the kept unknowns, rows of the eliminated unknowns.
   void collect_coupling(const SparseMatrix& scaled) {
     std::vector<int> column_of(order_.size(), -1);
     for (int k = 0; k < plan_.kept; ++k) column_of[order_[static_cast<std::size_t>(eliminated_count() + k)]] = k;
@@ -265,7 +265,7 @@ class ExternalCholesky final : public SparseCholesky {
     values(kept_unknowns(), Eigen::all) = kept;
   }
 
-  // Completes the kept unknowns, the last `known` of which are given, from L^-1 of their right-hand sides.
+  // Solves L^T x = b for the kept unknowns x, the last `known` of which are given; L is their Cholesky factor.
   void finish_kept(Eigen::Ref<Eigen::MatrixXd> transposed, int known) const {
     const Eigen::MatrixXd factor = trailing_factor(plan_.kept);
     const Eigen::Index open = plan_.kept - known;

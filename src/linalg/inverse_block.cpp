@@ -60,7 +60,8 @@ class FactorColumns {
 
 }  // namespace
 
-// Computes the block as y^T y, or y^T D^-1 y, where L y = b and the columns of b are the unit vectors of the places.
+// Computes the block as y^T y (factor L L^T) or y^T D^-1 y (factor L D L^T), where L y = b and the columns of b are the
+// unit vectors of the places.
 template <class Index>
 Eigen::MatrixXd inverse_block(const cholmod_factor& factor, const std::vector<int>& places) {
   using Rows = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;

@@ -21,7 +21,7 @@ using Sparse = Eigen::SparseMatrix<double>;
 // Residual that no further round can reduce: the rounding error of values and equations of order one.
 constexpr double rounding = 5e-16;
 
-// Solver for the shortest x with B x = r, which has the form x = B^T lambda, for consistent r.
+// Solver for the shortest x with B x = r, which has the form x = B^T lambda; r must be such that there is a solution.
 class MinimumNormSolver {
  public:
   using Step = SparseMinimumNorm::Step;
@@ -60,7 +60,7 @@ struct Candidate {
   double residual = 0;
 };
 
-// Scales of the values, with zeros for the values that are held at the bound.
+// Scales of the values, with zeros for the values that are held at their lower bound (`held`).
 VectorXd free_scales(const LeastChange& problem, const std::vector<char>& held) {
   VectorXd scale = problem.scale;
   for (std::size_t i = 0; i < held.size(); ++i)
@@ -75,7 +75,7 @@ Candidate starting_candidate(const LeastChange& problem, const std::vector<char>
   return c;
 }
 
-// Refines a candidate by at most `most` steps, as long as they reduce the residual by half.
+// Refines a candidate by at most `most` steps, and ends when a step does not reduce the residual by half.
 template <class Solver>
 void refine(const LeastChange& problem, const VectorXd& free_scale, const Solver& solve, int most, Candidate& c) {
   VectorXd missing = problem.target - problem.constraints * c.values;
@@ -93,7 +93,7 @@ void refine(const LeastChange& problem, const VectorXd& free_scale, const Solver
   }
 }
 
-// Least change with the values marked in `held` fixed at the bound.
+// Least change with the values marked in `held` fixed at their lower bound.
 Candidate solve_with_held(const LeastChange& problem, const std::vector<char>& held) {
   Candidate c = starting_candidate(problem, held);
   const VectorXd free_scale = free_scales(problem, held);
@@ -110,7 +110,8 @@ Candidate solve_with_held(const LeastChange& problem, const std::vector<char>& h
   return c;
 }
 
-// Flags of the values that the multipliers of a candidate would take below the bound; `held` are the flags so far.
+// Flags of the values that the multipliers of a candidate would take below their lower bound; `held` are the flags so
+// far.
 std::vector<char> held_by(const LeastChange& problem, const Candidate& c, const std::vector<char>& held) {
   const VectorXd pull = problem.constraints.transpose() * c.lambda;
   const bool bounded = std::isfinite(problem.lower);
@@ -127,7 +128,8 @@ std::vector<char> held_by(const LeastChange& problem, const Candidate& c, const 
 }  // namespace
 
 // Solves by primal-dual active sets (Hintermueller, Ito, Kunisch 2002), a semismooth Newton method for the dual
-// problem, in which x = max(lower * scale, start + scale^2 A^T lambda).
+// problem, in which x = max(lower * scale, start + scale^2 A^T lambda) with one multiplier lambda per equation of A x =
+// b.
 LeastChangeResult solve_least_change(const LeastChange& problem) {
   assert(problem.constraints.cols() == problem.start.size() && problem.start.size() == problem.scale.size());
   LeastChangeResult result;
@@ -144,8 +146,8 @@ LeastChangeResult solve_least_change(const LeastChange& problem) {
   return result;
 }
 
-// Solves the long problem by active sets. A rough solution usually tells which values are held at the bound. Exact
-// solutions are computed once the set of held values stays the same, or after some rounds.
+// Solves a long problem by active sets. A rough solution usually tells which values are held at their lower bound.
+// Exact solutions are computed once the set of held values stays the same, or after some rounds.
 LeastChangeResult solve_long_least_change(const LeastChange& problem) {
   if (problem.target.size() <= 80) return solve_least_change(problem);
   constexpr double shift = 3e-15;

@@ -5,7 +5,7 @@
 
 namespace bempd::linalg {
 
-// Values x that satisfy A x = b and stay as close as possible to given ones:
+// Values x that satisfy A x = b and stay as close as possible to given values `start`:
 //   minimise sum ((x - start) / scale)^2   subject to   A x = b,   x >= lower * scale.
 struct LeastChange {
   Eigen::SparseMatrix<double> constraints;  // A; rows may be dependent but not contradictory

@@ -11,8 +11,8 @@ namespace {
 
 constexpr double singular_resistance_ratio = 1e-9;
 
-// Room for the stored solutions A^-1 U: `always_room_for` entries, or `share_of_factor` times the factor's entries if
-// that is more.
+// Room for the stored solutions A^-1 U, in entries: the larger of `always_room_for` and `share_of_factor` times the
+// number of the factor's entries.
 constexpr double always_room_for = 8e6, share_of_factor = 0.25;
 constexpr Eigen::Index most_columns = 256;  // more columns cost more than they save
 
@@ -57,8 +57,9 @@ bool LowRankChange::add(const Eigen::SparseMatrix<double>& columns, Change chang
   return true;
 }
 
-// Smallest ratio by an eigenvalue problem. With B = A + added columns and the removed columns R, the ratios of the
-// resistance of motions in the changed matrix to that in B are the eigenvalues of 1 - R^T B^-1 R.
+// Smallest ratio of the resistance (energy) of a motion in the changed matrix to that in B, by an eigenvalue problem. B
+// is the matrix A plus the added columns. With the removed columns R, these ratios are the eigenvalues of 1 - R^T B^-1
+// R.
 double LowRankChange::least_resistance_ratio_of(const Eigen::MatrixXd& middle) const {
   std::vector<Eigen::Index> added, removed;
   for (Eigen::Index k = 0; k < size(); ++k)

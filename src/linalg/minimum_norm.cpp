@@ -40,7 +40,8 @@ SparseMinimumNorm::Step SparseMinimumNorm::solve(VectorXd r, double least_residu
   Step s{VectorXd::Zero(b_.rows()), VectorXd::Zero(b_.cols())};
   VectorXd z = precondition(r), p = z;
   double rz = r.dot(z);
-  // The goal of a round is rough, because the next round starts from a residual that is recomputed from the values.
+  // The goal for the residual of a round is rough, because the next round starts from a residual that is recomputed
+  // from the values.
   const double goal = std::max(1e-5 * r.lpNorm<Eigen::Infinity>(), 0.5 * least_residual);
   for (int step = 0; step < 100 && rz > 0; ++step) {
     check_cancelled();

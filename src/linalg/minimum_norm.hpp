@@ -7,10 +7,10 @@
 
 namespace bempd::linalg {
 
-// Solver for the shortest x = B^T lambda with B x = r, for consistent r, by conjugate gradients on N lambda = r with N
-// = B B^T. N is singular, so the Cholesky factor F of a slightly shifted N serves as preconditioner, in the form F^-1 N
-// F^-1. F^-1 alone would amplify rounding errors of r in the kernel of N by the inverse of the shift, until they exceed
-// all else.
+// Solver for the shortest x = B^T lambda with B x = r, by conjugate gradients on N lambda = r with N = B B^T; r must be
+// such that there is a solution. N is singular, so the Cholesky factor F of a slightly shifted N serves as
+// preconditioner, in the form F^-1 N F^-1. F^-1 alone would amplify rounding errors of r in the kernel of N by the
+// inverse of the shift, until they exceed all else.
 class SparseMinimumNorm {
  public:
   // Prepares the solver with a shift of N's diagonal, given as a multiple of its largest entry. Eigenvalues below the

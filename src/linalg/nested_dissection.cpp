@@ -11,7 +11,7 @@ namespace bempd::linalg {
 
 namespace {
 
-// Number of nodes up to which a part is not divided further, because its part of the factor is full anyway.
+// Number of nodes up to which a part of the graph is not divided further, because the factor is full there anyway.
 constexpr std::ptrdiff_t leaf_size = 24;
 
 class Dissection {
@@ -75,7 +75,7 @@ class Dissection {
     const double value = *median;
     const auto [lowest_place, highest] = std::minmax_element(coordinates_.begin(), coordinates_.end());
     const double lowest = *lowest_place;
-    // The tolerance is relative to the part's size, because the order must not depend on the unit of length.
+    // The tolerance is relative to the extent of the nodes, because the order must not depend on the unit of length.
     const double tolerance = 1e-9 * (*highest - lowest);
     return value - tolerance > lowest ? value - tolerance : value + tolerance;
   }
@@ -99,7 +99,8 @@ class Dissection {
     return std::any_of(partners.begin(), partners.end(), [&](int n) { return side_[n] == side; });
   }
 
-  // Whether a group of the node has nodes on a side. The state of each group is stored until boundary() ends.
+  // Whether a group of a node has nodes on the given side of the cut. The answer for each group is stored until
+  // boundary() ends.
   bool shares_group_with_side(int node, Side side) {
     const std::span<const int> groups = groups_of_.of(node);
     return std::any_of(groups.begin(), groups.end(), [&](int g) {

@@ -28,8 +28,8 @@ class SparseCholesky : public SparseFactorization {
   // Second half of solve_in_place(): replaces values of solve_forward(), transposed (one row per set), by the unknowns
   // in the same order. The last `known` unknowns are given and stay.
   virtual void solve_backward(Eigen::Ref<Eigen::MatrixXd> transposed, int known) const = 0;
-  // Second half of a solution for the unknowns at `places` and those that they depend on. Other entries may be left
-  // unsolved.
+  // Second half of a solution, computed only for the unknowns at `places` and for the unknowns that these depend on.
+  // Other entries may be left unsolved.
   virtual void solve_backward_at(const std::vector<int>& places, Eigen::Ref<Eigen::MatrixXd> transposed,
                                  int known) const = 0;
 

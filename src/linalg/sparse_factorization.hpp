@@ -7,8 +7,8 @@ namespace bempd::linalg {
 
 enum class Change { add, remove };
 
-// Smallest pivot ratio (see smallest_pivot_ratio()) that counts as nonzero. Smaller pivots are rounding errors of the
-// elimination.
+// Pivot ratio (see smallest_pivot_ratio()) up to which a pivot counts as zero: smaller pivots are rounding errors of
+// the elimination.
 constexpr double singular_pivot_ratio = 1e-13;
 
 // Direct solver of a sparse square system, with low-rank changes if the method has them. One thread at a time may use
@@ -32,9 +32,9 @@ class SparseFactorization {
   // factorize().
   virtual bool update(const Eigen::SparseMatrix<double>& columns, Change change) = 0;
 
-  // Smallest ratio of a pivot to entries of the matrix last factorized (which ones depends on the method): near zero if
-  // something can move freely. The ratio does not measure the condition, because an ill-conditioned matrix can have
-  // large ratios. It is 1 for an empty matrix, and costs one pass over the pivots.
+  // Smallest ratio of a pivot to entries of the matrix last factorized; which entries depends on the method. It is near
+  // zero if a part of the body can move freely. The ratio does not measure the condition, because an ill-conditioned
+  // matrix can have large ratios. It is 1 for an empty matrix, and costs one pass over the pivots.
   virtual double smallest_pivot_ratio() const = 0;
 
   // Number of stored entries of the factor.

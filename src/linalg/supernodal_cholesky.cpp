@@ -97,8 +97,8 @@ class Factorization {
   int rows(int s) const { return static_cast<int>(rows_begin_[s + 1] - rows_begin_[s]); }
   double* panel(int s) { return values_ + values_begin_[s]; }
 
-  // Work of a supernode, proportional to its floating-point operations: its own elimination and its updates of later
-  // supernodes.
+  // Work of a supernode (its own elimination and its contributions to later supernodes), in proportion to its
+  // floating-point operations.
   double operations_of(int s) const { return static_cast<double>(columns(s)) * rows(s) * rows(s); }
   double operations(int count) const {
     double sum = 0;
@@ -116,7 +116,7 @@ class Factorization {
     }
   }
 
-  // Subtracts the update of an earlier supernode d from the columns of supernode s.
+  // Subtracts the part of supernode s that the elimination of an earlier supernode d contributes.
   void subtract(int s, int d) {
     check_cancelled();
     const Index* const own_rows = row_ + rows_begin_[d];
@@ -172,7 +172,7 @@ class Factorization {
     return true;
   }
 
-  // Adds supernode d to the list of the next supernode that it updates, which contains the next row of d.
+  // Adds supernode d to the list of the next supernode that it contributes to, which contains the next row of d.
   void queue_at_ancestor(int d) {
     if (done_[d] >= rows(d)) return;
     const int ancestor = supernode_of_[row_[rows_begin_[d] + done_[d]]];

@@ -19,8 +19,8 @@ class UpLookingLDLT {
  public:
   using Matrix = Eigen::SparseMatrix<double>;
 
-  // Finds the pattern of L from the upper triangle of A. The order of the entries in its columns decides the order of
-  // sums.
+  // Finds the pattern of L from the upper triangle of A. Sums are computed in the order of the entries in the
+  // triangle's columns.
   void analyse(const Matrix& upper);
   // Computes the values of L and D for the analysed pattern; false if a pivot is 0. Can be cancelled.
   bool factorize(const Matrix& upper);

@@ -190,8 +190,7 @@ bool FatigueRun::differs_from_cycles(const Trial& trial, std::size_t leader, dou
 }
 
 bool FatigueRun::choose_step(const Trial& trial, std::size_t leader, bool must_stand) {
-  // Stress intensity factors in lattices scatter from step to step, so their changes do not show the error of the
-  // cycles.
+  // Factors K in lattices scatter from step to step, so their changes do not show the error of the cycles.
   if (lengthening_.growth_increment(front_[leader].values) > 0) return true;
   const crack::TipOnStep& tip = trial.on_step[leader];
   const double so_far = report_.cycles - options_.first_cycle + trial.cycles.cycles;
@@ -233,8 +232,7 @@ bool FatigueRun::pass(const crack::CyclesOnStep& cycles) {
   return !is_over(cycles);
 }
 
-// Counts the cycles until the growth of a tip suffices to extend its crack or the cycles end; no crack is extended
-// here.
+// Counts the cycles that are left, because no tip grows by more than rounding. No crack is extended.
 bool FatigueRun::pass_without_growth() {
   std::vector<crack::TipOnStep> here;
   for (std::size_t t = 0; t < front_.size(); ++t) here.push_back(without_growth(t));

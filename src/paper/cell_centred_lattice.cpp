@@ -26,7 +26,7 @@ void CellCentredLattice::place_points(const Preparation& preparation) {
     if (!borders) continue;
     for (const Point& place : borders->places_facing(id())) {
       const Point p = to_grid(place);
-      // A place where two pieces of interface meet gets only one point.
+      // A place where two pieces of interface meet gets one point, not one for each piece.
       const auto is_there = [&](const Point& q) { return (p - q).norm() < same_place; };
       if (std::none_of(points_.begin() + first, points_.end(), is_there)) points_.push_back(p);
     }

@@ -16,7 +16,7 @@ using namespace bem;
 
 namespace {
 
-// Parameter of the collocation points beside a node with two tractions, where the node has xi = 1.
+// Parameter of the collocation point inside an element beside a node with two tractions, if that node has xi = 1.
 constexpr double shifted = 2.0 / 3;
 
 // Collocation point with its parameter on every element that contains it: two elements if it is their common end.
@@ -49,8 +49,9 @@ std::vector<CollocationPoint> collocation_points(const BoundaryMesh& mesh) {
   return points;
 }
 
-// Assembler of G^T and H^T, with lengths over the body's diagonal and the shear modulus 1. Every point has its own pair
-// of columns, so that threads can compute points independently.
+// Assembler of G^T and H^T, the transposed matrices of Somigliana's identity H u = G t, with lengths over the body's
+// diagonal and the shear modulus 1. Every point has its own pair of columns, so that threads can compute points
+// independently.
 class Assembler {
  public:
   Assembler(const BoundaryMesh& mesh, double nu, double tolerance)
@@ -93,8 +94,8 @@ class Assembler {
         if (!home) constant += block;
       }
     }
-    // The kernel T is applied to u - u(x) on all elements, because a constant displacement has no traction. The free
-    // term is therefore not needed.
+    // The traction kernel T is applied to u - u(x) on all elements, because a constant displacement has no traction.
+    // The free term at the point x is therefore not needed.
     const auto value = boundary_.elements[home_element].shape(home_xi);
     for (int b = 0; b < 3; ++b)
       double_layer_transpose.block<2, 2>(2 * mesh_.elements[home_element].nodes[b], 2 * point) -= value[b] * constant;
@@ -106,7 +107,8 @@ class Assembler {
   Eigen::MatrixXd single_layer_transpose, double_layer_transpose;
 
  private:
-  // Integral of U N_b over an element. The trace part 1/2 of e e^T gives half the integral of N_b (`length`).
+  // Integral of U N_b over an element, with the displacement kernel U and the shape function N_b. The trace part of e
+  // e^T, half the unit matrix, gives half the integral of N_b (`length`).
   Eigen::Matrix2d single_layer(const PointMoments& m, double length, int b) const {
     const double isotropic = 0.5 * length - (3 - 4 * nu_) * m.mass[0][b];
     Eigen::Matrix2d block;
@@ -114,7 +116,8 @@ class Assembler {
     return block / (8 * std::numbers::pi * (1 - nu_));
   }
 
-  // Integral of T N_b over an element or, if the point lies on the element, of T (N_b - N_b(x)).
+  // Integral of T N_b over an element, with the traction kernel T and the shape function N_b; if the point x lies on
+  // the element, of T (N_b - N_b(x)).
   Eigen::Matrix2d double_layer(const PointMoments& m, int b) const {
     const double isotropic = (2 - 2 * nu_) * m.double_layer[0][b], rotation = (1 - 2 * nu_) * m.double_layer[1][b];
     const double cosine = 2 * m.double_layer[2][b], sine = 2 * m.double_layer[3][b];
@@ -131,7 +134,8 @@ class Assembler {
   std::vector<std::array<double, 3>> element_lengths_;  // integral of N_b
 };
 
-// Integrals of N_a N_b ds between displacement nodes a and traction nodes b, for both components.
+// Integrals of N_a N_b ds for both components, with the shape functions N_a of displacement nodes and N_b of traction
+// nodes.
 Eigen::SparseMatrix<double> trace_mass(const BoundaryMesh& mesh) {
   const ScaledBoundary boundary(mesh);
   std::vector<Eigen::Triplet<double>> entries;

@@ -13,12 +13,12 @@ namespace bempd::paper {
 // jump.
 BoundaryMesh with_one_traction_at_corners(BoundaryMesh mesh);
 
-// Collocation boundary element operator of one elastic body with quadratic elements. Somigliana's identity H u = G t,
-// at as many points as there are traction nodes, is solved for the tractions t = K_B u, K_B = G^-1 H (Yang and Liu,
-// Int. J. Solids Struct. 2021, Eqs. 4 and 7). Their consistent nodal forces  h M K_B u  give the stiffness, with the
-// thickness h. Collocation points are the nodes; a node with two tractions has a point inside each of its elements
-// instead. The stiffness is not symmetric. The symmetric part alone would be no approximation, because it is wrong for
-// constant strains.
+// Collocation boundary element operator of one elastic body with quadratic elements. Somigliana's identity H u = G t
+// between displacements u and tractions t, at as many points as there are traction nodes, is solved for t = K_B u, K_B
+// = G^-1 H (Yang and Liu, Int. J. Solids Struct. 2021, Eqs. 4 and 7). The consistent nodal forces h M K_B u give the
+// stiffness, with the thickness h and the integrals M of products of shape functions. Collocation points are the nodes;
+// a node with two tractions has a point inside each of its elements instead. The stiffness is not symmetric. Its
+// symmetric part alone would be no approximation, because it is wrong for constant strains.
 class CollocationOperator final : public bem::BoundaryOperator {
  public:
   CollocationOperator(const BoundaryMesh& mesh, const PlaneElasticity& elasticity,

@@ -40,7 +40,8 @@ class LowRankUpdated final : public SparseFactorization {
   bool update(const Eigen::SparseMatrix<double>& columns, Change change) override {
     assert(columns.rows() == columns_.rows());
     if (columns.cols() == 0) return !is_stale_;
-    // A factor that has missed one change gets no later changes, because it would then belong to no matrix at all.
+    // A factor that has missed one change gets no later changes, because it would then be the factor of no matrix at
+    // all.
     is_stale_ = is_stale_ || signs_.size() + columns.cols() > limit_;
     if (is_stale_) return false;
     const Eigen::Index before = signs_.size(), after = before + columns.cols();
@@ -53,7 +54,7 @@ class LowRankUpdated final : public SparseFactorization {
     columns_.rightCols(columns.cols()) = columns;
     signs_.conservativeResize(after);
     signs_.tail(columns.cols()).setConstant(change == Change::add ? 1.0 : -1.0);
-    // New rows and columns of the capacitance matrix are computed; old entries stay.
+    // Only new rows and columns of the capacitance matrix S + C^T Z are computed; old entries stay.
     Eigen::MatrixXd capacitance(after, after);
     capacitance.topLeftCorner(before, before) = capacitance_matrix_;
     capacitance.rightCols(columns.cols()) = columns_.transpose() * solved;

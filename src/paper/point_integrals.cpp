@@ -86,7 +86,8 @@ class OwnElement {
     }
   }
 
-  // Adds the values at one point; `log_weight` integrates ln|xi - xi0|.
+  // Adds the values at one point of the element; `weight` is its weight for smooth integrands, `log_weight` that for
+  // integrands with the factor ln|xi - xi0|.
   void add_point(double xi, double weight, double log_weight) {
     const Point chord = element_.quotients(xi, xi0_).place, dx = element_.derivative(xi);
     const Point normal = scaled_normal(dx);

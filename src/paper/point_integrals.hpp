@@ -8,8 +8,9 @@
 
 namespace bempd::paper {
 
-// Integrals over one element with points y, as seen from a point x, with r = y - x. The collocation blocks of U and T
-// follow from them. With e = r / |r| and the normal n at y the kernels are
+// Integrals over one element with points y, as seen from a point x, with r = y - x. The collocation blocks of the
+// displacement kernel U and the traction kernel T follow from them. With e = r / |r| and the normal n at y the kernels
+// are
 //   weakly singular:  ln r,  (e_x^2 - e_y^2) / 2,  e_x e_y   (the last two: e e^T without its trace part),
 //   double layer:     (e . n) / r,  (n x e) / r,  and (e . n) / r times the last two weakly singular kernels.
 struct PointMoments {

@@ -13,8 +13,8 @@ class UncorrectedLattice : public regions::LatticeRegion {
   // Always false, because published bodies have one lattice: two lattices are coupled only by the points that they
   // share.
   bool acts_as_one_with(const LatticeRegion&) const override { return false; }
-  // Empty, so that contact gets no places on faces: bond forces at surfaces and interfaces do not agree with the stress
-  // there.
+  // Always empty, so that contact finds no places on crack faces: bond forces at surfaces and interfaces do not agree
+  // with the stress there.
   std::optional<regions::LatticeGrid> lattice_grid() const override { return std::nullopt; }
   std::optional<pd::FaceLattice> face_lattice() const override { return std::nullopt; }
   // Makes the network of the region's own points; `cells` are not used.

@@ -13,9 +13,10 @@ using namespace coupling;
 
 namespace {
 
-// Largest number of updates of a factor; more updates would cost more to apply than the factor itself.
+// Largest number of low-rank changes of a factor; more changes would cost more in each solution than a fresh factor.
 constexpr int most_updates = 120;
-// Largest number of refinement steps. A factor that has missed changes hardly ever converges in more steps.
+// Largest number of steps of iterative refinement. If the factor has missed changes of the matrix, more steps hardly
+// ever converge.
 constexpr int most_refinements = 4;
 
 // Reciprocal condition number below which a solution has no correct digit.
