@@ -9,14 +9,16 @@ namespace {
 
 using Map = Eigen::SparseMatrix<double>;
 
-// Interpolation of nodal values from the nodes that remain on the coarse level to all nodes.
+// Interpolation of nodal values of a mesh from the nodes that remain after pairs of elements were merged (coarse level)
+// to all nodes.
 class Merging {
  public:
   explicit Merging(int nodes) : keeps_(nodes, 1) {}
 
   // Merges two elements, the second of which starts where the first one ends. Their common node becomes the mid node of
-  // the merged element, whose coarse value belongs to the middle even if the two elements meet elsewhere. `first_share`
-  // is the length of the first element over that of both, `sweep` the angle of the merged arc.
+  // the merged element. The coarse value of this node belongs to the middle of the merged element, even if the two
+  // elements meet elsewhere. `first_share` is the length of the first element over the length of both, `sweep` the
+  // angle of the merged arc.
   void merge(const std::array<int, 3>& first, const std::array<int, 3>& second, double first_share, double sweep) {
     const ElementGeometry whole{Point::Zero(), Point::UnitX(), Point::Zero(), ElementBasis(0.5 * sweep)};
     const double joint = -1 + 2 * first_share;
@@ -30,8 +32,8 @@ class Merging {
     middles_.push_back(first[2]);
   }
 
-  // Interpolation matrix: gives the values of all nodes from those that remain on the coarse level, two components per
-  // node.
+  // Interpolation matrix: gives the values of all nodes from the values of the nodes that remain on the coarse level
+  // (mesh of merged elements), two components per node.
   Map map() const {
     const std::vector<int> columns = numbers();
     std::vector<Eigen::Triplet<double>> entries;
@@ -46,7 +48,8 @@ class Merging {
     return map;
   }
 
-  // Matrix that selects the nodes that remain on the coarse level from all nodes, two components per node.
+  // Matrix that selects, from the values of all nodes, the values of the nodes that remain on the coarse level (mesh of
+  // merged elements), two components per node.
   Map selection() const {
     const std::vector<int> rows = numbers();
     std::vector<Eigen::Triplet<double>> entries;

@@ -12,8 +12,8 @@ struct Mouth {
   int before = -1, after = -1;  // boundary nodes before and behind the mouth
 };
 
-// Splits the boundary node at a crack mouth into two. The node before the mouth keeps its number; elements that start
-// at the mouth get the new one.
+// Splits the boundary node at a crack mouth into two nodes. The part of the boundary that ends at the mouth keeps the
+// old node; elements that start at the mouth get the new node.
 Mouth split_at(const Point& place, BoundaryMesh& mesh, double tolerance) {
   Mouth mouth;
   double least = 16 * tolerance;

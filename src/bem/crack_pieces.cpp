@@ -151,7 +151,7 @@ std::vector<int> parts_of(const std::vector<Walk>& walks, int lines) {
 }
 
 // Flags the walks that go around the outside of a connected part, such as a hole with its cracks, or a crack inside the
-// body. Every part but the outermost one has one such walk. All other walks go around a piece of the body.
+// body. Every part but the outermost has one walk of this kind. All other walks go around a piece of the body.
 std::vector<char> go_around_outside(const std::vector<Walk>& walks, const std::vector<int>& part, int lines) {
   std::vector<int> least(walks.size(), -1);
   int outermost = -1;

@@ -19,8 +19,8 @@ struct CrackedState {
   std::vector<char> closed = {};  // flags of the opening nodes at which faces press
 };
 
-// Energy release rate and stress intensity factors of a tip. The axes at a tip are the direction of straight growth and
-// the direction to its left.
+// Energy release rate and stress intensity factors of a tip, and the axes to which they belong: the direction of
+// straight growth, and the direction to its left.
 struct StressIntensity {
   double energy_release_rate;  // [J/m^2]
   Point factors;               // K_I, K_II [Pa m^(1/2)]; K_I < 0: faces would overlap

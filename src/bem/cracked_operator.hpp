@@ -17,11 +17,12 @@
 namespace bempd::bem {
 
 // Galerkin operator of a body with cracks. The openings w are unknowns beside the displacements u of the boundary:
-//   K = h G [D + B^T V^-1 B]  on (u, w).
-// The single layer V is that of the body without cracks. The hypersingular matrix D and the double layer B have further
-// columns for openings, integrated like those of the boundary. The force conjugate to an opening is the traction on the
-// left face (Bonnet, Maier and Polizzotto, Appl. Mech. Rev. 51, 1998, section 6). Other parts of the scene use only the
-// stiffness of the boundary nodes, from which the openings are eliminated.
+//   K = h G [D + B^T V^-1 B]  on (u, w),
+// with the thickness h and the shear modulus G. The single layer V is that of the body without cracks. The
+// hypersingular matrix D and the double layer B have further columns for openings, integrated like those of the
+// boundary. The force conjugate to an opening is the traction on the left face (Bonnet, Maier and Polizzotto, Appl.
+// Mech. Rev. 51, 1998, section 6). Other parts of the scene use only the stiffness of the boundary nodes, from which
+// the openings are eliminated.
 class CrackedOperator final : public BoundaryOperator {
  public:
   // Builds the operator on a boundary mesh whose nodes are split at crack mouths, and which contains both faces of the

@@ -91,9 +91,9 @@ class Assembler {
 
   void add_double_layer(int outer, int inner, const PairMoments& m) {
     const GalerkinElement &x = elements_[outer], &y = elements_[inner];
-    // A pair with an inner crack element has three functions, those of the inner nodes. Constant boundary displacements
-    // cause no forces, so a constant is subtracted from them; constant openings do cause forces, so nothing is
-    // subtracted.
+    // A pair with an inner crack element has three functions, those of the nodes of the inner element. For inner
+    // boundary elements a constant is subtracted from the displacements, because constant displacements cause no
+    // forces; from openings nothing is subtracted, because constant openings do cause forces.
     const int functions = y.crack ? 3 : 6;
     for (int a = 0; a < 3; ++a)
       for (int b = 0; b < functions; ++b) {

@@ -15,8 +15,8 @@ bool alike(const GalerkinElement& a, const GalerkinElement& b) {
          coincide(a.geometry.at(1), b.geometry.at(1));
 }
 
-// Number in the list `before` of the element that equals each of `elements`; -1 if there is none. Both lists have
-// similar orders, which makes the search fast.
+// Numbers in the list `before` of the elements that equal those of `elements`, in the order of the latter; -1 where no
+// element is equal. Both lists have similar orders, which makes the search fast.
 std::vector<int> same_elements(const std::vector<GalerkinElement>& before,
                                const std::vector<GalerkinElement>& elements) {
   const int count = static_cast<int>(before.size());

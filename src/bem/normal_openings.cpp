@@ -21,8 +21,8 @@ constexpr double same_direction = 1e-10;
 
 namespace {
 
-// Adds a normal to the `known` ones of a node. If it hardly turns from the last known normal, their mean replaces that
-// normal.
+// Adds the normal of an element to the list `known` of the normals of its node. If the normal hardly turns from the
+// last known normal, their mean replaces the last one instead.
 void add_normal(const Point& normal, std::vector<Point>& known) {
   if (known.empty() || known.back().dot(normal) < smooth_turn) {
     known.push_back(normal);

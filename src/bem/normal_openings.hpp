@@ -44,7 +44,7 @@ class NormalOpenings {
   void add_places_on_cuts(const BoundaryMesh& mesh, const CrackMesh& cracks);
   // Weights of the operator's unknowns in the gap at a place.
   Eigen::VectorXd gap_function(const CrackMesh& cracks, const Place& place) const;
-  // Removes duplicates: two lines that meet at a joint in the same direction have one gap there.
+  // Removes duplicates of gaps: two lines that meet at a joint in the same direction have one gap there.
   void drop_doubles(const CrackMesh& cracks);
   Eigen::MatrixXd normals() const;  // one column per place over all openings; zero where the crack cuts the body
 

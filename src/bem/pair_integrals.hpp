@@ -79,7 +79,7 @@ class PairIntegrator {
     int element;
     Interval interval;
   };
-  // Part of an element with the quantities on which the choice of its rule depends.
+  // Part of an element, with the quantities from which the Gauss rule for this part is chosen.
   struct Stretch {
     Side side;
     std::array<Point, 3> sample;  // ends and middle

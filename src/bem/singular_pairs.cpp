@@ -212,8 +212,8 @@ void PairIntegrator::integrate_tip_with_itself(int element, PairMoments& moments
   constexpr double with_1 = 2 * ln2 - 2, with_square = 2 * ln2 / 3 - 8.0 / 9;  // of ln(1 - w^2) and w^2 ln(1 - w^2)
   constexpr double logarithm[2][2] = {{with_1 - 1, 0.25 * (with_1 + with_square) - 1.0 / 6},
                                       {0.25 * (with_1 + with_square) - 1.0 / 6, with_square / 3 - 1.0 / 27}};
-  // Coefficients of the shape functions of tip, mid node and far end: slope[k] has those of 1 and sigma^2 in dN_k /
-  // dsigma, difference[k] is the value of N_k at the far end less that at the tip.
+  // Coefficients of the shape functions N_k of tip, mid node and far end, with sigma running from 0 at the tip to 1:
+  // dN_k / dsigma = slope[k][0] + slope[k][1] sigma^2, and difference[k] is N_k at the far end less N_k at the tip.
   constexpr double slope[3][2] = {{-7.0 / 3, 4}, {8.0 / 3, -8}, {-1.0 / 3, 4}}, difference[3] = {-1, 0, 1};
   const double cosine = 0.5 * (unit.x() * unit.x() - unit.y() * unit.y()), sine = unit.x() * unit.y();
   const auto position = [&](int k) { return geometry.tip == TipEnd::start ? k : 2 - k; };

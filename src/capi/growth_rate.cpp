@@ -39,8 +39,9 @@ std::function<double(const crack::TipCycle&)> host_growth_function(bempd_growth_
   };
 }
 
-// Coefficient of a growth law for factors in [Pa m^(1/2)], from the coefficient for factors in the unit unit_intensity.
-// With Forman's law, which divides by a factor, the exponent of the unit is less by one.
+// Coefficient of a growth law for stress intensity factors in [Pa m^(1/2)], from the coefficient for stress intensity
+// factors in the host's unit unit_intensity. The coefficient has the unit to the power -m (exponent m of the law); with
+// Forman's law, which divides by a stress intensity factor, to the power 1 - m.
 double coefficient_of(const bempd_growth_rate& rate) {
   const double exponent = rate.kind == BEMPD_RATE_FORMAN ? rate.exponent - 1 : rate.exponent;
   const double coefficient = rate.coefficient * std::pow(rate.unit_intensity, -exponent);

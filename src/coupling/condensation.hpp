@@ -19,7 +19,7 @@ struct CondensedFunction {
 // last. The object uses the system's factor, which must not change meanwhile.
 class Condensation {
  public:
-  // Prepares the condensation. Factorizes the present matrix if there is no factor of it.
+  // Prepares the condensation. Factorizes the present matrix unless the system has a factor of this matrix.
   explicit Condensation(EquilibriumSystem& system);
 
   // Kept degrees of freedom, in the order that all vectors and matrices of this class have.
@@ -41,7 +41,7 @@ class Condensation {
   // freedom inside dense operators.
   Eigen::MatrixXd expand(const Eigen::MatrixXd& kept, const std::vector<int>& part) const;
 
-  // Adds the displacements that the sparse system does not contain: those inside dense operators and those of tied
+  // Adds the displacements that the sparse system does not contain: displacements inside dense operators, and of tied
   // nodes.
   void recover(Affine& displacement) const;
 

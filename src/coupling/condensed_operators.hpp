@@ -49,7 +49,8 @@ class CondensedOperators {
   // closed constraints have the flag 1 in `closed`. A constraint is closed if it can close by itself and the nearest
   // constraint of `before` was closed.
   std::vector<char> closed_as_in(const CondensedOperators& before, const std::vector<char>& closed) const;
-  // Sets which constraints are closed, one flag each, and eliminates the closed ones; condense_load() has to follow.
+  // Sets which constraints are closed, by one flag for each constraint, and eliminates the closed ones; condense_load()
+  // has to follow.
   void set_closed(const std::vector<char>& closed);
   // Gaps that loads inside the operators cause, one row per constraint.
   const Affine& gap_offsets() const { return gap_offsets_; }

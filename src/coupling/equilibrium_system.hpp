@@ -72,12 +72,12 @@ class EquilibriumSystem {
   RepeatableFactor& factor() { return factor_; }
   MotionResistance& motions() { return motions_; }
 
-  // Sets the loads: forces [N] on free degrees of freedom and displacements [m] of prescribed ones, numbered 2 * node +
-  // component.
+  // Sets the loads: forces [N] on free degrees of freedom and displacements [m] of prescribed degrees of freedom, both
+  // numbered 2 * node + component.
   void set_load(Affine force, Affine prescribed);
 
-  // Puts energy terms into other damage stages and adds holding springs. The matrix changes, and its factor follows by
-  // low-rank changes.
+  // Puts energy terms (bonds and cell squares) into other damage stages and adds holding springs. The matrix changes,
+  // and its factor follows by low-rank changes.
   void commit(std::span<const StageChange> changes, std::span<const HoldingSpring> springs);
   // Replaces the damage stages of all energy terms and the holding springs; the next solve factorizes again.
   void restore(std::vector<std::uint8_t> stages, std::vector<HoldingSpring> springs);

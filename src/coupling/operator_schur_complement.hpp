@@ -19,8 +19,9 @@ using KnownSchurComplements = std::multimap<const Eigen::MatrixXd*, std::shared_
 // enter the sparse system.
 class OperatorSchurComplement {
  public:
-  // Condenses `source`; `kind` classifies every global degree of freedom. A Schur complement that is in `known` is used
-  // again; a new one is added to `known`. Throws Error (unsolvable) if the private block is singular.
+  // Condenses `source`; `kind` classifies every global degree of freedom. If `known` has the Schur complement, it is
+  // used again; else a new one is made and added to `known`. Throws Error (unsolvable) if the private block is
+  // singular.
   OperatorSchurComplement(const DenseOperator& source, const std::vector<DofKind>& kind, KnownSchurComplements& known);
 
   const std::shared_ptr<const SchurComplement>& schur() const { return schur_; }
@@ -40,15 +41,15 @@ class OperatorSchurComplement {
   // `load` (all degrees of freedom of the system), and keeps the private part for recover().
   void condense_load(const Affine& force, const Affine& prescribed, Affine& load);
 
-  // Computes private displacements from the shared ones.
+  // Computes the displacements of private unknowns (those of this operator alone) from those of the shared unknowns.
   void recover(Affine& displacement) const;
 
   // Condenses a linear function of displacements: moves the `weights` of private displacements to the shared ones, and
   // adds the contribution of the present loads to `constant` (constant and proportional part).
   void condense_function(Eigen::VectorXd& weights, Eigen::RowVector2d& constant) const;
 
-  // Adds the operator's forces, stiffness * (displacement - rest) and those of multipliers, to `force` on all of its
-  // nodes.
+  // Adds the forces of the operator to `force` on all of its nodes: stiffness * (displacement - rest), and the forces
+  // of multipliers.
   void add_internal_force(const Eigen::VectorXd& displacement, double load_factor, Eigen::VectorXd& force) const;
 
   // Strain energy, half the stiffness times the square of (displacement - rest), and the energy of closed constraints.

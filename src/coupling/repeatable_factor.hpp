@@ -22,7 +22,7 @@ class RepeatableFactor {
 
   // Sets the positions of the nodes, from which a symmetric system derives an order of elimination with less fill.
   void place_nodes(const std::vector<Point>& positions);
-  // Copies the substructures of the factor `before`, so that unchanged ones are used again.
+  // Copies the substructures of the factor `before`, so that unchanged substructures need not be eliminated again.
   void take_over(const RepeatableFactor& before) { substructures_.take_over(before.substructures_); }
 
   // Makes the next factorization eliminate the unknowns of these nodes last, and drops the present factor.

@@ -86,7 +86,7 @@ std::vector<HeldDirection> RigidMotion::missing_supports(const std::vector<Point
     }
     if (!best) break;
     supports.push_back(*best);
-    // The motion that the chosen support holds is removed from the remaining ones.
+    // The motion that the chosen support holds is removed from the motions that remain free.
     const Eigen::RowVectorXd held = row(positions[best->node], best->cosine, best->sine) * remaining;
     remaining = (remaining * basis_along(held).leftCols(remaining.cols() - 1)).eval();
   }

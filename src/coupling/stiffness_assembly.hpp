@@ -20,7 +20,7 @@ struct UnknownEntry {
 };
 
 // Appends to `entries` the pull of the force size * (cosine, sine) at a node; for a tied node, the pulls at its
-// masters. Degrees of freedom that are no unknowns get no entry.
+// masters. Prescribed degrees of freedom and others that are no unknowns get no entry.
 void append_pull(const std::vector<int>& unknown_of, const NodeTies& ties, int node, double cosine, double sine,
                  double size, std::vector<UnknownEntry>& entries);
 

@@ -16,8 +16,8 @@ class StressFreeState {
   StressFreeState(Terms& terms, CondensedOperators& operators) : terms_(terms), operators_(operators) { measure(); }
 
   Rests rests() const { return {terms_.rest_elongation, operators_.rests()}; }
-  // Exchanges the rest elongations and displacements with others of the same sizes; a system's set_load() has to
-  // follow.
+  // Exchanges the rest elongations and rest displacements with those in `others`, which must have the same sizes; a
+  // system's set_load() has to follow.
   void exchange(Rests& others) noexcept {
     terms_.rest_elongation.swap(others.of_terms);
     operators_.exchange_rests(others.of_operators);

@@ -28,8 +28,8 @@ struct MatrixSources {
 };
 
 // Factors by nested substructures (SubstructureFactor) for systems of many operators and nothing else, such as large
-// regions that are cut into subdomains. Each factor copies unchanged substructures from the factor before it, even if
-// that belongs to a scene with shorter cracks.
+// regions that are cut into subdomains. Each factor copies unchanged substructures from the previous factor, even if
+// that factor belongs to a scene with shorter cracks.
 class Substructures {
  public:
   void place(const std::vector<Point>& positions) { positions_ = positions; }  // positions of the nodes

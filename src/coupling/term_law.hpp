@@ -16,7 +16,8 @@ class TermLaw {
     bool operator==(const Stage&) const = default;
   };
 
-  // Creates a law. Throws Error (argument) if there is no stage, or a share is not positive and finite.
+  // Creates a law from its damage stages. Throws Error (argument) if the list is empty, or a share in it is not
+  // positive and finite.
   explicit TermLaw(std::vector<Stage> stages);
 
   // Law of a term that breaks at its critical elongation.
@@ -25,7 +26,8 @@ class TermLaw {
   bool operator==(const TermLaw&) const = default;
 
   const std::vector<Stage>& stages() const { return stages_; }
-  // Stage after the last one of the list, in which a term is broken. Only this function decides which stage is broken.
+  // Number of the stage in which a term is broken: it follows the last damage stage of the list. Only this function
+  // decides which stage is broken.
   int broken_stage() const { return static_cast<int>(stages_.size()); }
   bool is_broken(int stage) const { return stage >= broken_stage(); }
   double stiffness_share(int stage) const { return is_broken(stage) ? 0 : stages_[stage].stiffness_share; }
@@ -38,7 +40,7 @@ class TermLaw {
   std::vector<Stage> stages_;
 };
 
-// Change of a term to another stage of its law.
+// Change of an energy term to another damage stage of its law.
 struct StageChange {
   int term, stage;
 };

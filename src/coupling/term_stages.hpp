@@ -15,7 +15,7 @@ namespace bempd::coupling {
 // stiffness, and whether the term is intact (not broken).
 class TermStages {
  public:
-  // All terms begin in their first stage. `terms` must outlive the object.
+  // Puts all energy terms into their first damage stage. `terms` must outlive the object.
   explicit TermStages(const Terms& terms);
   TermStages(const TermStages&) = delete;
   TermStages& operator=(const TermStages&) = delete;
@@ -31,7 +31,7 @@ class TermStages {
   StageChange after_critical(int term) const {
     return {term, terms_.law_of(static_cast<std::size_t>(term)).after_critical(numbers_[term])};
   }
-  // Adds to `changes` the breaks of all terms that follow broken ones; the result is sorted by terms, each of them
+  // Adds to `changes` the breaks of all followers of terms that break. The result is sorted by terms, and has each term
   // once.
   std::vector<StageChange> with_followers(std::vector<StageChange> changes) const;
   // Changes that break `terms` and all terms that follow them.
@@ -39,11 +39,11 @@ class TermStages {
   // Number of terms that the changes break; followers, which break along with another term, do not count.
   std::int64_t count_broken(std::span<const StageChange> changes) const;
 
-  // Sets the stages of terms without changing their stiffness, so that fragments can be found before a system loses
-  // resistance.
+  // Sets the damage stages of terms without changing their stiffness, so that fragments can be found before a system
+  // loses resistance.
   void mark(std::span<const StageChange> changes);
-  // Puts terms into other stages. A system's factor then belongs to another matrix; EquilibriumSystem::commit() changes
-  // the factor as well.
+  // Puts terms into other damage stages, and changes their stiffness. A system's factor then belongs to another matrix;
+  // EquilibriumSystem::commit() changes the factor as well.
   void enter(std::span<const StageChange> changes);
   void enter_all(std::span<const std::uint8_t> numbers);  // one stage for each term
 

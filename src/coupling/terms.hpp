@@ -63,7 +63,7 @@ struct Terms {
   std::vector<std::uint8_t> law;
   std::vector<TermLaw> laws{TermLaw::brittle()};
 
-  // Coefficients of the wide terms, those that are not bonds.
+  // Coefficients of the wide terms (energy terms that are not bonds).
   struct Wide {
     std::vector<int> term;  // numbers of the wide terms, ascending
     std::vector<std::size_t> start{0};

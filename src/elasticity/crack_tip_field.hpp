@@ -32,11 +32,12 @@ class CrackTipField {
   std::complex<double> phi_, psi_;
 };
 
-// Reciprocal work, per thickness, of the term with power p and factor `a` and its dual term with power -p and factor
-// `dual`: the work of the tractions of the term on the displacements of its dual, less the work of the tractions of the
-// dual on the displacements of the term. It is the same along any path round the tip from the lower face to the upper
-// face, with the normal outwards. No other term of the expansion has reciprocal work with this dual, which thus picks
-// the factor of its partner out of any field (Stern, Becker and Dunham, Int. J. Fract. 12, 1976, for p = 1/2).
+// Reciprocal work, per thickness, of the term with power p and coefficient `a` and its dual term with power -p and
+// coefficient `dual`: the work of the tractions of the term on the displacements of its dual, less the work of the
+// tractions of the dual on the displacements of the term. It is the same along any path round the tip from the lower
+// face to the upper face, with the normal outwards. No other term of the expansion has reciprocal work with this dual,
+// so the dual finds the coefficient of the term with power p in any field (Stern, Becker and Dunham, Int. J. Fract. 12,
+// 1976, for p = 1/2).
 double reciprocal_work(const PlaneElasticity& elasticity, double power, std::complex<double> a,
                        std::complex<double> dual);
 

@@ -97,7 +97,7 @@ std::optional<Complex> leftmost_root(const AnalyticFunction& f, RealRange range,
     else
       box.left = first.right;
   }
-  // The upper half of the box is taken if it has a root, so that the upper one of two conjugate roots is found.
+  // The upper part of the box is taken if it has a root, so that the upper root of two conjugate roots is found.
   Box upper = box;
   upper.low = -0.37 * precise;
   if (count_roots(f, upper) > 0) box = upper;

@@ -81,8 +81,8 @@ class CholmodCholesky final : public SparseCholesky {
       factor.solve_lower(ordered);
       factor.solve_upper(ordered);
     } else {
-      // Long solutions are done in two halves with a check for cancellation between them; the digits are those of a
-      // single call.
+      // Long solutions are done in two halves with a check for cancellation between them; the result has the same
+      // digits as that of a single call.
       triangular_solve(CHOLMOD_L, ordered);
       check_cancelled();
       ordered = solution();

@@ -42,7 +42,7 @@ Sweep conjugate_gradient_sweep(const Apply& apply, const Precondition& precondit
 
 }  // namespace detail
 
-// Preconditioned conjugate gradients (Hestenes and Stiefel 1952) for A x = b, with A and the preconditioner symmetric
+// Preconditioned conjugate gradients (Hestenes and Stiefel 1952) for A x = b, with A and the preconditioner M symmetric
 // positive definite. apply(x, y) sets y = A x; precondition(r) overwrites r by M^-1 r. `x` holds the initial guess,
 // then the best solution found, also after a failure.
 //

@@ -10,8 +10,8 @@
 namespace bempd::linalg {
 
 // Sparse direct solver from outside the library, which stores factors under numbers. It eliminates all unknowns of a
-// symmetric positive definite matrix except the last `kept` ones of an order; without an order it may choose one. All
-// functions throw Error or std::bad_alloc.
+// symmetric positive definite matrix except the last `kept` unknowns of a given order of elimination. Without a given
+// order the solver may choose an order. All functions throw Error or std::bad_alloc.
 class ExternalSolver {
  public:
   using Matrix = Eigen::SparseMatrix<double>;  // a lower triangle, compressed
@@ -34,7 +34,8 @@ class ExternalSolver {
   virtual void analyse(std::int64_t factor, const Matrix& lower, const Plan& plan) = 0;
   // Returns false if the part that is eliminated is not positive definite.
   virtual bool factorize(std::int64_t factor, const Matrix& lower, int kept, Outcome& outcome) = 0;
-  // Solves for the eliminated unknowns while the kept ones are 0; entries of kept unknowns are neither read nor set.
+  // Solves for the eliminated unknowns while the kept unknowns are 0; entries of kept unknowns are neither read nor
+  // set.
   virtual void solve(std::int64_t factor, Eigen::MatrixXd& values) = 0;
   // First half of a solution: reduces the right-hand sides `values` to those of the kept unknowns.
   virtual void reduce(std::int64_t factor, Eigen::MatrixXd& values, Eigen::MatrixXd& kept) = 0;
@@ -52,7 +53,7 @@ struct SolverChoice {
   bool wide_indices = false;                 // whether indices have 64 bits even where 32 bits are enough
 };
 
-// Scope in which make_sparse_cholesky() follows a choice, in the same thread.
+// Scope in which make_sparse_cholesky() makes the solver that a SolverChoice names, in the same thread.
 class SolverScope {
  public:
   explicit SolverScope(const SolverChoice& choice) : before_(current()) { current() = &choice; }

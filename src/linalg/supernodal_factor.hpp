@@ -47,8 +47,8 @@ class SupernodalFactor {
   // solutions. Only the supernodes flagged in `marked` are computed (null: all).
   void solve_backward(Eigen::Ref<Eigen::MatrixXd> transposed, int known,
                       const std::vector<char>* marked = nullptr) const;
-  // Flags of the supernodes on which solutions at `places` depend: those of the places and all on the paths from them
-  // to the root of the elimination tree.
+  // Flags of the supernodes on which solutions at `places` depend: the supernodes that contain `places`, and all on the
+  // paths from them to the root of the elimination tree.
   std::vector<char> supernodes_needed_for(const std::vector<int>& places) const;
 
  private:

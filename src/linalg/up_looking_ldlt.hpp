@@ -32,8 +32,8 @@ class UpLookingLDLT {
   void solve_backward(Eigen::Ref<Eigen::MatrixXd> x) const;  // x <- L^-T x
 
  private:
-  // Finds the columns of L that have an entry in row k, each after those that it depends on, from the columns of the
-  // upper triangle.
+  // Finds the columns of L that have an entry in row k, from the columns of the upper triangle. In the list, a column
+  // comes after all columns on which it depends.
   int pattern_of_row(const Matrix& upper, int k);
 
   Matrix unit_lower_;

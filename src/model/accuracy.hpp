@@ -57,7 +57,7 @@ class Accuracy {
   void prepare();
   // Plan of the mesh in use; empty if the scene has no bodies, or before the model is prepared.
   const std::optional<MeshPlan>& chosen() const { return chosen_; }
-  // Raises the errors of the tips' stress intensity factors to those of the chosen mesh, where the latter are larger.
+  // Raises the error of each tip's stress intensity factors to that of the chosen mesh, if the latter is larger.
   void raise_errors(std::vector<regions::TipValues>& tips) const;
 
   // Load factor at which each tip first grows, as found for the last MeshPlan; empty if the scene has no bodies or no
@@ -66,8 +66,8 @@ class Accuracy {
     const std::optional<MeshPlan>& last = chosen_ ? chosen_ : planned_;
     return last ? last->loads : std::vector<TipLoad>();
   }
-  // Prepared scene or, before the model is prepared, the finest scene that was solved for the plan. A scene without
-  // bodies is prepared.
+  // Prepared scene of the model. Before the model is prepared: the finest scene that was solved for the plan of the
+  // mesh or, if the scene has no bodies (regions whose elements the library chooses), the scene, which is prepared now.
   const PreparedScene& scene_of_plan();
   // Load factor at which each tip of the present scene first grows, computed with the elements of bodies halved once,
   // whatever mesh the plan would choose.

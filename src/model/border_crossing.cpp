@@ -178,9 +178,9 @@ std::vector<crack::TipId> ElementCarrier::lines_at_border() {
   return lines;
 }
 
-// Continues crack lines that have come to a border in the boundary elements behind it. Stops a line at the border that
-// cannot continue there; a line that is only near the border grows on in its lattice instead. If the run ends, all
-// these lines are stopped. Returns whether a line was stopped.
+// Continues crack lines that have come to a border in the boundary elements behind it. A line that cannot continue
+// there is stopped if it is at the border; if it is only near, it grows on in its lattice. If the run ends, all these
+// lines are stopped. Returns whether a line was stopped.
 bool ElementCarrier::take_over_lines(bool run_ends) {
   if (!run_ends) follow_lines();
   std::vector<crack::TipId> lines = lines_at_border();

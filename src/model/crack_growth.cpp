@@ -31,8 +31,8 @@ std::vector<double> thickness_at(const scene::Scene& scene, const PreparedScene&
 constexpr const char* no_tip_with_elements =
     "no crack in a BEM region has a tip; add one, or let cracks in peridynamic regions grow by steps";
 
-// Smallest load factor >= 0 at which a tip grows, and the tip that grows there. Throws Error (unsolvable) if no tip
-// grows.
+// Smallest load factor >= 0 at which a tip grows, and the tip that grows at this load factor. Throws Error (unsolvable)
+// if no tip grows.
 std::pair<double, crack::FirstToGrow> first_growth(const std::vector<regions::TipValues>& tips,
                                                    const scene::Options& options) {
   std::vector<crack::Candidate> candidates;

@@ -51,7 +51,8 @@ class ElementCarrier final : public fracture::BodyCarrier {
   bool follow_breaks(const std::vector<coupling::StageChange>& broken) override;
   bool take_over_lines(bool run_ends) override;
 
-  // Time that the scenes before the present one have taken in this call.
+  // Computing time of the scenes that were left in this call when cracks or patches changed; the present scene does not
+  // count.
   const TimeSpent& spent() const { return spent_; }
   // Returns the model to the scene that it had when the carrier was made.
   void take_back() noexcept;

@@ -10,7 +10,8 @@ namespace bempd::model {
 
 class Model;
 
-// Explanation for the host: what breaks or grows next as the load factor changes, and what prevents everything else.
+// Explanation for the host: what breaks or grows next as the load factor changes, and what keeps the other tips and
+// bonds from that.
 struct Explanation {
   static constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 

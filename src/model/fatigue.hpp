@@ -52,8 +52,8 @@ struct FatigueReport {
 };
 
 // Record of a tip after a step of growth by cycles; step 0 is the initial state. `high` and `low` belong to the highest
-// and the lowest load of the program; with load cases, to the combinations under which this tip's equivalent factor is
-// largest and smallest.
+// and the lowest load of the program; with load cases, to the combinations under which the equivalent stress intensity
+// factor of this tip is largest and smallest.
 struct FatigueRecord {
   std::int64_t step = 0, event = 0;
   crack::TipId tip{};

@@ -49,8 +49,8 @@ const crack::RateLaw* FrontReader::law_in(int region) {
   return law.get();
 }
 
-// Sets the direction in which a tip grows: that of the load with the largest equivalent factor, out of the highest and
-// the lowest load factor, or out of all combinations of load cases.
+// Sets the direction in which a tip grows: that of the load with the largest equivalent stress intensity factor, out of
+// the highest and the lowest load factor, or out of all combinations of load cases.
 void FrontReader::set_direction(FrontTip& tip) const {
   const KinkCriterion criterion = growth_criterion(model_.options());
   crack::GrowthLaw law = law_of(tip.values, model_.options());
@@ -103,8 +103,8 @@ Front FrontReader::front(const std::vector<regions::TipValues>& tips, LongerCrac
   for (std::size_t t = 0; t < front.size(); ++t) {
     front[t].levels = std::move(factors[t]);
     set_direction(front[t]);
-    // Load cases: the place of the effective tip follows from the combination with the highest equivalent factor,
-    // not from the present loads.
+    // Load cases: the place of the effective tip follows from the combination with the highest equivalent stress
+    // intensity factor, not from the present loads.
     if (levels_.combine_cases()) front[t].values.felt_ahead = front[t].levels[front[t].high].felt_ahead;
     front[t].effective_tip_ahead = lengthening_.effective_tip_ahead(front[t].values, scene);
   }

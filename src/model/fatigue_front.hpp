@@ -26,7 +26,8 @@ struct FrontTip {
 
 using Front = std::vector<FrontTip>;
 
-// Computes fronts of scenes: the tips with their factors under each load, and the laws by which they grow.
+// Computes fronts of scenes. A front consists of the tips with their stress intensity factors under each load, and the
+// laws by which they grow.
 class FrontReader {
  public:
   FrontReader(Model& model, CrackLengthening& lengthening, const LoadLevels& levels)

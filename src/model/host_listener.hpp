@@ -19,7 +19,8 @@ class HostListener final : public PhaseListener {
   // expected total (0 if unknown), and returns false to cancel the call.
   using Function = std::function<bool(const char* phase, double share, double seconds, double expected)>;
 
-  // Function of the host's log, which receives a line and its level.
+  // Function of the host's log, which receives the level of a message (1 warning, 2 information, 3 detail) and its
+  // text.
   using Log = std::function<void(int level, const std::string& message)>;
 
   void tell(Function function) { function_ = std::move(function); }

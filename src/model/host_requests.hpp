@@ -45,7 +45,8 @@ class HostRequests {
   bool cancel_requested() const { return cancel_; }
   bool stop_requested() const { return stop_; }
   const std::atomic<bool>* stop_request() const { return &stop_; }
-  // Begins a call: forgets earlier requests to cancel or stop, and lets the returned scope listen to new ones.
+  // Begins a call: forgets earlier requests to cancel or stop. While the returned scope exists, the call can be
+  // cancelled.
   [[nodiscard]] CancellationScope hear() {
     cancel_ = stop_ = false;
     return CancellationScope(&cancel_);

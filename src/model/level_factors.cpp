@@ -30,8 +30,8 @@ class FactorsByLoadFactor {
   }
 
  private:
-  // Sets the factors of the loads `from` up to, but without, `to`, from tips whose factors are affine in the load
-  // factor.
+  // Sets the stress intensity factors under the loads `from` up to, but without, `to`, from `tips`, whose factors are
+  // affine in the load factor.
   void take(std::size_t from, std::size_t to, const std::vector<regions::TipValues>& tips) {
     for (std::size_t level = from; level < to; ++level)
       for (std::size_t t = 0; t < tips_.size(); ++t)

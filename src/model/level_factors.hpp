@@ -21,7 +21,7 @@ class LevelSolver {
   LevelSolver(Model& model, CrackLengthening& lengthening, const LoadLevels& levels, LongerCracks* longer)
       : model_(model), lengthening_(lengthening), levels_(levels), longer_(longer) {}
 
-  // Stress intensity factors, and T-stress if asked for.
+  // Stress intensity factors of each tip under each load; with T-stress if asked for.
   FactorsOfTips factors(const std::vector<regions::TipValues>& tips, bool with_t_stress);
   // Calls `read` while the body is in equilibrium under each load; if `chosen` is not empty, only under the loads that
   // it marks.

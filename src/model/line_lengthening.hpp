@@ -48,7 +48,7 @@ class LineLengthening final : public CrackLengthening {
   bool in_trial_ = false;
 };
 
-// Makes the lengthening for the cracks of a model: LineLengthening if there are cracks in bonds or crack lines, else
+// Makes the lengthening for the cracks of a model: LineLengthening if cracks cut bonds or crack lines have begun, else
 // CrackLengthening.
 std::unique_ptr<CrackLengthening> lengthening_for(Model& model);
 

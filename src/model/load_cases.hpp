@@ -32,8 +32,8 @@ class LoadCases {
     std::vector<Eigen::Vector2d> reactions;  // reaction of each support [N]
     std::int64_t pressed = 0;                // number of places at which crack faces press on each other
   };
-  // Results under a combination. `factors` belong to the first cases, in the order of their ids; the other cases do not
-  // act.
+  // Results under a combination of load cases. `factors` belong to the first cases, in the order of their ids; the
+  // other cases do not act.
   const Solved& under(const std::vector<double>& factors);
   // Calls `read` while the body is in equilibrium under a combination.
   void solve_under(const std::vector<double>& factors, const std::function<void(PreparedScene&)>& read);

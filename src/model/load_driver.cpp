@@ -14,7 +14,8 @@ namespace bempd::model {
 
 namespace {
 
-// Number of the first event in `lines` at which equilibrium was lost; 0 if there is none.
+// Number of the first event in the lines of a run's history at which equilibrium was lost; 0 if equilibrium was never
+// lost.
 std::int64_t first_unstable(std::span<const fracture::HistoryEntry> lines) {
   for (const fracture::HistoryEntry& line : lines)
     if (line.stretch_ratio > 1 + fracture::ratio_rounding) return line.event;

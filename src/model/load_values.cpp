@@ -153,7 +153,8 @@ void LoadValues::go_back_to(Before before) noexcept {
   if (before.faces) prepared.evolution->loads().unload_faces(std::move(*before.faces));
   if (before.heat) prepared.evolution->loads().restore_rest_lengths(std::move(*before.heat));
   prepared.evolution->loads().restore(std::move(before.run));
-  // Regions have a copy of their swelling for results. If there is no memory to restore it, the next loads set it.
+  // Regions have a copy of their swelling for results. If there is no memory to restore the copy, the next change of
+  // loads sets it.
   say([&] {
     if (before.heat)
       regions::changed_rest_elongations(prepared.discretization, before.conditions.swelling, prepared.system->terms());

@@ -37,7 +37,7 @@ struct MeshAnswers {
 };
 
 // Reads the results of a body in equilibrium. `supports` is the number of supports; `tips` and `loads` are those of the
-// body.
+// same body.
 MeshAnswers read_answers(const PreparedScene& scene, std::size_t supports, std::vector<regions::TipValues> tips,
                          std::vector<TipLoad> loads);
 

@@ -27,7 +27,7 @@ struct Part {
   double spacing = 0;         // spacing of a lattice [m]
   std::int64_t elements = 0;  // boundary elements on edges and cracks, as far as they are planned
   std::int64_t points = 0;    // material points
-  // Load factors at which the cracks of a patch first grow: computed with the lattice (growth_load), and with boundary
+  // Load factors at which the first crack of a patch grows: computed with the lattice (growth_load), and with boundary
   // elements in place of the patch (growth_load_of_elements). Infinite: no growth; NaN: unknown.
   double growth_load = std::numeric_limits<double>::quiet_NaN(), growth_load_of_elements = growth_load;
   Outline outline;

@@ -173,9 +173,9 @@ void require_repeatable(const Model& model, const RunJournal& journal) {
   fail(Failure::order, "no crack has grown yet; bempd_error_estimate() tells the errors of the present results");
 }
 
-// Errors of a run: the differences `d` from a run with longer extensions, times factors of caution. `beginning` is the
-// beginning of the run with shorter extensions, which may show that the resistance rises higher; `plan` is the mesh
-// that was chosen for bodies, whose error of the first growth counts too.
+// Errors of a run: the differences `d` between the run and a run with longer extensions, times factors of caution.
+// `beginning` is the beginning of the run with shorter extensions, which may show that the resistance rises higher;
+// `plan` is the mesh that was chosen for bodies, whose error of the load factor of first growth counts too.
 RunDifference cautious(RunDifference d, const RunAnswers& run, const RunAnswers& beginning,
                        const std::optional<MeshPlan>& plan) {
   if (plan) d.first_growth = plan->errors.growth_load;

@@ -41,7 +41,7 @@ struct SavedState {
   Acting acting = Acting::values;
   double path_end = 0;               // load factor at the end of the path of values, if `acting` is on_path
   scene::SceneValues acting_values;  // values that act on the body; functions are not written to bytes
-  // Values that the host has set; empty: restoring the state keeps those of the model.
+  // Values that the host has set; empty: when the state is restored, the model keeps its present ones.
   std::optional<scene::SceneValues> host_values;
   std::vector<int> frozen;  // crack and end of each tip that the host keeps frozen; only with `host_values`
   // Overloads that tips have met by the end of the last growth by cycles, as numbers.

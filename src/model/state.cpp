@@ -237,8 +237,8 @@ LoadValues::ActingValues States::take_loads(const SavedState& state, fracture::E
   if (state.in_force) loads.in_force = fitted(*state.in_force, model_.scene().values());
   regions::DofConditions conditions = model_.loads().conditions_under(model_.scene().values());
   const bool same_loads = state.load_fingerprint == load_fingerprint(model_.scene(), conditions);
-  // The saved loads, if they differ from the present ones, act until the next step, so that the change of loads does
-  // work.
+  // If the saved loads differ from the present loads, the saved loads act until the next step, so that the work of the
+  // change is counted.
   loads.acting = same_loads ? state.acting : Acting::earlier;
   const bool known = loads.acting == Acting::values || are_known(state.acting_values, model_.scene().values());
   if (!known) {  // unknown functions, or other loads: the present values act at once

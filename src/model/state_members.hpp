@@ -9,8 +9,8 @@
 // (state_bytes.cpp), check the numbers (state_checks.cpp), and find the fingerprint of values (fingerprint.cpp).
 namespace bempd::model {
 
-// Values that a number of a sound state may have: finite ones, infinite ones too, or any including NaN (`unknown`).
-// Visitors receive this as a second argument where it is not `finite`.
+// Values that a number of a sound state may have: finite; infinite as well; or any value, including NaN (`unknown`).
+// Visitors of the members receive this value as a second argument where it is not `finite`.
 enum class Allowed : std::uint8_t { finite, infinite, unknown };
 
 // Visitors that read see constant structs, those that write see others.

@@ -52,9 +52,9 @@ const scene::OptionGroup hooks(scene::OptionPlace::test_hooks, [] {
                            0, 1e4, false)};
 });
 
-// Bonds tie, and break together, if their stretch ratio (stretch over critical stretch) is less than this share below
-// the largest ratio: the share if the option crack.tie_share is not set, and the largest share that this option can
-// give bonds.
+// Bonds break together with the bond of the largest stretch ratio (stretch over critical stretch) if their ratio is
+// less than a share below this ratio: tie_share_of_bonds, if the option crack.tie_share is not set; else the value of
+// the option, at most most_tie_share_of_bonds.
 constexpr double tie_share_of_bonds = 1e-3, most_tie_share_of_bonds = 0.5;
 
 }  // namespace

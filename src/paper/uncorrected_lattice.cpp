@@ -7,8 +7,8 @@ namespace bempd::paper {
 
 using namespace regions;
 
-// Flags of the points shared with another region. Points beside elements of the host's choice are shared as well,
-// because this scheme has no tied nodes.
+// Flags of the points shared with another region. Points beside boundary elements whose lengths the host chose are
+// shared as well, because this scheme has no tied nodes.
 std::vector<char> UncorrectedLattice::shared_points(const Preparation& preparation) const {
   std::vector<char> shared(points_.size(), 0);
   for (const Contact& contact : preparation.arrangement.contacts) {

@@ -23,8 +23,8 @@ class FieldCache {
   std::map<Key, regions::FieldValues> fields_;
 };
 
-// States of a region's bonds, one entry per bond. `intact` (flags) and `cut` (numbers) are those of all bonds of the
-// scene.
+// States of a region's bonds, one entry per bond. `intact` (flags) and `cut` (numbers of bonds) refer to all bonds of
+// the scene.
 std::vector<regions::BondState> bond_states(const regions::Region& region, const std::vector<char>& intact,
                                             const std::vector<int>& cut);
 

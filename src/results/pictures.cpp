@@ -131,7 +131,7 @@ VtuGrid grid_of(const std::vector<regions::TipValues>& tips) {
   return grid;
 }
 
-// Whether the scene can have cracks, also if it has none yet, so that all moments of a series have the same parts.
+// Whether the scene can have cracks, now or later, because all moments of a series must have the same parts.
 bool may_have_cracks(const scene::Scene& scene, const regions::Discretization& d) {
   for (const auto& region : d.regions)
     if (region->bonds()) return true;

@@ -56,7 +56,8 @@ void require_name_for_series(const std::string& prefix) {
        "snapshots.existing to continue, to go on behind them, or to replace");
 }
 
-// Number of the moment in a file name prefix_NNNN_part.vtu; -1 if the name has none.
+// Number of the moment (point of the run that a snapshot shows) in a file name prefix_NNNN_part.vtu; -1 if the name has
+// no such number.
 int number_in(const std::string& file) {
   const std::size_t end = file.rfind('_'), begin = end == std::string::npos ? end : file.rfind('_', end - 1);
   int number = -1;
@@ -89,8 +90,9 @@ class NewFiles {
 
 }  // namespace
 
-// Time of a moment in a series of snapshots: its load factor. If the load factor has not grown, the time grows by so
-// little that the same number is shown: viewers tell moments apart, and order them, by their times.
+// Time of a moment of the run in a series of snapshots: the load factor at that moment. If the load factor has not
+// grown, the time grows by so little that the same number is shown: viewers tell moments apart, and order them, by
+// their times.
 double Snapshots::Series::time_of(double load_factor) const {
   if (empty() || load_factor > entries.back().time) return load_factor;
   const double last = entries.back().time, step = 1e-9 * (last == 0 ? 1 : std::abs(last));

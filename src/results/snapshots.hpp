@@ -17,11 +17,12 @@ struct Moment {
   std::int64_t events;
 };
 
-// Series of snapshots as VTK files: one file for each part and moment, and a ParaView collection for each series.
+// Series of snapshots as VTK files: one file for each part at each moment of a run, and a ParaView collection for each
+// series.
 class Snapshots {
  public:
-  // Adds a moment to the series with this prefix. Throws Error (io) if writing fails, and if files of another run are
-  // in the way and the option snapshots.existing does not allow to continue or replace them.
+  // Adds a moment of the run to the series with this prefix. Throws Error (io) if writing fails, or if there are files
+  // of another run that the option snapshots.existing does not allow to continue or to replace.
   void write(const std::string& prefix, const Moment& moment, std::vector<PicturePart> parts,
              const scene::Options& options);
 
