@@ -14,8 +14,8 @@ namespace {
 
 using Complex = std::complex<double>;
 
-// Cauchy integrals I(z) = integral of w(s) / (z - s) over s = 0 .. 1, for the two components of w, and their first two
-// derivatives by z.
+// Cauchy integrals I(z) = integral of w(s) / (z - s) over s = 0 .. 1, for the two components of the opening w along an
+// element, and their first two derivatives by the complex place z.
 struct CauchyIntegrals {
   std::array<Complex, 2> value, first, second;
 };
@@ -23,8 +23,8 @@ struct CauchyIntegrals {
 // Distance from an element, over its length, below which a point counts as lying on the element.
 constexpr double on_crack = 1e-10;
 
-// Cauchy integrals of the polynomial w[0] + w[1] s + w[2] s^2 in closed form. The branch cut of the logarithm lies on
-// the crack only.
+// Cauchy integrals (CauchyIntegrals) of the polynomial w[0] + w[1] s + w[2] s^2 in closed form. The branch cut of the
+// logarithm lies on the crack only.
 CauchyIntegrals of_polynomial(const std::array<Point, 3>& w, const Complex& z) {
   const Complex log = std::log(z) - std::log(z - 1.0), log1 = 1.0 / z - 1.0 / (z - 1.0);
   const Complex log2 = 1.0 / ((z - 1.0) * (z - 1.0)) - 1.0 / (z * z);
@@ -38,7 +38,8 @@ CauchyIntegrals of_polynomial(const std::array<Point, 3>& w, const Complex& z) {
   return result;
 }
 
-// Cauchy integrals of w[0] s^(1/2) + w[1] s^(3/2), the opening of an element at a tip, in closed form with q = sqrt(z).
+// Cauchy integrals (CauchyIntegrals) of w[0] s^(1/2) + w[1] s^(3/2), the opening of an element at a tip, in closed form
+// with q = sqrt(z).
 CauchyIntegrals of_tip(const std::array<Point, 3>& w, const Complex& z) {
   const Complex q = std::sqrt(z), log = std::log(q + 1.0) - std::log(q - 1.0);
   const Complex log1 = 1.0 / (q + 1.0) - 1.0 / (q - 1.0);
@@ -55,8 +56,8 @@ CauchyIntegrals of_tip(const std::array<Point, 3>& w, const Complex& z) {
   return result;
 }
 
-// Cauchy integrals by quadrature, for distant points, where the closed forms would be small differences of large
-// numbers.
+// Cauchy integrals (CauchyIntegrals) by quadrature, for distant points, where the closed forms would be small
+// differences of large numbers.
 CauchyIntegrals by_quadrature(const std::array<Point, 3>& w, bool tip, const Complex& z) {
   const GaussRule& rule = gauss_rule(max_regular_points);
   CauchyIntegrals result{};

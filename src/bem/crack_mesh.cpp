@@ -32,8 +32,8 @@ Mouth split_at(const Point& place, BoundaryMesh& mesh, double tolerance) {
   return mouth;
 }
 
-// Opening node at that end of a crack line which lies at a joint; the sign is 1 if it is the start of the line, else
-// -1.
+// Opening node at an end of a crack line that lies at a joint. Its openings count with the sign 1 if this is the start
+// of the line, else with -1.
 struct OpeningAtJoint {
   int node;
   double sign;

@@ -77,8 +77,8 @@ class Walks {
  private:
   WalkStep out(const LineEnd& e) const { return 2 * e.line + e.end; }
 
-  // Next step of a walk: at a joint, the first line or boundary clockwise from the line that arrives. At a tip the walk
-  // turns back along the same line.
+  // Next step of a walk (closed tour with the body on its left): at a joint, the first line or boundary clockwise from
+  // the line that arrives. At a tip the walk turns back along the same line.
   WalkStep next(WalkStep step) const {
     if (step >= 2 * lines()) {
       const int node = mesh_.elements[step - 2 * lines()].nodes[2];
@@ -136,8 +136,8 @@ class Walks {
   std::map<int, int> ends_at_;      // joint of the mouth before which a node lies
 };
 
-// Number of the connected part that each walk belongs to; a part consists of boundary loops and crack lines that are
-// connected.
+// Number of the connected part of the boundary and the cracks along which each walk (closed tour with the body on its
+// left) runs. Boundary loops and crack lines that are connected are one part.
 std::vector<int> parts_of(const std::vector<Walk>& walks, int lines) {
   linalg::DisjointSets joined(static_cast<int>(walks.size()));
   std::vector<int> walk_of(static_cast<std::size_t>(2 * lines), -1);
@@ -150,8 +150,9 @@ std::vector<int> parts_of(const std::vector<Walk>& walks, int lines) {
   return part;
 }
 
-// Flags the walks that go around the outside of a connected part, such as a hole with its cracks, or a crack inside the
-// body. Every part but the outermost has one walk of this kind. All other walks go around a piece of the body.
+// Flags the walks (closed tours with the body on their left) that go around the outside of a connected part, such as a
+// hole with its cracks, or a crack inside the body. Every part but the outermost has one walk of this kind. All other
+// walks go around a piece of the body.
 std::vector<char> go_around_outside(const std::vector<Walk>& walks, const std::vector<int>& part, int lines) {
   std::vector<int> least(walks.size(), -1);
   int outermost = -1;
@@ -167,8 +168,8 @@ std::vector<char> go_around_outside(const std::vector<Walk>& walks, const std::v
   return outside;
 }
 
-// Step of a walk with its first boundary element (the one with the smallest number); a number larger than all steps if
-// the walk has no boundary element.
+// Step of a walk (closed tour with the body on its left) that runs along the boundary element with the smallest number;
+// a number larger than all steps if the walk has no boundary element.
 WalkStep first_on_boundary(const Walk& walk, int lines) {
   WalkStep first = std::numeric_limits<WalkStep>::max();
   for (const WalkStep step : walk.steps)
@@ -176,8 +177,8 @@ WalkStep first_on_boundary(const Walk& walk, int lines) {
   return first;
 }
 
-// Piece of the body on the left of every walk. `around_pieces` are the walks around a piece; any other walk belongs to
-// the smallest piece in which it lies.
+// Piece of the body on the left of every walk (closed tour along boundary and cracks). `around_pieces` are the walks
+// around a piece; any other walk belongs to the smallest piece in which it lies.
 std::vector<int> pieces_of(const Walks& finder, const std::vector<Walk>& walks, const std::vector<int>& part,
                            const std::vector<int>& around_pieces) {
   std::vector<int> piece(walks.size(), -1);

@@ -113,7 +113,7 @@ Point opening_at(const CrackMesh& cracks, const CrackTip& tip, const CrackedStat
   return {jump.dot(tip.direction), across};
 }
 
-// State divided by 2^exponent so that its squares neither overflow nor vanish.
+// State of a cracked body divided by 2^exponent, so that its squares neither overflow nor vanish.
 struct NearState {
   CrackedState state;
   int exponent;

@@ -9,7 +9,7 @@
 
 namespace bempd::bem {
 
-// Solution for a cracked body.
+// Solution for a cracked body: displacements, openings and tractions.
 struct CrackedState {
   Eigen::VectorXd displacements;  // [m]
   Eigen::VectorXd openings;       // [m], of all opening nodes

@@ -112,7 +112,7 @@ struct ElementGeometry {
     if (tip != TipEnd::none) return tip_shape_derivative(xi);
     return nodal(basis.odd_slope(xi), basis.even_slope(xi), 0);
   }
-  // Derivative of the position, shape functions and their derivatives by xi.
+  // Values at a parameter xi: derivative of the position by xi, shape functions, and their derivatives by xi.
   struct Values {
     Point derivative;
     std::array<double, 3> shape, shape_derivative;

@@ -46,7 +46,8 @@ double nearest_parameter(const ElementGeometry& element, const Point& x) {
   }
   for (int iteration = 0; iteration < 30; ++iteration) {
     const Point r = element.at(best) - x, dx = element.derivative(best);
-    // The Gauss-Newton step is used where the curvature term would make the full step lead away from the minimum.
+    // The Gauss-Newton step, which leaves out the curvature, is taken where the curvature would make the Newton step
+    // lead away from the minimum.
     const double full = dx.squaredNorm() + 2 * r.dot(element.c2);
     const double next = std::clamp(best - r.dot(dx) / (full > 0 ? full : dx.squaredNorm()), -1.0, 1.0);
     const bool done = std::abs(next - best) < 1e-15;
@@ -146,7 +147,8 @@ InteriorEvaluator::LinearField InteriorEvaluator::matching_field(const Nearest& 
 Point InteriorEvaluator::remainder(int e, double xi, const Nearest& nearest, const LinearField& field) const {
   const ElementGeometry& element = boundary_.elements[e];
   const ElementGeometry& displacement = displacement_[e];
-  // Value and slope match on the nearest element, so only the second-order part of the shape functions remains.
+  // Value and slope of the linear field match the displacement on the nearest element, so only the second-order part of
+  // the shape functions remains.
   const auto on_nearest = [&](double parameter) -> Point {
     const ElementBasis& basis = boundary_.elements[nearest.element].basis;
     return basis.second_order(parameter, nearest.xi) *
@@ -212,7 +214,7 @@ InteriorEvaluator::Value InteriorEvaluator::from_boundary(const Point& x, const 
 InteriorEvaluator::Value InteriorEvaluator::evaluate(const Point& position, bool with_stress) const {
   const Point x = boundary_.scaled(position);
   const Nearest closest = nearest(x);
-  // Elements beside singular places can be so short that the rounding of places on them counts.
+  // Elements beside singular places can be so short that rounding errors of places on them count.
   const double of_place = rounding * std::max(1.0, boundary_.centre.lpNorm<Eigen::Infinity>() / boundary_.length);
   if (closest.distance <= std::max(of_place, on_boundary * boundary_.elements[closest.element].c1.norm())) {
     const Point displacement = displacement_[closest.element].at(closest.xi);

@@ -68,7 +68,7 @@ class Sums {
  private:
   using SingularRow = SingularPoints::Values;
 
-  // Values of all kernels times weights: for every angle a row with the radii.
+  // Values of all kernels times quadrature weights: for every angle a row with one value per radius.
   struct SingularTable {
     SingularRow at[kernel_count][SingularPoints::most_angles];
   };

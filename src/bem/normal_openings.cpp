@@ -149,7 +149,7 @@ Eigen::VectorXd NormalOpenings::held_shut(const Eigen::VectorXd& openings, const
     const Eigen::VectorXd forces = of_forces_(held, held).ldlt().solve(-own);
     result += response_(Eigen::all, held) * forces;
   }
-  // The normal opening that is left at closed places is only rounding, and is removed.
+  // The normal opening that is left at closed places is a rounding error, and is removed.
   for (std::size_t i = 0; i < closed.size(); ++i) {
     if (!closed[i] || places_[i].node < 0) continue;
     const Place& place = places_[i];

@@ -12,13 +12,14 @@
 
 namespace bempd::bem {
 
-// Length of rows for the three nodes of an element, padded to whole vectors.
+// Length of rows that have a number for each of the three nodes of an element, padded to whole vectors of the
+// processor.
 inline constexpr int padded_nodes = 4;
 
-// Double integrals over a pair of elements, with x on the outer and y on the inner one and r = y - x, from which the
-// blocks of all Galerkin matrices follow. With e = r / |r| and the normal n at y the kernels are
+// Double integrals over a pair of elements, with x on the outer and y on the inner element and r = y - x, from which
+// the blocks of all Galerkin matrices follow. With e = r / |r| and the normal n at y the kernels are
 //   weakly singular:  ln r,  (e_x^2 - e_y^2) / 2,  e_x e_y   (the last two: e e^T without its trace part),
-//   double layer:     (e . n) / r,  (n x e) / r,  and (e . n) / r times the last two weakly singular ones.
+//   double layer:     (e . n) / r,  (n x e) / r,  and (e . n) / r times the last two weakly singular kernels.
 struct PairMoments {
   using Column = std::array<double, padded_nodes>;  // outer nodes
   using Block = std::array<Column, 3>;              // inner nodes
@@ -34,8 +35,8 @@ struct PairMoments {
 // `derivative`.
 enum class PairPart { everything, without_mass, double_layer_only, derivative_only };
 
-// Points of one rule on a whole element, computed by the first thread that asks for them, because few rules are ever
-// used.
+// Points of one Gauss rule on a whole element, computed by the first thread that asks for them, because few rules are
+// ever used.
 class PointTable {
  public:
   PointTable() = default;
@@ -70,8 +71,8 @@ class PairIntegrator {
 
   PairMoments integrate(int outer, int inner, Contact contact, PairPart part) const;
 
-  // Integrals over two elements whose ends (0: start, 1: end) are at one place but have different nodes, as at a crack
-  // mouth. The double layer's terms in N_b(y) and in N_b(x) can then be integrated separately.
+  // Integrals over two elements whose ends (0: start, 1: end) are at one place but have different nodes, as at a mouth.
+  // The double layer's terms with the shape functions N_b(y) and N_b(x) can then be integrated separately.
   PairMoments integrate_meeting(int outer, int outer_end, int inner, int inner_end, PairPart part) const;
 
  private:
@@ -94,14 +95,14 @@ class PairIntegrator {
     Side outer, inner;
     int outer_rule, inner_rule;
   };
-  // Piece of an element on which one rule is enough.
+  // Piece of an element on which one Gauss rule is enough.
   struct Piece {
     Interval interval;
     int rule;
   };
   void integrate_separate(const Stretch& outer, const Stretch& inner, PairPart part, PairMoments& moments) const;
-  // Sum of distances from the nearest singularity to the ends of a part of an element (see ellipse_size()), and index
-  // of the rule that the part needs, larger than that of any rule if the part is too long.
+  // Sum of the distances from the nearest singularity to both ends of a part of an element (see ellipse_size()); and
+  // index of the Gauss rule that the part needs, larger than that of any rule if the part is too long.
   struct Nearness {
     double sum;
     int rule;

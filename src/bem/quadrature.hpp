@@ -33,8 +33,8 @@ inline constexpr int max_regular_points = 16;
 // enough.
 int regular_rule(int points_needed);
 
-// Choice of a rule with the result of gauss_points_needed() and regular_rule(), but by tabulated limits instead of a
-// logarithm.
+// Choice of a Gauss rule, with the same result as gauss_points_needed() and regular_rule(), but by tabulated limits
+// instead of a logarithm.
 class RegularRules {
  public:
   explicit RegularRules(double tolerance);

@@ -16,8 +16,8 @@ namespace bempd::bem {
 
 namespace {
 
-// Writes entry `p` of `side`: an element's normal, shape functions and their derivatives at a point, from `values`, and
-// the element's part `scale * difference` of the quotient (N(y) - N(x)) / radius.
+// Writes entry `p` of `side`: an element's normal, shape functions N and their derivatives at a point, from `values`,
+// and the element's part `scale * difference` of the quotient (N(y) - N(x)) / radius.
 void set(const ElementGeometry::Values& values, const std::array<double, 3>& difference, double scale, std::size_t p,
          SingularPoints::Side& side) {
   const Point normal = scaled_normal(values.derivative);
@@ -94,9 +94,10 @@ class FromEnd {
   FromEnd(const ElementGeometry& element, const Interval& interval)
       : element_(element), from_(interval.from), length_(interval.to - from_), half_(element.basis.half(from_)) {}
 
-  // Sets point `p` at the distance radius * times_radius from the end, in lengths of the interval. The element's part
-  // of the quotient (N(y) - N(x)) / radius is, with a common node, N less its value at the end (these values cancel),
-  // over the radius; without a common node it is N over the radius. `sign` is the sign of this part.
+  // Sets point `p` at the distance radius * times_radius from the end, in lengths of the interval. N are the shape
+  // functions; the element's part of the quotient (N(y) - N(x)) / radius is, with a common node, N less its value at
+  // the end (these values cancel), over the radius; without a common node it is N over the radius. `sign` is the sign
+  // of this part.
   void set_at(double radius, double times_radius, bool common_node, double sign, std::size_t p, Point& chord,
               SingularPoints::Side& side) const {
     const double way = length_ * times_radius;
@@ -185,7 +186,7 @@ void PairIntegrator::integrate_with_itself(int element, PairPart part, PairMomen
       const ElementGeometry::Values at_lower = geometry.values(lower, geometry.basis.at(lower, half_lower));
       const auto [at_upper, quotients] = geometry.values_and_quotients(lower, 2 * s, half_lower, half_way);
       // The radius is taken with the sign of eta - xi. Even kernels do not depend on this sign, and in the double layer
-      // it cancels.
+      // the sign cancels.
       set(quotients.place, weight, log_weight, i, points.pairs[j]);
       set(at_lower, quotients.shape, 1, i, points.outer[j]);
       set(at_upper, quotients.shape, 1, i, points.inner[j]);

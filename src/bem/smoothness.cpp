@@ -128,8 +128,8 @@ int shape_points_needed(const ElementGeometry& element, const Interval& interval
     s.add(-as_complex(element.c1) / (2.0 * as_complex(element.c2)));
     return gauss_points_needed(s.ellipse(interval), tolerance);
   }
-  // Integrands have sines and cosines of up to four times the angle, so that the error of n points falls like (e angle
-  // / (4 n))^(2 n).
+  // Integrands have sines and cosines of up to four times the angle of the arc, so that the error of n Gauss points
+  // falls like (e angle / (4 n))^(2 n), where e = 2.718...
   const double angle = 4 * std::abs(element.basis.half_angle()) * 0.5 * std::abs(interval.to - interval.from);
   int points = 1;
   while (points < max_gauss_points && std::pow(std::numbers::e * angle / (4 * points), 2 * points) > tolerance)

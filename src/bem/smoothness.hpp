@@ -37,8 +37,8 @@ class ArcParameters {
   // Complex parameters at which the distance from x vanishes: the parameter within half a turn of the arc's middle, and
   // the next parameter, a full turn away.
   std::array<std::complex<double>, 2> of(const Point& x) const;
-  // Sum of the distances from a parameter to both ends of the interval, in units of half its length. Of the two
-  // parameters that of() finds for x, the nearer one counts.
+  // Sum of the distances from the complex parameter of the place x to both ends of the interval, in units of half the
+  // interval's length. Of the two parameters that of() finds for x, the nearer one counts.
   double sum_of_distances(const Point& x, const Interval& interval) const;
   // Upper bound on the change of sum_of_distances() between places[1] and either of the other two places; infinite if
   // the arc's centre is too near.

@@ -42,7 +42,8 @@ std::shared_ptr<const scene::Place> at_point(double x, double y) {
   return std::make_shared<const regions::SinglePoint>(Point(x, y));
 }
 
-// Adds a support made by `make`, which is called inside the guard because it allocates memory.
+// Adds a support that make() returns. make() is called inside the guard, which turns exceptions into a status, because
+// it allocates memory.
 template <class Make>
 bempd_status add_support(bempd_model* handle, const char* function, std::int32_t* id, const Make& make) {
   return with_model(handle, function, [&](model::Model& m) { give(id, m.editable_scene().add_support(make())); });

@@ -6,7 +6,7 @@
 
 namespace bempd::capi {
 
-// Tip of a crack as a struct of the C interface.
+// Values of a crack tip as a struct of the C interface.
 bempd_crack_tip described(const regions::TipValues& tip);
 
 // Writes the outcome of growth to a struct that is null if the caller does not want it.

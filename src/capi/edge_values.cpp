@@ -81,8 +81,8 @@ scene::Condition condition_on(std::int32_t region, std::int32_t edge, double fro
   return {place, component, values_at_places(values)};
 }
 
-// Sets new values of a support or a load. Samples stay samples if their number is unchanged, nodal values are set at
-// nodes, and all other values become values at places.
+// Sets new values of a support or a load. Samples remain samples if their number is unchanged; values at nodes are set
+// at the nodes; all other values become values at places.
 void set_edge_values(model::Model& m, bool of_support, std::int32_t id, const bempd_edge_values& values) {
   require(values.kind != BEMPD_FUNCTION,
           "new values are numbers, not a function: give those of the function as a table");

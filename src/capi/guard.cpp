@@ -88,8 +88,8 @@ void run(model::Model& engine, const Work<model::Model&>& body) {
 
 void run(const model::Model& engine, const Work<const model::Model&>& body) { body(engine); }
 
-// Adds the names that the host gave to the message of a failed call. Without memory for the names the message stays as
-// it is.
+// Adds, to the message of a failed call, the names that the host gave to parts of the scene. Without memory for the
+// names the message stays as it is.
 void name_things(const bempd_model& model) noexcept {
   try {
     model.error = model.engine.names().in(model.error);

@@ -158,7 +158,8 @@ std::size_t struct_bytes(const T* given, const char* name, std::size_t least = s
   return static_cast<std::size_t>(given->struct_size);
 }
 
-// Copies values into a caller's struct, as many as its size allows, and keeps that size.
+// Copies values into a caller's struct, as many members as its size allows; the first member of the struct, its size,
+// stays.
 template <class T>
 void write_struct(T* target, const T& values, const char* name) {
   const std::size_t size = std::min(struct_bytes(target, name), sizeof(T));

@@ -19,10 +19,11 @@ class CondensedOperators {
   explicit CondensedOperators(std::vector<DenseOperator> operators);
 
   bool are_condensed() const { return condensed_ != Condensed::nothing; }
-  // Makes condense() copy the Schur complements of operators that are unchanged since `before`.
+  // Makes condense() copy the Schur complements of those operators that `before` has as well.
   void take_over(const CondensedOperators& before);
-  // Condenses the operators; `kind` classifies all degrees of freedom. Throws Error (unsolvable) if the block of an
-  // operator's private unknowns is singular.
+  // Condenses the operators onto their shared unknowns; `kind` classifies all degrees of freedom. Throws Error
+  // (unsolvable) if the block of an operator's private unknowns (those that no other part of the system has) is
+  // singular.
   void condense(const std::vector<DofKind>& kind, SolverCounters& counters);
   const std::vector<OperatorSchurComplement>& list() const { return list_; }  // empty until they are condensed
   // Index of the operator that has exactly these nodes; -1 if there is none.
@@ -31,7 +32,8 @@ class CondensedOperators {
   Eigen::VectorXd force_on(const std::vector<int>& nodes, const Eigen::VectorXd& displacement,
                            double load_factor) const;
 
-  // Condenses the loads: forces on private unknowns and prescribed displacements become forces on the shared unknowns.
+  // Condenses the loads: forces on private unknowns (those of one operator alone) and prescribed displacements become
+  // forces on the shared unknowns.
   void condense_load(const Affine& force, const Affine& prescribed);
   void forget_load();
   const Affine& load() const { return load_; }

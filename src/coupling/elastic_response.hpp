@@ -17,7 +17,7 @@ class ElasticResponse {
   // Whether there can be forces at zero displacement, due to rest elongations, rest displacements or closed exact
   // constraints.
   bool has_offsets() const;
-  // Whether the forces and gaps of this displacement are proportional to the load factor.
+  // Whether the forces and gaps at this displacement are proportional to the load factor.
   bool is_proportional(const Affine& displacement) const;
 
   // Nodal forces; forces on tied nodes are moved to their masters.

@@ -86,7 +86,8 @@ class EquilibriumSystem {
   void condense() { parts_.condense(); }
   // Solves for the displacements in equilibrium. Throws Error (unsolvable) if some part of the body can move freely.
   Affine solve();
-  // Condenses and factorizes if that has not been done. The system must be symmetric. Throws Error (unsolvable).
+  // Factorizes the matrix unless a factor of it exists, and condenses the operators before. The system must be
+  // symmetric. Throws Error (unsolvable).
   FactorizedSystem factorized();
 
   const SolverCounters& counters() const { return parts_.counters; }

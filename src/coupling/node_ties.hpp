@@ -21,7 +21,7 @@ class NodeTies {
   const std::vector<int>& nodes() const { return nodes_; }
   const std::vector<Master>& masters(std::size_t tie) const { return masters_[tie]; }
 
-  // Index of the tie of a node, or -1.
+  // Index of the tie by which a node follows its masters; -1 if the node is not tied.
   int tie_of(int node) const {
     return node < static_cast<int>(tie_of_.size()) ? tie_of_[static_cast<std::size_t>(node)] : -1;
   }

@@ -6,7 +6,7 @@
 namespace bempd::coupling {
 
 // Finds the constraints that can close or open by themselves. A constraint at the mouth of a crack cannot if both nodes
-// of the mouth are prescribed or shared with other operators, because its gap follows from these nodes.
+// of the mouth are prescribed or shared with other operators, because the gap follows from these nodes.
 void OperatorSchurComplement::find_switchable() {
   const Eigen::MatrixXd &alone = constraints_->of_forces, &of_displacements = constraints_->of_displacements;
   for (Eigen::Index i = 0; i < alone.rows(); ++i) {
@@ -16,7 +16,8 @@ void OperatorSchurComplement::find_switchable() {
 }
 
 // Computes the private unknowns u_p and the gaps as functions of the multipliers q and the shared unknowns u_s. With
-// the gaps per displacement G (columns G_p and G_s), the gaps per multiplier S and the transfer matrix X:
+// the gaps per displacement G (columns G_p and G_s), the gaps per multiplier S, the transfer matrix X, the stiffness K,
+// and the values p_0 and g_0 for q = 0 and u_s = 0:
 //   u_p = p_0 - X u_s + P q,   gaps = g_0 + (G_s - G_p X) u_s + (S + G_p P) q,   P = K_pp^-1 G_p^T.
 void OperatorSchurComplement::eliminate_constraints() {
   if (gaps_by_forces_.size() > 0) return;

@@ -44,8 +44,8 @@ class OperatorSchurComplement {
   // Computes the displacements of private unknowns (those of this operator alone) from those of the shared unknowns.
   void recover(Affine& displacement) const;
 
-  // Condenses a linear function of displacements: moves the `weights` of private displacements to the shared ones, and
-  // adds the contribution of the present loads to `constant` (constant and proportional part).
+  // Condenses a linear function of displacements: moves the `weights` of private displacements to the shared
+  // displacements, and adds the contribution of the present loads to `constant` (constant and proportional part).
   void condense_function(Eigen::VectorXd& weights, Eigen::RowVector2d& constant) const;
 
   // Adds the forces of the operator to `force` on all of its nodes: stiffness * (displacement - rest), and the forces
@@ -106,8 +106,8 @@ class OperatorSchurComplement {
   // Private displacements per unit multiplier, gaps per unit multiplier and gaps per shared displacement; computed when
   // first needed.
   Eigen::MatrixXd private_by_forces_, gaps_by_forces_, gaps_by_shared_;
-  // Factors of the gaps of the active set per unit multiplier: with the private unknowns free (`active_compliance_`),
-  // and with all displacements held (`own_compliance_`).
+  // Factorized matrices of the gaps of closed constraints per unit multiplier: with the private unknowns free
+  // (`active_compliance_`), and with all displacements held (`own_compliance_`).
   Eigen::LDLT<Eigen::MatrixXd> active_compliance_, own_compliance_;
   Eigen::MatrixXd schur_with_active_;
   Affine gaps_at_rest_;  // gaps with the shared unknowns held at 0, without multipliers

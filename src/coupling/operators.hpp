@@ -27,8 +27,8 @@ struct BodyPiece {
 // may be negative. With the displacements u of the operator's nodes (2 * node of its list + component, less the rest
 // displacements) and the multipliers q, which are contact forces,
 //   gaps = of_displacements u + of_forces q + gaps due to loads inside the body.
-// A closed constraint has the gap zero and q >= 0, an open constraint has q = 0. The operator's stiffness is that with
-// all constraints open.
+// A closed constraint has the gap zero and q >= 0, an open constraint has q = 0. The stiffness of the operator counts
+// all constraints as open.
 struct ExactConstraints {
   Eigen::MatrixXd of_displacements, of_forces;
   std::vector<Point> places;  // places of the gaps

@@ -143,7 +143,8 @@ void RepeatableFactor::set_origin(FactorOrigin origin) {
   source_ = std::move(source);
 }
 
-// Makes the factor again from its record `source_`. If this fails, as on another kind of processor, there is no factor.
+// Makes the factor again from its record `source_`. If the matrix cannot be factorized (perhaps on another kind of
+// processor), there is no factor afterwards.
 void RepeatableFactor::repeat() {
   if (!source_.is_awaited) return;
   parts_.condense();

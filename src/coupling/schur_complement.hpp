@@ -29,7 +29,8 @@ class SchurComplement {
   const Eigen::MatrixXd& transfer() const { return transfer_; }
   // Private displacements that private forces cause while the shared unknowns are held at 0.
   virtual Affine solve_private(const Affine& force) const = 0;
-  // Estimated reciprocal condition number of the private block; 1 if there are no private unknowns.
+  // Estimated reciprocal condition number of the block of private unknowns (those that no other part has); 1 if there
+  // are none.
   virtual double reciprocal_condition() const = 0;
 
  protected:

@@ -50,8 +50,8 @@ namespace {
 // Number of matrix parts (condensed operators and holding springs) up to which a substructure is not halved.
 constexpr std::size_t smallest_substructure = 3;
 constexpr int most_halvings = 60;  // ends the halving of parts with one centre
-// Limit on the number of unknowns in changing parts, over the square root of the number of all unknowns, up to which
-// these parts are joined last. The last substructure of the other parts grows with this root to about the same number.
+// Limit on the number of unknowns in changing matrix parts, over the root of the number of all unknowns, up to which
+// they are joined last. The last substructure of the other parts grows with this root to about the same number.
 constexpr double most_joined_last = 8;
 
 }  // namespace

@@ -17,7 +17,8 @@ namespace bempd::coupling {
 
 class SubstructureFactor;
 
-// Sources of a system's matrix, which is the sum of their stiffnesses.
+// Sources of a system's matrix: operators, energy terms, closed constraints and holding springs, whose stiffnesses add
+// up to the matrix.
 struct MatrixSources {
   const CondensedOperators& operators;
   const Terms& terms;

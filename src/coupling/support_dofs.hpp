@@ -4,8 +4,8 @@
 
 namespace bempd::coupling {
 
-// Force that a support counts besides its own: the force on `dof` times `weight`, which acts at `node`. A negative
-// weight leaves a share of the support's own force to another support.
+// Force that a support counts besides its own forces: the force on `dof` times `weight`, which acts at `node`. A
+// negative weight leaves a share of the support's own force to another support.
 struct SharedForce {
   int dof, node;
   double weight;

@@ -25,8 +25,8 @@ constexpr double acceptable_rounding = 1e-14;
 // Ratio of a pivot to the diagonal entry of the matrix, below which a motion may have lost its resistance.
 constexpr double suspicious_pivot_ratio = 1e-10;
 
-// Shifts of the matrix for inverse iteration, over its diagonal: `small_shift` is far below the stiffness of slender
-// parts, `safe_shift` survives the rounding errors of any factorization.
+// Shifts of the matrix for inverse iteration, as multiples of its diagonal: `small_shift` is far below the stiffness of
+// slender parts, `safe_shift` survives the rounding errors of any factorization.
 constexpr double small_shift = 1e-12, safe_shift = 1e-9;
 // Ratio of a diagonal entry to the largest one, below which the entry is a rounding error and may be negative: a
 // fragment that was cut off has left the node without a bond in some direction.
@@ -170,7 +170,8 @@ Eigen::VectorXd SystemFactor::solve(const Eigen::VectorXd& rhs, const SystemSolv
     const linalg::KrylovResult result = solver_->iterate(apply, rhs, solution_tolerance, solution);
     counters_.iterations += result.iterations;
     if (result.relative_residual <= acceptable_residual) return solution;
-    // Residual forces below this limit are rounding, because displacements near a mechanism are very large.
+    // Residual forces below this limit are rounding errors, which are large because displacements near a mechanism are
+    // very large.
     const double rounding = acceptable_rounding * largest_diagonal_ * size(solution);
     if (fresh && result.relative_residual * size(rhs) <= rounding) return solution;
   }

@@ -29,7 +29,7 @@ struct CriticalScales {
   void set(std::size_t place, const Terms& terms, std::size_t term, double critical_stretch);
 };
 
-// Coefficients (x, y) of the displacement of a node in the elongation of a term.
+// Coefficients (x, y) with which the displacement of a node enters the elongation of a term.
 struct TermEntry {
   int node;
   double x, y;

@@ -15,11 +15,12 @@ struct TipPolar {
 };
 
 // Term of Williams' expansion (J. Appl. Mech. 24, 1957) at the tip of a straight crack with free faces, in the axes of
-// the tip. The term has Muskhelishvili's potentials phi = A z^p, psi = B z^p, where p is a multiple of 1/2, with
-//   2 G (u_x + i u_y) = kappa phi - z conj(phi') - conj(psi).
-// Free faces require B = conj(A) - p A if p is an odd multiple of 1/2, and B = -conj(A) - p A if p is whole. The term p
-// = 1/2 has A = (K_I - i K_II) / sqrt(2 pi), the term p = 1 has A = T/4. Negative powers are the dual fields of
-// reciprocal_work().
+// the tip. The term has Muskhelishvili's potentials phi = A z^p, psi = B z^p, where z is the place as a complex number,
+// p is a multiple of 1/2 and A, B are complex coefficients, with
+//   2 G (u_x + i u_y) = kappa phi - z conj(phi') - conj(psi)
+// (G: shear modulus, kappa: Kolosov's constant). Free faces require B = conj(A) - p A if p is an odd multiple of 1/2,
+// and B = -conj(A) - p A if p is whole. The term p = 1/2 has A = (K_I - i K_II) / sqrt(2 pi), the term p = 1 has A =
+// T/4 with the T-stress T. Negative powers are the dual fields of reciprocal_work().
 class CrackTipField {
  public:
   CrackTipField(const PlaneElasticity& elasticity, double power, std::complex<double> factor);

@@ -57,8 +57,8 @@ class LinearBodyForce {
     const Point r = place - centre_;
     const Eigen::Vector3d constant(-b_.x() * r.x(), -b_.y() * r.y(), 0);
     if (growth_ == 0) return constant;
-    // The cubic part has the stresses -k r^2 / 8 (3 + q) along the radius and -k r^2 / 8 (1 + 3 q) across it, where q =
-    // c12 / c11.
+    // The cubic part has the stresses -k r^2 / 8 (3 + q) along the radius and -k r^2 / 8 (1 + 3 q) across it, where k
+    // is the growth of the body force, r the distance from the centre and q = c12 / c11.
     const double all_sides = -growth_ / 8 * (1 + 3 * ratio_) * r.squaredNorm(), along = -growth_ / 4 * (1 - ratio_);
     return constant +
            Eigen::Vector3d(all_sides + along * r.x() * r.x(), all_sides + along * r.y() * r.y(), along * r.x() * r.y());

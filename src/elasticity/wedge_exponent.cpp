@@ -13,16 +13,17 @@ namespace {
 using Complex = std::complex<double>;
 constexpr Complex i_unit{0, 1};
 
-// Displacements and resultant forces on a ray (rows x, y) per unit of the four constants of a sector's solution.
+// Displacements and resultant forces (rows x, y) on a ray of a wedge, one column for each of the four constants of the
+// solution in a sector.
 struct RayFunctions {
   Eigen::Matrix<Complex, 2, 4> displacement, force;
 };
 
-// Displacement and force functions of the potentials phi = a z^lambda, psi = b z^lambda. Their conjugates have
-// constants c and d of their own, so that all functions are analytic in lambda (M. L. Williams, J. Appl. Mech. 19,
-// 1952; England, Complex Variable Methods in Elasticity, 1971, section 3.7). The displacement is 2 mu (u + i v) = kappa
-// phi - z conj(phi') - conj(psi). The resultant force on the arc from a fixed point is -i (phi + z conj(phi') +
-// conj(psi)) times the thickness.
+// Displacement and force functions of the potentials phi = a z^lambda, psi = b z^lambda with complex constants a and b.
+// Their conjugates have constants c and d of their own, so that all functions are analytic in lambda (M. L. Williams,
+// J. Appl. Mech. 19, 1952; England, Complex Variable Methods in Elasticity, 1971, section 3.7). The displacement is 2
+// mu (u + i v) = kappa phi - z conj(phi') - conj(psi), with the shear modulus mu and Kolosov's constant kappa. The
+// resultant force on the arc from a fixed point is -i (phi + z conj(phi') + conj(psi)) times the thickness.
 RayFunctions functions_on(double angle, const Complex& lambda, const PlaneElasticity& e, double modulus) {
   const Complex up = std::exp(i_unit * lambda * angle), down = 1.0 / up;
   const Complex turn = std::exp(2.0 * i_unit * angle), ahead = turn * down, behind = up / turn;

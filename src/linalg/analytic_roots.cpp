@@ -29,8 +29,8 @@ struct Sample {
   }
 };
 
-// Change of the function's argument along the straight line between two places. The line is halved until no root can
-// lie so close to it that a turn is missed.
+// Change of the argument (angle) of the complex function value along the straight line between two places. The line is
+// halved until no root can lie so close to it that a turn of the value is missed.
 double argument_change(const AnalyticFunction& f, const Sample& from, const Sample& to, int depth) {
   constexpr double small = 0.8;
   constexpr int most_halvings = 40;

@@ -12,7 +12,7 @@ class DisjointSets {
     std::iota(parent_.begin(), parent_.end(), 0);
   }
 
-  // Smallest member of the set that contains `member`; it identifies the set.
+  // Smallest member of the set that contains `member`; this number identifies the set.
   int find(int member) {
     while (parent_[member] != member) member = parent_[member] = parent_[parent_[member]];
     return member;

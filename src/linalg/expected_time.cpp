@@ -14,7 +14,7 @@ namespace {
 // Number of operations (20 to 100 ms of work) above which the time of a factorization is estimated in advance.
 constexpr double worth_foretelling = 1e9;
 
-// Least seconds of three calls of work().
+// Shortest time of three calls of work() [s].
 template <class Work>
 double least_seconds(const Work& work) {
   using Clock = std::chrono::steady_clock;

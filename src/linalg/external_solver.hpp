@@ -32,7 +32,8 @@ class ExternalSolver {
   virtual ~ExternalSolver() = default;
 
   virtual void analyse(std::int64_t factor, const Matrix& lower, const Plan& plan) = 0;
-  // Returns false if the part that is eliminated is not positive definite.
+  // Factorizes a matrix under the number `factor`. Returns false if the block of the eliminated unknowns is not
+  // positive definite.
   virtual bool factorize(std::int64_t factor, const Matrix& lower, int kept, Outcome& outcome) = 0;
   // Solves for the eliminated unknowns while the kept unknowns are 0; entries of kept unknowns are neither read nor
   // set.

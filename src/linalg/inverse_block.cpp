@@ -9,7 +9,8 @@ namespace bempd::linalg {
 
 namespace {
 
-// Columns of the factor L, each from its diagonal entry down. In a factor L D L^T the entries of D are on the diagonal.
+// Columns of CHOLMOD's factor L, each from its diagonal entry down. For a factor L D L^T, the diagonal entries are
+// those of D.
 template <class Index>
 class FactorColumns {
  public:

@@ -29,9 +29,9 @@ struct Sweep {
 // Solves A x = b by sweeps of an iteration. sweep(target, max_iterations, x, r, iterations) iterates from x with r = b
 // - A x, until the largest entry of its updated residual is at most `target`, or until it has to restart.
 //
-// Updated residuals drift from the true residual, so only b - A x decides about convergence. If it is too large, the
-// iteration restarts from the true residual, which refines the solution, until a restart gains less than a factor of
-// two.
+// Updated residuals drift from the true residual b - A x, so only the true residual decides about convergence. If it is
+// too large, the iteration restarts from the true residual, which refines the solution, until a restart gains less than
+// a factor of two.
 template <class Apply, class SweepFunction>
 KrylovResult iterate_with_refinement(const Apply& apply, const SweepFunction& sweep, const Eigen::VectorXd& b,
                                      Eigen::VectorXd& x, double tolerance, int max_iterations) {

@@ -21,12 +21,12 @@ class SparseCholesky : public SparseFactorization {
   // Order of elimination of the present factor: entry k is the unknown that is eliminated as the k-th.
   virtual const std::vector<int>& elimination_order() const = 0;
 
-  // First half of solve_in_place(), with a factor A = L L^T that no update() has changed: replaces right-hand sides by
-  // L^-1 times them, in the order of elimination. A solver from outside (external_cholesky.hpp) computes only the
-  // values of the kept unknowns and leaves the others as they are.
+  // First half of solve_in_place(), with a factor A = L L^T that no update() has changed: multiplies right-hand sides
+  // by L^-1, in the order of elimination. A solver from outside (external_cholesky.hpp) computes only the values of the
+  // kept unknowns and leaves the other values as they are.
   virtual void solve_forward(Eigen::Ref<Eigen::MatrixXd> rhs) const = 0;
-  // Second half of solve_in_place(): replaces values of solve_forward(), transposed (one row per set), by the unknowns
-  // in the same order. The last `known` unknowns are given and stay.
+  // Second half of solve_in_place(): replaces the results of solve_forward(), transposed (one row per right-hand side),
+  // by the unknowns in the same order. The last `known` unknowns are given and stay.
   virtual void solve_backward(Eigen::Ref<Eigen::MatrixXd> transposed, int known) const = 0;
   // Second half of a solution, computed only for the unknowns at `places` and for the unknowns that these depend on.
   // Other entries may be left unsolved.

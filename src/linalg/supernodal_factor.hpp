@@ -7,7 +7,8 @@
 
 namespace bempd::linalg {
 
-// Calls visit(j, d_j) for every pivot d_j of CHOLMOD's factor L L^T (supernodal or simplicial) or L D L^T.
+// Calls visit(j, d_j) for every pivot d_j of CHOLMOD's factor (j: place in the order of elimination), whether it is L
+// L^T (supernodal or simplicial) or L D L^T.
 template <class Index, class Visit>
 void for_each_pivot(const cholmod_factor& factor, Visit visit) {
   const double* x = static_cast<const double*>(factor.x);

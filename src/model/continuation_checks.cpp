@@ -1,5 +1,5 @@
-// Checks whether a run can continue from the data that a saved state holds for that (Continuation). All numbers are
-// known to be finite (state_checks.cpp).
+// Checks of the data with which a run continues from a saved state (fracture::Continuation): whether they fit the state
+// and the scene. All numbers are known to be finite (state_checks.cpp).
 #include <algorithm>
 #include <set>
 

@@ -33,8 +33,8 @@ void CrackLengthening::go_to(double load_factor) {
   model_.preparation().has_changed();
 }
 
-// Records with each extension the energy that the body releases. Below the toughness the process that lets the crack
-// grow takes all of this energy, so none becomes kinetic energy.
+// Extends tips in a trial, and records with each extension the energy that the body releases. Below the toughness all
+// of this energy goes into the process that lets the crack grow, such as fatigue, so none becomes kinetic energy.
 LongerCracks CrackLengthening::lengthened(const std::vector<Lengthened>& tips) {
   Growing growing;
   growing.load_factor = growing.critical_load_factor = model_.load_factor();

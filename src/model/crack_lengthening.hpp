@@ -27,8 +27,8 @@ struct LongerCracks {
   std::vector<scene::Crack> cracks;
 };
 
-// Call of the host that extends cracks with boundary elements by given lengths, whatever their load. The call can be
-// undone until keep_result(). LineLengthening extends crack lines in lattices as well.
+// Call of the host that extends cracks with boundary elements by given lengths, whether or not their tips are critical.
+// The call can be undone until keep_result(). LineLengthening extends crack lines in lattices as well.
 class CrackLengthening {
  public:
   // Prepares the model and finds its equilibrium under the values that the host has set. Throws Error (argument) if no
@@ -54,7 +54,8 @@ class CrackLengthening {
   PreparedScene& scene() { return model_.prepared(); }
   // Prepared scene of the trial `longer`, which is not accepted yet.
   virtual PreparedScene& scene_of(LongerCracks& longer) { return *longer.grown.scene; }
-  // Calls `read` while the scene of the trial `longer` is the model's scene; null: the model's own scene.
+  // Calls `read` while the scene of the trial `longer` is the model's scene; if `longer` is null, in the model's own
+  // scene.
   virtual void in_scene_of(LongerCracks* longer, const std::function<void()>& read);
   // Whether crack lines in lattices can grow in a scene.
   virtual bool grows_lines(const PreparedScene&) const { return false; }

@@ -81,7 +81,7 @@ std::vector<regions::TipValues> CrackResults::tips_of(const PreparedScene& prepa
   }
   model_.accuracy().raise_errors(tips);
   for (regions::TipValues& tip : tips) complete(tip, model_.options());
-  // Tips are sorted by crack id; the tip at the first point comes before that at the last point.
+  // Tips are sorted by crack id; of a crack, the tip at the first point comes before the tip at the last point.
   std::stable_sort(tips.begin(), tips.end(), [](const regions::TipValues& a, const regions::TipValues& b) {
     return std::pair(a.crack, a.end) < std::pair(b.crack, b.end);
   });

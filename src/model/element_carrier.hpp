@@ -22,8 +22,8 @@ class Model;
 struct Growing;
 
 // Carrier of cracks with boundary elements, for one call of a host. When a tip grows, a scene with the longer crack is
-// prepared beside the present one, and the run continues in it. The same is done where a lattice patch (lattice inside
-// a body) gets more blocks around a crack line.
+// prepared beside the present one, and the run continues in the new scene. When a lattice patch (lattice inside a body)
+// gets more blocks around a crack line, a scene with the larger patch is prepared in the same way.
 class ElementCarrier final : public fracture::BodyCarrier {
  public:
   // `on_way` are the values of loads and supports that act; null for those that the host has set. Tips grow only if
@@ -81,7 +81,8 @@ class ElementCarrier final : public fracture::BodyCarrier {
   int changes_ = 0;  // number of scenes before the present one
   std::size_t extensions_seen_;
 
-  // Whether the values of the tips are known. They are computed again only after an event or a change of contact.
+  // Whether the stress intensity factors of the tips are known. They are computed again only after an event or a change
+  // of contact.
   bool is_known_ = false;
   std::int64_t events_ = 0, switches_ = 0;
   std::vector<regions::TipValues> values_;

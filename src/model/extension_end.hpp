@@ -14,11 +14,10 @@ struct ExtensionEnd {
 };
 
 // End of a straight extension of the tip at `end` of a crack, by a given length. The extension ends at the first edge,
-// hole or crack that lies on it or a little beyond it, because a thin ligament breaks, and at the end of a crack that
-// it passes closely.
-// The extension stops before an interface, unless the region behind has the same material. It crosses an interface
-// between boundary element regions as if there were none; behind an interface with a lattice it ends between material
-// points.
+// hole or crack on its way, or a little beyond its end, because the thin ligament between them would break; and at the
+// end of a crack that it passes closely. The extension stops before an interface, unless the region behind has the same
+// material. It crosses an interface between boundary element regions of one material as if there were no interface;
+// behind an interface with a lattice it ends between material points.
 ExtensionEnd end_of_extension(const scene::Scene& scene, const std::vector<scene::Crack>& cracks, int crack, int end,
                               const Point& direction, double length, double tolerance);
 

@@ -77,7 +77,7 @@ class Fatigue {
 
   // Grows cracks by load cycles. If it throws Error, the model is as it was before the call.
   FatigueReport grow(const FatigueOptions& options);
-  // Records of the last call of grow().
+  // Records of the tips after each step of the last call of grow().
   const std::vector<FatigueRecord>& records() const { return records_; }
   // Overloads that tips have met by the end of the last call of grow(). A call that continues from that state uses
   // them.

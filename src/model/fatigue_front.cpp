@@ -25,7 +25,8 @@ double equivalent_in(const Point& factors, double angle, KinkCriterion criterion
 // Number of parts of a step at whose ends a fracture energy that varies from place to place is read.
 constexpr int parts_of_step = 16;
 
-// Outline of a region; of the whole body if the region is a lattice patch of it, or patches are cut out of the region.
+// Outline of a region. If the region is a lattice patch of a body, or if patches are cut out of the region, the outline
+// of the whole body.
 const Outline& whole_outline(const scene::Scene& scene, int region) {
   const int part_of = scene.region(region).part_of();
   const scene::Region& body = scene.region(part_of > 0 ? part_of : region);

@@ -33,7 +33,8 @@ class FrontReader {
   FrontReader(Model& model, CrackLengthening& lengthening, const LoadLevels& levels)
       : model_(model), lengthening_(lengthening), levels_(levels) {}
 
-  // Front of the scene of the trial `longer`; null: of the model's scene.
+  // Front (tips with their stress intensity factors under each load) in the scene of the trial `longer`, or in the
+  // model's scene if `longer` is null.
   Front front(const std::vector<regions::TipValues>& tips, LongerCracks* longer);
   // Whether a tip chooses its direction anew at each spacing, from the stress ahead of it: the tip of a crack line
   // around which no contour (ring) fits, unless load cases are combined.

@@ -23,7 +23,7 @@ class FatigueStepLength {
   // have few of the cycles `so_far`. A step that `must_stand` is kept, and its error counts. A tip's first step has no
   // error of its own: the change of the exponent in the tip's second step gives the error of both steps.
   bool choose(const crack::TipOnStep& tip, double before, double after, double cycles, double so_far, bool must_stand);
-  // Estimated relative error of the cycles that have passed; NaN if steps were made and no error is known.
+  // Estimated relative error of the number of cycles `passed`; NaN if steps were made and no error is known.
   double error(double passed, bool steps_were_made) const;
 
  private:

@@ -46,8 +46,8 @@ void add_place(Hash& hash, const scene::Condition& condition) {
   hash.add(condition.components);
 }
 
-// Adds the values of a condition to a hash; returns false if the host gave a function, whose values cannot be hashed
-// here.
+// Adds the values of a support or load to a hash; returns false if the host gave a function, whose values cannot be
+// hashed here.
 bool add_values(Hash& hash, const scene::Condition& condition) {
   const auto add_list = [&](const std::vector<double>& values) { add(hash, values); };
   const auto* samples = std::get_if<scene::SampledValues>(&condition.values);

@@ -19,8 +19,8 @@ struct SceneFingerprint {
 
 SceneFingerprint fingerprint(const scene::Scene& scene, const scene::Options& options);
 
-// Hash of the loads with their values, and of the values of supports. If the host gave functions, the numbers in
-// `values` are hashed as well.
+// Hash of the loads with their values, and of the values of supports. If the host gave functions, the values at the
+// degrees of freedom (`values`) are hashed as well.
 std::uint64_t load_fingerprint(const scene::Scene& scene, const regions::DofConditions& values);
 
 }  // namespace bempd::model

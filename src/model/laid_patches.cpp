@@ -117,7 +117,7 @@ class NodeMatch {
   const regions::Discretization &now_, &before_;
 };
 
-// Nodes of an energy term (bond or cell square); the nodes of a bond in its order.
+// Nodes of an energy term (bond or cell square); of a bond, the first node, then the second.
 std::vector<int> nodes_of(const coupling::Terms& terms, std::size_t term) {
   std::vector<int> nodes;
   terms.for_each_node(term, [&](int node) { nodes.push_back(node); });

@@ -55,7 +55,7 @@ class LoadValues {
   };
   ActingValues& present() { return present_; }
 
-  // Loads before a change, to which go_back_to() returns.
+  // Loads that acted before a change; go_back_to() lets them act again.
   struct Before {
     regions::DofConditions conditions;
     fracture::RunLoads::SavedLoads run;
@@ -63,9 +63,9 @@ class LoadValues {
     std::optional<fracture::RunLoads::Heat> heat;
     std::optional<fracture::RunLoads::FaceLoads> faces;
   };
-  // Lets other values act on the prepared body. Returns the loads before.
+  // Lets other values act on the prepared body. Returns the loads that acted before.
   Before replace(regions::DofConditions conditions, Acting acting);
-  // Lets the values that the host has set act on the prepared body. Returns the loads before.
+  // Lets the values that the host has set act on the prepared body. Returns the loads that acted before.
   Before apply_pending();
   void go_back_to(Before before) noexcept;
   // Calls `read` while the prepared body is in equilibrium under other values, with its present bonds and cracks. The

@@ -32,7 +32,7 @@ class Preparation {
     return std::exchange(prepared_, std::move(next));
   }
 
-  // Number of the present state of the body. Results with an earlier number are out of date.
+  // Number of the present state of the body, which each change raises. Results with a smaller number are out of date.
   std::int64_t generation() const { return generation_; }
   void has_changed() noexcept { ++generation_; }
 

@@ -26,7 +26,8 @@ struct PreparedScene {
   std::unique_ptr<coupling::EquilibriumSystem> system;
   std::unique_ptr<fracture::CrackEvolution> evolution;
   std::optional<fracture::InterfaceBonds> interface_bonds;
-  // Numbers of the initial tips of crack lines, and of the laws by which they grow.
+  // Number of the initial tips of crack lines (first_tips), and number of the laws by which tips of crack lines grow
+  // (tip_laws).
   std::size_t first_tips = 0, tip_laws = 0;
   int anchored_pieces = 0;  // number of pieces with a support or a load before any growth
   std::int64_t interior_kernel_evaluations = 0;

@@ -132,8 +132,8 @@ double error_at(const std::vector<Values>& meshes, std::size_t place, Value regi
     return distance_of(meshes[fine][place].*value, meshes[fine + 1][place].*value);
   };
   if (meshes.size() == 2) return caution_at_places_by_finer * apart(0);
-  // The difference of the two finer meshes may vanish by chance, so at least a sixteenth of the other difference
-  // counts.
+  // The difference of the two finer meshes may vanish by chance, so at least a sixteenth of the difference of the two
+  // coarser meshes counts.
   const double fine = std::max(apart(0), apart(1) / 16);
   if (!(fine > 0)) return 0;
   const double gain = std::exp2(std::clamp(std::log2(apart(1) / fine), least_order_at_places, largest_order));

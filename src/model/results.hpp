@@ -21,7 +21,7 @@ class Results {
  public:
   explicit Results(Model& model) : model_(model) {}
 
-  // Region as built from the scene; throws Error (argument) if there is none with this id.
+  // Region as built from the scene; throws Error (argument) if no region has this id.
   const regions::Region& region(int id);
   // Bonds of a region; throws Error (argument) for a region without bonds.
   std::span<const pd::Bond> bonds(int region);

@@ -43,7 +43,7 @@ scene::Crack as_given(scene::Crack crack) {
 }  // namespace
 
 // Repetition of a model's run in another mesh, from the scene at the beginning of the run. The destructor returns the
-// model to its state.
+// model to the state that it had before the repetition.
 class TwinRun {
  public:
   TwinRun(Model& model, int halvings, double step_share, bool takes_patches)

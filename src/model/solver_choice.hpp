@@ -8,7 +8,7 @@ namespace bempd::model {
 
 class Model;
 
-// Solver of the sparse systems in calls of a model: the library's own, or one from outside.
+// Solver of the sparse systems in calls of a model: the library's own solver, or a solver of the host.
 class AttachedSolver {
  public:
   explicit AttachedSolver(Model& model) : model_(model) {}

@@ -39,8 +39,8 @@ void require_fit(const SavedState& saved, const PreparedScene& scene) {
   }
   for (const coupling::Terms::Following& pair : terms.following)
     must(!is_broken(static_cast<std::size_t>(pair.leader)) || is_broken(static_cast<std::size_t>(pair.follower)));
-  // A grown contact place of a state must belong to a broken bond, and the list of closed constraints must have an
-  // entry for this place.
+  // A contact place that the run has added must belong to a broken bond, and the list of closed constraints must have
+  // an entry for this place.
   std::set<int> grown;
   for (const fracture::GrownFace& face : state.faces.grown) {
     must(face.term >= 0 && face.term < static_cast<int>(terms.size()) && grown.insert(face.term).second &&

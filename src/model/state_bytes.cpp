@@ -14,7 +14,8 @@ namespace {
 constexpr char magic[8] = {'B', 'E', 'M', 'P', 'D', 'S', 'T', '\0'};
 constexpr std::uint32_t byte_order_mark = 0x01020304;
 
-// Form in which the values of a condition are written. Functions are not written.
+// Form in which the values of a support or load are written: samples along an edge, or values at places. For a function
+// of the host no values are written.
 enum class Form : std::uint8_t { function, samples, places };
 
 // Writes structs number by number, because the padding between their members is undefined.
@@ -134,8 +135,8 @@ class Reader {
   Eigen::Index count_of() {
     std::uint64_t count = 0;
     (*this)(count);
-    // The count is limited by the number of bytes left (no entry is shorter than its smallest number), which limits the
-    // memory.
+    // The number of entries is limited by the number of bytes left (no entry is shorter than its smallest number), so
+    // that damaged bytes cannot request much memory.
     require(count <= left_ / std::min(sizeof(T), sizeof(double)),
             "the bytes of the state are damaged: an array is longer than what is left");
     return static_cast<Eigen::Index>(count);

@@ -12,8 +12,8 @@ namespace bempd::model {
 
 namespace {
 
-// Visitor of the members of a state, which checks whether all numbers are as the lists of members allow, and flags are
-// 0 or 1.
+// Visitor of the members of a state. It checks whether all numbers are finite or as the list of members allows, and
+// whether flags are 0 or 1.
 class NumberCheck {
  public:
   static constexpr int format = state_format;

@@ -33,7 +33,7 @@ MPI_Comm copy_of(MPI_Comm comm) {
   return copy;
 }
 
-// Communicators of hosts that have an open connection.
+// Communicators of hosts over which a connection is open.
 struct Used {
   std::mutex mutex;
   std::vector<MPI_Comm> comms;

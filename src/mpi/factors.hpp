@@ -8,7 +8,7 @@
 
 namespace bempd::mpi {
 
-// Factorized matrices by the numbers that rank 0 gave them; the same on all ranks.
+// Factorized matrices, found by the numbers that rank 0 gave them; all ranks use the same numbers.
 class Factors {
  public:
   explicit Factors(MPI_Comm comm) : comm_(comm) {}

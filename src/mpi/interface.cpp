@@ -42,8 +42,8 @@ bempd_status guarded(const char* function, const Body& body) noexcept {
   }
 }
 
-// Function that the core calls as its sparse solver. The request BEMPD_SPARSE_DETACH is the last one and ends the
-// connection.
+// Function that the core library calls as its sparse solver. The request BEMPD_SPARSE_DETACH is the last one and ends
+// the connection.
 int32_t answer(bempd_sparse_task* task, void* user) {
   auto* const connection = static_cast<Connection*>(user);
   if (task->request == BEMPD_SPARSE_DETACH) {

@@ -44,8 +44,7 @@ std::vector<LatticeRegion::EdgePoint> CellCentredLattice::edge_points(int edge) 
   const LatticePoint span = end - start;
   const int count = span.cwiseAbs().maxCoeff();
   const LatticePoint step = span / count;
-  // The cell behind a piece of the edge lies to the left of the edge. The number of a cell is that of its lower left
-  // corner.
+  // The cell behind a piece of the edge lies on the left of the edge. A cell has the number of its lower left corner.
   const LatticePoint left(-step.y(), step.x());
   const LatticePoint to_corner(std::min({0, step.x() + left.x(), step.x(), left.x()}),
                                std::min({0, step.y() + left.y(), step.y(), left.y()}));

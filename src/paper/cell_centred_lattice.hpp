@@ -17,7 +17,7 @@ class CellCentredLattice final : public UncorrectedLattice {
  protected:
   void place_points(const regions::Preparation& preparation) override;
   std::vector<char> shared_points(const regions::Preparation& preparation) const override;
-  // Points on which loads of an edge act: those in the layer of cells behind the edge.
+  // Points on which loads of an edge act: the centres of the cells that border on the edge.
   std::vector<EdgePoint> edge_points(int edge) const override;
   void add_edge_forces(const Point& a, const Point& b, const std::function<Point(const Point&)>& traction,
                        Eigen::Ref<Eigen::VectorXd> forces) const override;

@@ -11,9 +11,9 @@ namespace {
 
 // Nodal forces of the scheme `paper` per displacement: consistent with the elements, except at lattice interfaces. At
 // an interface every node has its traction times the length between the middles of its neighbours (half of this length
-// at the ends of the interface). This force corresponds to the traction t = -b dx that balances the body force of the
-// material point (Yang and Liu 2021, Eq. 26). Consistent forces would alternate between 2/3 and 4/3 of it from node to
-// node.
+// at the ends of the interface). This force corresponds to the traction t = -b dx (dx: lattice spacing) that balances
+// the body force b of the material point (Yang and Liu 2021, Eq. 26). Consistent forces would alternate between 2/3 and
+// 4/3 of this force from node to node.
 Eigen::MatrixXd balanced_stiffness(const ElementsOfRegion& elements, const CollocationOperator& collocation) {
   const BoundaryMesh& mesh = elements.mesh;
   Eigen::MatrixXd stiffness = collocation.stiffness();
@@ -35,8 +35,8 @@ Eigen::MatrixXd balanced_stiffness(const ElementsOfRegion& elements, const Collo
 }
 
 // Equations as published (Yang and Liu 2021, Eqs. 23 and 27), every row times a length. At nodes of lattice interfaces,
-// also at the ends of the interface, t = -b dx with the lattice spacing dx. At other nodes t is given (at nodes with
-// two tractions, their sum).
+// also at the ends of the interface, the traction is t = -b dx with the lattice spacing dx and the body force b of the
+// material point. At other nodes t is given (at nodes with two tractions, their sum).
 Eigen::MatrixXd pointwise_stiffness(const scene::Scene& scene, const ElementsOfRegion& elements,
                                     const CollocationOperator& collocation) {
   const BoundaryMesh& mesh = elements.mesh;

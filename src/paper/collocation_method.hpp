@@ -6,8 +6,8 @@
 namespace bempd::paper {
 
 struct CollocationRules {
-  // Whether the equation of an interface node is t = -b dx for the node and its material point (Yang and Liu 2021, Eqs.
-  // 26, 27); else it is the balance of nodal forces.
+  // Whether the equation of an interface node is t = -b dx, with the traction t of the node, the body force b of its
+  // material point and the lattice spacing dx (Yang and Liu 2021, Eqs. 26, 27); else it is the balance of nodal forces.
   bool pointwise_traction = false;
   bool one_traction_at_corners = false;  // false: one traction for each edge
 };

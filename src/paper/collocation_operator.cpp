@@ -19,7 +19,8 @@ namespace {
 // Parameter of the collocation point inside an element beside a node with two tractions, if that node has xi = 1.
 constexpr double shifted = 2.0 / 3;
 
-// Collocation point with its parameter on every element that contains it: two elements if it is their common end.
+// Collocation point, with its parameter on every element that contains the point: two elements if the point is their
+// common end.
 struct CollocationPoint {
   struct Home {
     int element;

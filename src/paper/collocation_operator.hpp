@@ -28,7 +28,8 @@ class CollocationOperator final : public bem::BoundaryOperator {
   Eigen::MatrixXd tractions(const Eigen::Ref<const Eigen::MatrixXd>& displacements) const override;
   std::int64_t kernel_evaluations() const override { return kernel_evaluations_; }
 
-  // Matrix K_B [Pa/m], rows 2 * traction_node + component, columns 2 * node + component.
+  // Matrix K_B [Pa/m] that gives tractions from displacements: rows 2 * traction_node + component, columns 2 * node +
+  // component.
   const Eigen::MatrixXd& traction_matrix() const { return traction_matrix_; }
 
  private:

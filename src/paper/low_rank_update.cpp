@@ -8,7 +8,8 @@ namespace bempd::paper {
 
 namespace {
 
-// Largest number of entries of the stored solutions Z, which take a quarter of a gigabyte.
+// Largest number of entries of the stored solutions Z = A^-1 C (with_low_rank_updates()); they take a quarter of a
+// gigabyte.
 constexpr Eigen::Index most_stored_numbers = Eigen::Index{1} << 25;
 
 using linalg::Change;

@@ -23,8 +23,8 @@ struct PointMoments {
 // Integrates over elements, each with the relative error `tolerance`. If x is off the element, Gauss rules are used; an
 // element that is too long for its distance from x is halved. If x lies on the element, r = (xi - xi0) chord, where the
 // chord is smooth and does not vanish. The logarithm ln r is then the smooth ln|chord| plus ln|xi - xi0|, which a
-// product rule integrates. The factor 1 / r of the double layer cancels against N(y) - N(x), so that no principal value
-// is needed.
+// product rule integrates. The factor 1 / r of the double layer cancels against the difference N(y) - N(x) of shape
+// functions, so that no principal value is needed.
 class PointIntegrator {
  public:
   PointIntegrator(const std::vector<bem::ElementGeometry>& elements, double tolerance);

@@ -14,8 +14,8 @@ namespace bempd::paper {
 
 namespace {
 
-// UMFPACK counts the memory of a factor in its integer type. This type has 64 bits here, because 32 bits would limit
-// the factor.
+// UMFPACK counts the memory of a factor in the integer type of its indices. This type has 64 bits here, because 32 bits
+// would limit the factor.
 using LongMatrix = Eigen::SparseMatrix<double, Eigen::ColMajor, SuiteSparse_long>;
 static_assert(sizeof(SuiteSparse_long) == 8);
 

@@ -35,7 +35,7 @@ class Bins {
     for (std::size_t i = 0; i < points.size(); ++i) points_[bin_of(points[i])].push_back(static_cast<int>(i));
   }
 
-  // Adds a face to all bins whose points may have bonds that reach it.
+  // Adds a face (piece of the body's boundary) to all bins whose points may have bonds that reach the face.
   void add(const Face& face, int number) {
     const Point reach(width_ + place_tolerance, width_ + place_tolerance);
     const Eigen::Array2i from = place(face[0].cwiseMin(face[1]) - reach).max(0);
@@ -70,9 +70,9 @@ class Bins {
 
 int sign(double value) { return value > place_tolerance ? 1 : value < -place_tolerance ? -1 : 0; }
 
-// Whether a bond passes from one side of the boundary to the other. At a place where faces end on the bond, the bond
-// crosses if two faces lead from the place to different sides of the bond. `candidates` are the numbers of the faces
-// nearby.
+// Whether a bond passes from one side of the body's boundary to the other. At a place where faces (pieces of the
+// boundary) end on the bond, the bond crosses if two faces lead from the place to different sides of the bond.
+// `candidates` are the numbers of the faces nearby.
 bool crosses_boundary(const Point& from, const Point& to, const std::vector<Face>& faces,
                       const std::vector<int>& candidates) {
   const Point along = (to - from).normalized();

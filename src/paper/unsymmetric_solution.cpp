@@ -19,7 +19,7 @@ constexpr int most_updates = 120;
 // ever converge.
 constexpr int most_refinements = 4;
 
-// Reciprocal condition number below which a solution has no correct digit.
+// Reciprocal condition number of a dense block below which a solution with it has no correct digit.
 constexpr double singular_condition = 1e-16;
 
 class UnsymmetricSchurComplement final : public SchurComplement {

@@ -26,7 +26,7 @@ void write_history(const std::string& path, const fracture::EvolutionState* stat
                                    "stretch_ratio", "stored_energy",        "released_energy",
                                    "work",          "energy_balance_error", "residual"};
   add_columns(columns, supports, {"reaction_x_", "reaction_y_"});
-  // New columns come last, so that programs that count columns find the older ones in their places.
+  // New columns come last, so that programs that count columns find the older columns in their places.
   columns.insert(columns.end(), {"critical_load_factor", "critical_stored_energy", "bond_energy", "load_factor_before",
                                  "stored_energy_before", "work_before", "resistance_before", "resistance", "ties"});
   add_columns(columns, supports, {"reaction_before_x_", "reaction_before_y_", "displacement_x_", "displacement_y_"});

@@ -61,7 +61,7 @@ void add_region(VtuGrid& grid, const SnapshotBlock& block, const regions::Region
       nodes.push_back(first + cells.nodes[e + k]);
     // VTK lists the ends of a quadratic edge before its mid node.
     if (block.cell == output::VtuCell::quadratic_edge) std::swap(nodes[1], nodes[2]);
-    // Triangles among quadrangles have one corner twice.
+    // Triangles in a mesh of quadrangles have one corner twice; the second copy is left out.
     nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
     if (nodes.size() > 2 && nodes.front() == nodes.back()) nodes.pop_back();
     grid.add_cell(nodes.size() == 3 && block.cell == output::VtuCell::quad ? output::VtuCell::triangle : block.cell,
