@@ -62,7 +62,7 @@ class Merging {
   }
 
  private:
-  // Number of each node among the nodes that remain; -1 for removed nodes.
+  // Number of each node among the nodes that remain after pairs of elements were merged; -1 for removed nodes.
   std::vector<int> numbers() const {
     std::vector<char> stays = keeps_;
     for (const int node : middles_) stays[node] = 1;

@@ -31,7 +31,8 @@ struct KeptNodes {
 KeptNodes kept_nodes(const std::vector<GalerkinElement>& before, const std::vector<GalerkinElement>& elements,
                      int boundary_nodes, int nodes, int traction_nodes);
 
-// Matrices of the earlier body, from which blocks are copied; D has both triangles.
+// Matrices of the earlier body (the body before its cracks changed), from which blocks are copied. The hypersingular
+// matrix has both triangles.
 struct KnownBlocks {
   const KeptNodes& kept;
   const GalerkinMatrices& matrices;

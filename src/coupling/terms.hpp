@@ -59,7 +59,7 @@ struct Terms {
   // the end.
   std::vector<double> contraction;
 
-  // Law of each term as an index into `laws`; terms beyond the end are brittle.
+  // Law of each term (its damage stages) as an index into `laws`; terms beyond the end are brittle.
   std::vector<std::uint8_t> law;
   std::vector<TermLaw> laws{TermLaw::brittle()};
 

@@ -82,7 +82,7 @@ class Accuracy {
   // place of the model's own prepared scene.
   MeshAnswers answers_of(PreparedScene& scene, double load_factor) const;
 
-  // Record of the steps of the run so far, which run_errors.hpp repeats.
+  // Record of the steps of the run so far, by which the run can be repeated in another mesh (run_errors.hpp).
   RunJournal& journal() { return journal_; }
   // Number of times that the elements of bodies are halved at present.
   regions::Refinement refinement() const { return {chosen_ ? chosen_->cost.halvings : 0, 0}; }

@@ -104,7 +104,8 @@ std::vector<regions::TipValues> CrackGrowth::free_tips() {
 }
 
 // Moves to the load factor at which the first tip becomes critical. If faces close or open or bonds break before that,
-// the first tip and its load factor are found again. Returns the tips that grow, each by `length` times its share.
+// the first tip and its load factor are found again. Returns the tips that grow; set_lengths() derives the lengths of
+// their extensions from `length`.
 Growing CrackGrowth::go_to_growth(double length) {
   for (int round = 0;; ++round) {
     const std::vector<regions::TipValues> tips = free_tips();

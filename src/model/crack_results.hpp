@@ -26,7 +26,7 @@ class CrackResults {
   // Path of a crack; throws Error (argument) if the crack does not exist.
   std::vector<crack::PathVertex> path(int crack) const;
   double length(int crack) const;  // length of a crack (id); 0: sum over all cracks
-  // Tangential and normal openings of a crack at fractions of its length [m].
+  // Tangential and normal openings [m] of a crack at places given as fractions of the crack's length.
   std::vector<Point> openings(int crack, const std::vector<double>& fractions);
   // Extensions of all cracks in the order of the run.
   std::span<const fracture::CrackExtension> extensions() const;

@@ -14,10 +14,11 @@ struct ExtensionEnd {
 };
 
 // End of a straight extension of the tip at `end` of a crack, by a given length. The extension ends at the first edge,
-// hole or crack on its way, or a little beyond its end, because the thin ligament between them would break; and at the
-// end of a crack that it passes closely. The extension stops before an interface, unless the region behind has the same
-// material. It crosses an interface between boundary element regions of one material as if there were no interface;
-// behind an interface with a lattice it ends between material points.
+// hole or crack that it meets. If an edge, hole or crack lies only a little farther ahead, the extension reaches to it,
+// because the thin ligament would break. An extension that closely passes the end of a crack ends there. The extension
+// stops before an interface, unless the region behind has the same material. It crosses an interface between boundary
+// element regions of one material as if there were no interface; behind an interface with a lattice it ends between
+// material points.
 ExtensionEnd end_of_extension(const scene::Scene& scene, const std::vector<scene::Crack>& cracks, int crack, int end,
                               const Point& direction, double length, double tolerance);
 

@@ -56,7 +56,7 @@ NetSection::NetSection(const Outline& outline, const std::vector<scene::Crack>& 
   const Edge line(place - half * direction, place + half * direction);
   const std::vector<Edge> all = edges_of(outline);
   const std::vector<Edge> outer(all.begin(), all.begin() + static_cast<std::ptrdiff_t>(outline.loops[0].size()));
-  // Part of the line around the tip that lies within the outer loop.
+  // First and last position, along the line, of that part of the line around the tip which lies within the outer loop.
   double lowest = -half, highest = half;
   for (const double at : crossings_of(line, half, outer, tolerance)) {
     if (at < -tolerance) lowest = at;

@@ -9,7 +9,7 @@ namespace bempd::model {
 
 class Model;
 
-// Errors of the present results, by source.
+// Errors of the present results, one for each source: lengths of boundary elements, and choice of the growth criterion.
 struct ErrorSources {
   MeshErrors boundary;
   // Relative difference between the load factors of the next growth by the two growth criteria.

@@ -44,7 +44,8 @@ struct SavedState {
   // Values that the host has set; empty: when the state is restored, the model keeps its present ones.
   std::optional<scene::SceneValues> host_values;
   std::vector<int> frozen;  // crack and end of each tip that the host keeps frozen; only with `host_values`
-  // Overloads that tips have met by the end of the last growth by cycles, as numbers.
+  // Overloads that tips have met by the end of the last growth by cycles, in the form of numbers_of()
+  // (remembered_overload.hpp).
   std::vector<double> overloads;
 };
 
