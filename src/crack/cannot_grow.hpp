@@ -6,8 +6,9 @@
 
 namespace bempd::crack {
 
-// Error of carriers (carrier.hpp): a crack cannot grow to a place, because no valid scene contains the longer crack;
-// `reason` says why. In a step the crack stops instead; bempd_grow_cracks() returns the error to the host.
+// Error of a carrier (part of the model in which cracks grow, carrier.hpp): a crack cannot grow to a place, because no
+// valid scene contains the longer crack; `reason` says why. In a step the crack stops instead; bempd_grow_cracks()
+// returns the error to the host.
 class CannotGrow : public Error {
  public:
   explicit CannotGrow(const std::string& reason) : Error(Failure::argument, reason) {}

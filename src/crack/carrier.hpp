@@ -11,7 +11,7 @@
 
 namespace bempd::crack {
 
-// Crack tip as its carrier sees it under the present loads.
+// Crack tip under the present loads, as its carrier (part of the model in which the crack grows) describes it.
 struct Tip {
   TipId id;
   Point place{0, 0}, direction{1, 0};  // place of the tip [m]; unit vector straight ahead
@@ -19,10 +19,12 @@ struct Tip {
   GrowthLaw law;
   GrowthRange range;      // load factors between which the tip does not grow
   double kink_angle = 0;  // turn of the tip if it grew at the present load factor, counter-clockwise [rad]
-  // Kink angle at the load factor range.highest [rad]; NaN if the range has no upper end.
+  // Kink angle if the tip grows at range.highest, the load factor that the tip reaches as loads rise [rad]; NaN if the
+  // range has no upper end.
   double critical_kink_angle = std::numeric_limits<double>::quiet_NaN();
   LoadRule load_rule = LoadRule::factors;
-  // Relative error of the load factor range.highest; NaN if there is no such load factor, or its error is unknown.
+  // Relative error of range.highest, the load factor of growth; NaN if there is no such load factor, or if its error is
+  // unknown.
   double load_error = std::numeric_limits<double>::quiet_NaN();
   bool closed = false;  // crack faces press on each other at the tip
 };
@@ -35,19 +37,20 @@ inline GrowthRange common_range(std::span<const Tip> tips) {
   return common;
 }
 
-// Growth of a tip that a carrier is asked to carry out at the present load factor.
+// Growth of one tip at the present load factor, which a carrier (part of the model with cracks) is asked to carry out.
 struct Step {
   TipId tip;
   int ties = 0;       // number of other tips that would have grown at the same load factor
   double length = 0;  // length of the extension [m]; 0: the carrier chooses the length
-  // Whether the load makes the tip grow. If not, another process such as fatigue (load cycles) does, at any load
-  // factor.
+  // Whether the load makes the tip grow. If false, another process such as fatigue (load cycles) makes the tip grow, at
+  // any load factor.
   bool is_driven = true;
-  // Unit vector in which a crack line grows if the load does not drive it; empty: the growth criterion chooses.
+  // Direction (unit vector) in which a crack line (crack in a lattice) grows if the load does not drive it; empty: the
+  // growth criterion chooses the direction.
   std::optional<Point> direction{};
 };
 
-// Result of a Step.
+// What a carrier did when it was asked to let a tip grow (Step).
 struct Advance {
   std::vector<Extension> extensions;  // one for each tip that has grown; empty if no tip can grow
   bool has_stopped = false;           // whether a crack has stopped, at an interface or because it cannot grow
@@ -69,11 +72,11 @@ class Carrier {
   // Candidates for growth on the load path `way`: tips with the load factors at which they grow. Tips that do not grow
   // on this path are left out.
   virtual std::vector<Candidate> candidates(const LoadWay& way) = 0;
-  // Lets a candidate grow at the present load factor: cuts bonds, or continues the run in a body with more elements.
-  // The growth is an event in the history of the run. Throws FreesLoadedPart.
+  // Lets a candidate tip grow at the present load factor: cuts bonds, or continues the run in a body with more
+  // elements. The growth is an event in the history of the run. Throws FreesLoadedPart.
   virtual Advance advance(const Step& step) = 0;
-  // Openings of a crack at fractions of its length, as tangential and normal component [m]: the displacement of the
-  // left face minus that of the right face. NaN at places that lie in another carrier.
+  // Openings of a crack at fractions of its length: the displacement of the left face minus that of the right face, as
+  // tangential and normal component [m]; NaN at places where another carrier represents the crack.
   virtual std::vector<Point> openings(int crack, const std::vector<double>& fractions) = 0;
 };
 

@@ -6,7 +6,8 @@
 
 namespace bempd::crack {
 
-// Block of load cycles between a high and a low load. Both loads are given as indices of a list of loads.
+// Block of load cycles between a high and a low load. `high` and `low` are indices of loads in the list that each tip
+// has of its stress intensity factors by load.
 struct Block {
   std::size_t high = 0, low = 0;
   double cycles = 0;
@@ -15,7 +16,7 @@ struct Block {
 // Program of load cycles: blocks one after another, repeated for ever. A single block is a constant amplitude.
 class CycleProgram {
  public:
-  // Place in the program up to which cycles have passed.
+  // Place in the program: all blocks and cycles before the place have passed.
   struct Place {
     std::size_t block = 0;
     double done = 0;  // cycles of this block that have passed

@@ -9,13 +9,13 @@ namespace bempd::crack {
 
 namespace {
 
-// Number of parts into which the growth of a step is divided while cycles are counted. In each part rates are
-// integrated by the Runge-Kutta rule, with an error far below that of the step itself.
+// Number of parts into which the crack growth in one step is divided while cycles are counted. In each part growth
+// rates are integrated by the Runge-Kutta rule, whose error is far below that of the step itself.
 constexpr double parts_of_a_step = 24;
 
-// Largest growth in the plastic zone of an overload that is integrated at once, as a share of the distance to the
-// zone's end: by a part of a block, because retardation varies, and by a whole program where several are passed at
-// once.
+// Largest growth that is integrated at once inside the plastic zone of an overload, as a share of the distance from the
+// tip to the end of the zone: for cycles of one block (small because retardation varies), and for whole programs of
+// cycles.
 constexpr double share_of_zone = 0.04, share_of_zone_by_program = 0.002;
 
 double rate_of(const TipOnStep& tip, double grown, const Block& block, const Overload& overload) {
@@ -26,7 +26,7 @@ double rate_of(const TipOnStep& tip, double grown, const Block& block, const Ove
   return rate;
 }
 
-// Load of a block as a share of the load that breaks the tip: by the equivalent factor, and by the net section.
+// Highest load of a block over the load that breaks the tip: by the equivalent factor, and by the net section.
 struct Shares {
   double of_factor, of_section;
   double largest() const { return std::max(of_factor, of_section); }
@@ -44,8 +44,9 @@ double share_of_critical(const TipOnStep& tip, double grown, const Block& block)
 
 double between(double first, double last, double share) { return (1 - share) * first + share * last; }
 
-// Interpolates the load on a net section, as a share of its limit load, between two lengths of the crack. What is left
-// of the section falls about linearly as the tip grows, and the share is its inverse: so inverses are interpolated.
+// Interpolates the ratio of the load on a net section to its limit load between two crack lengths, by the inverse
+// ratio: the inverse is proportional to the ligament (rest of the section), which shrinks about linearly as the tip
+// grows.
 double section_between(double first, double last, double share) {
   return first > 0 && last > 0 ? 1 / between(1 / first, 1 / last, share) : between(first, last, share);
 }
@@ -82,7 +83,7 @@ double TipOnStep::critical_at(double grown) const {
   return between(critical[part], critical[part + 1], at - static_cast<double>(part));
 }
 
-// Curvature from the previous step; 0 if that step is unknown or was longer than 0.7 of the tip's part of the crack.
+// Curvature over the previous and the present step; 0 if the previous step is unknown or exceeded 0.7 own_length().
 double TipOnStep::bend(std::size_t level) const {
   const double start = own_length(), longest = 0.7 * start;
   const bool is_known = !past.empty() && past[level].equivalent * before[level].equivalent > 0;
@@ -172,7 +173,7 @@ std::optional<std::vector<double>> CycleIntegration::program_growth(const Growth
   return sum;
 }
 
-// Growth after `by` cycles or programs, by the classical Runge-Kutta rule; empty if a tip would be critical.
+// Growth of each tip after `by` more cycles or programs, by the classical Runge-Kutta rule; empty if a tip would break.
 template <class Rates>
 std::optional<std::vector<double>> CycleIntegration::advanced(const Growth& grown, double by,
                                                               const Rates& rates_at) const {
@@ -191,7 +192,7 @@ std::optional<std::vector<double>> CycleIntegration::advanced(const Growth& grow
   return moved(mean, by);
 }
 
-// Passes several whole programs at once. Returns false if the blocks have to be passed one by one.
+// Passes several whole programs of cycles at once. Returns false if the blocks have to be passed one by one.
 bool CycleIntegration::pass_programs(CyclesOnStep& now, std::size_t goal, double growth, double most_cycles) const {
   if (program_.size() == 1 || now.place.block != 0 || now.place.done > 0) return false;
   const std::optional<Growth> by_one = program_growth(now.growth, now.overloads);
@@ -213,7 +214,7 @@ bool CycleIntegration::pass_programs(CyclesOnStep& now, std::size_t goal, double
   return false;
 }
 
-// Passes a part of the present block. Returns false if a tip breaks in this part, or the goal is reached.
+// Passes some cycles of the present block. Returns false if a tip breaks in them, or tip `goal` has grown by `growth`.
 bool CycleIntegration::pass_block(CyclesOnStep& now, const Growth& at_start, std::size_t goal, double growth,
                                   double most_cycles) const {
   const auto after = [&](double cycles) {
@@ -222,7 +223,7 @@ bool CycleIntegration::pass_block(CyclesOnStep& now, const Growth& at_start, std
   };
   const auto arrive = [&](double cycles, Growth grown) {
     now.cycles += cycles;
-    // The zone of an overload lies ahead of the place where its cycle began, so a part of a cycle adds no new overload.
+    // An overload's zone lies ahead of the place where its cycle began, so less than a whole cycle adds no overload.
     Growth last_begins = now.growth;
     for (std::size_t t = 0; t < grown.size(); ++t) last_begins[t] += (1 - 1 / cycles) * (grown[t] - last_begins[t]);
     now.growth = std::move(grown);

@@ -32,8 +32,8 @@ struct Extension {
   bool has_ended() const { return crack::has_ended(state); }
 };
 
-// Begins the record of an extension of the tip at `from`, which turns by `angle` [rad]. `resistance` is the energy that
-// the growth takes per new crack area [J/m^2].
+// Begins the record of an extension of the tip at the place `from`, which turns by `angle` [rad]. `resistance` is the
+// energy that the growth takes per new crack area [J/m^2].
 inline Extension begin_extension(const TipId& tip, const Point& from, double angle, double load_factor,
                                  const AffineFactors& factors, double resistance) {
   Extension e;

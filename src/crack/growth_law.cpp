@@ -9,15 +9,15 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-// Smallest slope of the equivalent factor over the load factor that counts as opening, as a share of the norm of the
-// proportional (K_I, K_II). Below this slope the loads press the tip shut, and it does not grow. By the hoop stress
-// criterion the slope of a tip that is pressed shut is of third order in K_II / K_I; it has this value at K_II / K_I =
-// 6e-4, which is about the error of the factors.
+// Least slope of the equivalent factor over the load factor at which loads count as opening the tip, as a share of the
+// norm of the proportional (K_I, K_II). With a smaller slope the loads press the tip shut, and it does not grow. By the
+// hoop stress criterion the slope of a tip that is pressed shut is of third order in K_II / K_I; the slope has the
+// given value at K_II / K_I = 6e-4, which is about the error of the stress intensity factors.
 constexpr double share_of_rounding = 1e-9;
 
-// Load factor at which the range without growth ends in `direction` (1 or -1), by bisection from `inside`, a load
-// factor in the range; infinite if there is no end. At large load factors the equivalent factor exceeds the load factor
-// times its slope minus twice the constant part, which bounds the search.
+// Load factor at which the range of load factors without growth ends in `direction` (1 or -1); infinite if the range
+// has no end. The end is found by bisection from `inside`, a load factor in the range. At large load factors the
+// equivalent factor exceeds the load factor times its slope minus twice the constant part, which bounds the search.
 double end_of_range(const AffineFactors& factors, const GrowthLaw& law, double inside, double direction) {
   const double slope = law.kink(direction * factors.proportional).equivalent_factor;
   if (!(slope > share_of_rounding * factors.proportional.stableNorm())) return infinity * direction;
@@ -37,9 +37,10 @@ double end_of_range(const AffineFactors& factors, const GrowthLaw& law, double i
   return high;
 }
 
-// Load factor at which the growth ratio of a tip is least, by golden section search; the bounds are a few times the
-// toughness plus the constant part, over the proportional part. The ratio by hoop stress is used, because it is convex
-// in the load factor everywhere; the ratio by energy release rate is not convex where kinks close.
+// Load factor at which the ratio of a tip's equivalent factor to its toughness is least, by golden section search
+// between bounds of plus and minus 4 (toughness + norm of the constant factors) / norm of the proportional factors. The
+// ratio by hoop stress is used, because it is convex in the load factor everywhere; the ratio by energy release rate is
+// not convex where kinks close.
 double least_loaded(const AffineFactors& factors, GrowthLaw law) {
   const double size = factors.proportional.stableNorm();
   double high = 4 * (law.toughness + factors.constant.stableNorm()) / size, low = -high;

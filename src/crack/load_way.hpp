@@ -5,7 +5,7 @@
 
 namespace bempd::crack {
 
-// Control of the load factor while cracks grow: what is held constant.
+// Control of the load factor while cracks grow.
 enum class Control {
   // The load factor is held: where growth is unstable, events follow each other at one load factor, out of equilibrium.
   load,
@@ -14,12 +14,11 @@ enum class Control {
   path
 };
 
-// Relative difference below which two load factors or growth ratios count as equal (a tie), because rounding may put
-// either first.
+// Relative difference below which two load factors count as equal (a tie), and below which two ratios of equivalent
+// factor to toughness do, because rounding may put either first.
 constexpr double tie_share = 1e-9;
 
-// Path of the load factor: its present value, the direction in which it changes, and its control (what is held
-// constant).
+// Path of the load factor: its present value, the direction in which it changes, and its control during growth.
 struct LoadWay {
   double present;
   bool upwards = true;

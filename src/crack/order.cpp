@@ -6,7 +6,9 @@ namespace bempd::crack {
 
 namespace {
 
-// Rank of a candidate for growth. Overloaded tips do not wait and come first; otherwise the smaller key comes first.
+// Rank of a candidate tip for growth. Overloaded tips do not wait: they come before tips that wait for a load factor.
+// Otherwise the smaller key comes first: for overloaded tips minus the ratio of equivalent factor to toughness, for
+// waiting tips the load factor of growth along the load path.
 struct Rank {
   bool waits;
   double key;
@@ -24,8 +26,8 @@ Rank rank_of(const Candidate& candidate, bool upwards) {
 
 }  // namespace
 
-// Finds the candidate that grows first. Ties are measured from the first rank, so that they do not depend on the order
-// of the candidates.
+// Finds the tip that grows first. Ties are measured from the first rank, so that they do not depend on the order of the
+// list of candidates.
 std::optional<FirstToGrow> first_to_grow(std::span<const Candidate> candidates, bool upwards) {
   if (candidates.empty()) return std::nullopt;
   Rank first = rank_of(candidates.front(), upwards);

@@ -28,9 +28,10 @@ struct FirstToGrow {
   int ties;           // number of other candidates that would grow at the same load factor, up to rounding
 };
 
-// Finds the candidate that grows first. Overloaded tips come before all others, those with the largest ratio first; the
-// others are ordered by load factor along the load path. In a tie the crack with the smallest id grows, and its start
-// before its end, so that neither rounding nor the orientation of a body decides. Empty if there are no candidates.
+// Finds the tip that grows first. Overloaded tips come before all others, those with the largest ratio of equivalent
+// factor to toughness first; the others are ordered by load factor along the load path. In a tie the crack with the
+// smallest id grows, and its start before its end, so that neither rounding nor the orientation of a body decides.
+// Empty if there are no candidates.
 std::optional<FirstToGrow> first_to_grow(std::span<const Candidate> candidates, bool upwards);
 
 }  // namespace bempd::crack

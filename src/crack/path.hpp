@@ -10,8 +10,8 @@
 
 namespace bempd::crack {
 
-// Vertex of a crack's path. The numbers of the growth to a vertex are NaN if the host described the vertex or the crack
-// began there.
+// Vertex of a crack's path, with values of the growth that led to it. The values are NaN if the host described the
+// vertex or the crack began there.
 struct PathVertex {
   static constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 

@@ -32,8 +32,9 @@ enum class TipState {
   carried_on = 6     // the crack continues in another carrier, which has the tip; no extension has this state
 };
 
-// Source of the load factors at which a tip grows: its stress intensity factors (`factors`); Williams' series fitted to
-// the stress ahead of the tip in a lattice (`fit`); or the energy of a trial step in a lattice (`energy`).
+// Method by which the load factor of a tip's growth is found: from its stress intensity factors (`factors`), from
+// Williams' series fitted to the stress ahead of a tip in a lattice (`fit`), or from the energy that a trial step in a
+// lattice would release (`energy`).
 enum class LoadRule { unknown = 0, factors = 1, fit = 2, energy = 3 };
 
 constexpr bool has_ended(TipState state) { return state != TipState::grows; }

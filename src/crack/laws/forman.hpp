@@ -4,8 +4,9 @@
 
 namespace bempd::crack {
 
-// Forman, Kearney and Engle, J. Basic Eng. 89, 1967: da/dN = C dK^m / ((1 - R) K_c - dK). The rate is unbounded where
-// K_max reaches K_c.
+// Forman, Kearney and Engle, J. Basic Eng. 89, 1967: growth per cycle da/dN = C dK^m / ((1 - R) K_c - dK), with the
+// range dK = K_max - K_min, the load ratio R = K_min / K_max, the toughness K_c, and material constants C and m. The
+// rate is unbounded where K_max reaches K_c.
 class Forman final : public RateLaw {
  public:
   Forman(double coefficient, double exponent, double threshold)

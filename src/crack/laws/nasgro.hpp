@@ -7,10 +7,11 @@
 
 namespace bempd::crack {
 
-// The NASGRO equation as in Harter, AFGROW Users Guide and Technical Manual, AFRL-VA-WP-TR-1999-3016: da/dN = C [(1 -
-// f) / (1 - R) dK]^n (1 - dK_th / dK)^p / (1 - K_max / K_c)^q. The crack opens at the share f of K_max, which depends
-// on the constraint factor alpha (1 in plane stress to 3 in plane strain) and on `stress`, the largest stress over the
-// flow stress (Newman, Int. J. Fract. 24, 1984).
+// NASGRO equation as in Harter, AFGROW Users Guide and Technical Manual, AFRL-VA-WP-TR-1999-3016: growth per cycle
+// da/dN = C [(1 - f) / (1 - R) dK]^n (1 - dK_th / dK)^p / (1 - K_max / K_c)^q. dK = K_max - K_min is the range, dK_th
+// its threshold, R = K_min / K_max the load ratio, K_c the toughness; C, n, p and q are material constants. The crack
+// opens at the share f of K_max, which depends on the constraint factor alpha (1 in plane stress to 3 in plane strain)
+// and on `stress`, the largest stress over the flow stress (Newman, Int. J. Fract. 24, 1984).
 class Nasgro final : public RateLaw {
  public:
   struct Closure {

@@ -4,8 +4,9 @@
 
 namespace bempd::crack {
 
-// Paris and Erdogan, J. Basic Eng. 85, 1963, with the load ratio R as in Walker, ASTM STP 462, 1970: da/dN = C [(1 -
-// R)^(gamma - 1) dK]^m. With gamma = 1, R has no effect.
+// Paris and Erdogan, J. Basic Eng. 85, 1963, with the load ratio R = K_min / K_max as in Walker, ASTM STP 462, 1970:
+// growth per cycle da/dN = C [(1 - R)^(gamma - 1) dK]^m, with the range dK = K_max - K_min and material constants C, m
+// and gamma. With gamma = 1, R has no effect.
 class ParisWalker final : public RateLaw {
  public:
   ParisWalker(double coefficient, double exponent, double walker, double threshold)

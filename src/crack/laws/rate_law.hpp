@@ -21,8 +21,8 @@ class RateLaw {
     if (!(cycle.highest > 0) || !(cycle.range() > threshold_)) return 0;
     return growth(cycle);
   }
-  // Growth in one cycle [m] of a tip that has grown by `grown`. Retardation slows the growth down in the zone of an
-  // overload.
+  // Growth in one cycle [m] of a tip that has grown by `grown` since the beginning of the step. Retardation slows the
+  // growth down in the plastic zone of an overload.
   double rate(const TipCycle& cycle, const Overload& overload, double grown) const {
     if (!retardation_ || !retardation_->acts(overload, grown, cycle.highest)) return rate(cycle);
     const Retardation::Reduced reduced = retardation_->reduced(cycle, overload, grown);

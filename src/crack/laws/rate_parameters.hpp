@@ -29,7 +29,8 @@ struct RateParameters {
   double flow_stress = 0;  // limit stress of a net section [Pa]; 0: net sections are not checked
 };
 
-// Makes the growth law; `plane_strain` chooses the constraint of plastic zones if the host gave none.
+// Makes the growth law; `plane_strain` chooses the constraint (factor of the size) of plastic zones if the host gave
+// none.
 std::unique_ptr<RateLaw> make_rate_law(const RateParameters& parameters, bool plane_strain);
 
 // Stress intensity factor at which a tip breaks: `critical` of the parameters or, if that is 0, the toughness of the

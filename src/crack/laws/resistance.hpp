@@ -8,8 +8,8 @@
 
 namespace bempd::crack {
 
-// Rules by which the fracture energy at a tip differs from the number of its material; a null pointer is a rule that is
-// not used.
+// Rules by which the fracture energy at a tip differs from the constant value of its material; a null pointer is a rule
+// that is not used.
 struct Resistance {
   std::shared_ptr<const ResistanceCurve> curve;
   std::shared_ptr<const ResistanceDirections> directions;

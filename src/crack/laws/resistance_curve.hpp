@@ -4,8 +4,8 @@
 
 namespace bempd::crack {
 
-// R-curve: fracture energy by the length that a tip has grown, in shares of the material's fracture energy. The curve
-// is linear between the rows of a table and constant outside of them.
+// R-curve: fracture energy by the length that a tip has grown, as a share of the material's fracture energy. The share
+// is linear between the rows of a table and constant before the first and after the last row.
 class ResistanceCurve {
  public:
   // `extensions`: lengths by which a tip has grown, >= 0 and ascending [m]; `shares` > 0.

@@ -14,12 +14,13 @@ namespace {
 
 constexpr double pi = std::numbers::pi;
 
-// Largest kink angle that is tried [rad].
+// Largest kink angle that is tried, to either side [rad].
 constexpr double widest_kink = 1.9;
-// Number of equal steps from 0 to the largest kink angle, on either side.
+// Number of equal steps between trial angles, from 0 to the largest kink angle, on either side.
 constexpr int steps_to_widest = 64;
 
-// Number of local maxima over the trial angles around which the largest ratio is searched.
+// Number of local maxima over the trial angles around which the largest ratio of energy release rate to fracture energy
+// is searched.
 constexpr std::size_t most_tops = 3;
 
 // Indices of the highest local maxima, the highest one first.
@@ -110,7 +111,8 @@ Kink ResistanceDirections::kink(const Point& given, double heading, KinkCriterio
   };
   for (const std::size_t top : tops_of(values)) {
     take({trials[top], values[top]});
-    // The ratio is smooth between neighbouring trial angles, so both sides of a maximum are searched separately.
+    // The ratio of energy release rate to fracture energy is smooth between neighbouring trial angles only, so both
+    // sides of a maximum are searched separately.
     if (top > 0) take(largest_between(trials[top - 1], trials[top], value));
     if (top + 1 < trials.size()) take(largest_between(trials[top], trials[top + 1], value));
   }

@@ -18,9 +18,10 @@ class ResistanceDirections {
   double share(double angle) const;
   double smallest_share() const;
 
-  // Kink of a tip with the factors (K_I, K_II) whose crack runs in the direction `heading` [rad]: the angle with the
-  // largest ratio of energy release rate to fracture energy. `criterion` defines the energy release rate at an angle.
-  // The equivalent factor is scaled so that it is compared with the toughness by the material's own fracture energy.
+  // Kink of a tip with the stress intensity factors `factors` (K_I, K_II), whose crack runs in the direction `heading`
+  // [rad]: the angle with the largest ratio of energy release rate to fracture energy. `criterion` defines the energy
+  // release rate at an angle. The result's equivalent factor is divided by the root of the share of fracture energy at
+  // that angle, so that it is compared with the toughness for the share 1.
   Kink kink(const Point& factors, double heading, KinkCriterion criterion) const;
 
   bool operator==(const ResistanceDirections&) const = default;

@@ -17,8 +17,9 @@ struct Overload {
   double highest = 0;  // equivalent factor of the load that left the zone [Pa m^(1/2)]
 };
 
-// Retardation: slower growth in the plastic zone of an earlier, higher load. The size of a load's zone is (K / yield
-// strength)^2 / (pi constraint), with the constraint 2 in plane stress and 6 in plane strain.
+// Retardation: slower growth in the plastic zone of an earlier, higher load. A load with the equivalent factor K has a
+// plastic zone of the size (K / yield strength)^2 / (pi constraint), with the constraint 2 in plane stress and 6 in
+// plane strain.
 class Retardation {
  public:
   Retardation(double yield_strength, double constraint) : yield_strength_(yield_strength), constraint_(constraint) {}
@@ -30,32 +31,35 @@ class Retardation {
     const double ratio = std::max(0.0, highest) / yield_strength_;
     return ratio * ratio / (constraint_ * std::numbers::pi);
   }
-  // Overload after a cycle of a tip that has grown by `grown`: the zone of this cycle if it reaches at least as far as
-  // the zone of `before`, else `before`.
+  // Overload after a cycle with the highest equivalent factor `highest`, at a tip that has grown by `grown`: the
+  // plastic zone of this cycle if it reaches at least as far as the zone of `before`, else `before`.
   Overload after(const Overload& before, double grown, double highest) const {
     const double own = zone(highest);
     return grown + own >= before.end ? Overload{grown + own, own, highest} : before;
   }
-  // Whether the plastic zone of an overload reaches beyond the zone of a cycle.
+  // Whether an overload slows the tip down in a cycle: its plastic zone reaches farther than the zone of the cycle,
+  // which has the highest equivalent factor `highest`. `grown` is the growth of the tip since the beginning of the
+  // step.
   bool acts(const Overload& overload, double grown, double highest) const {
     return grown + zone(highest) < overload.end;
   }
 
-  // Cycle and factor that describe retardation: inside the zone of an overload a tip grows by `share` times its rate in
-  // `cycle`.
+  // Retarded growth: inside the plastic zone of an overload a tip grows by `share` times the growth that the law gives
+  // for `cycle`.
   struct Reduced {
     TipCycle cycle;
     double share = 1;
   };
-  // Retarded growth in a cycle; `grown` is as in acts().
+  // Retarded growth in a cycle inside the plastic zone of an overload, of a tip that has grown by `grown` since the
+  // beginning of the step.
   virtual Reduced reduced(const TipCycle& cycle, const Overload& overload, double grown) const = 0;
 
  private:
   double yield_strength_, constraint_;
 };
 
-// Wheeler, J. Basic Eng. 94, 1972: the rate is multiplied by a power of the ratio of the cycle's zone to the distance
-// to the end of the overload's zone.
+// Wheeler, J. Basic Eng. 94, 1972: the growth rate is multiplied by a power of the ratio of the size of the cycle's
+// plastic zone to the distance from the tip to the end of the overload's zone.
 class Wheeler final : public Retardation {
  public:
   Wheeler(double yield_strength, double constraint, double exponent)
@@ -69,10 +73,12 @@ class Wheeler final : public Retardation {
   double exponent_;
 };
 
-// Willenborg, Engle and Wood, AFFDL-TM-71-1-FBR, 1971, generalized by Gallagher: both factors of a cycle are reduced by
-// phi [K_overload sqrt(distance to the end of the overload's zone / size of that zone) - K_max] with phi = (1 - dK_th /
-// K_max) / (shut-off ratio - 1). A tip stops if K_overload / K_max is the shut-off ratio. The reduction acts through
-// the load ratio R only, so the growth law must depend on R.
+// Willenborg, Engle and Wood, AFFDL-TM-71-1-FBR, 1971, generalized by Gallagher: the largest and the least equivalent
+// factor of a cycle, K_max and K_min, are reduced by phi [K_overload sqrt(distance from the tip to the end of the
+// overload's zone / size of that zone) - K_max], if that is positive, with phi = (1 - dK_th / K_max) / (shut-off ratio
+// - 1). K_overload is the equivalent factor of the overload, dK_th the threshold of the range. A tip stops if
+// K_overload / K_max is the shut-off ratio. The reduction acts through the load ratio K_min / K_max only, so the growth
+// law must depend on it.
 class Willenborg final : public Retardation {
  public:
   Willenborg(double yield_strength, double constraint, double threshold, double shutoff_ratio)

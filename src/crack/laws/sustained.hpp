@@ -4,8 +4,9 @@
 
 namespace bempd::crack {
 
-// Growth in time under a sustained load, as in stress corrosion: v = C K^n if K exceeds a threshold. One cycle stands
-// for a unit of time at the cycle's highest load.
+// Growth in time under a sustained load, as in stress corrosion: velocity v = C K^n if the stress intensity factor K
+// exceeds a threshold, else 0; C and n are material constants. One cycle stands for a unit of time at the cycle's
+// highest load.
 class Sustained final : public RateLaw {
  public:
   Sustained(double coefficient, double exponent, double threshold)

@@ -7,7 +7,8 @@
 
 namespace bempd::crack {
 
-// One load cycle at a tip. Equivalent factors are those of mode I in the direction in which the tip grows.
+// One load cycle at a tip. Equivalent factors are stress intensity factors of mode I in the direction of the tip's
+// growth.
 struct TipCycle {
   TipId tip;
   Point high{0, 0}, low{0, 0};     // K_I and K_II at the highest and the lowest load of the cycle [Pa m^(1/2)]
