@@ -14,8 +14,7 @@ namespace {
 constexpr double parts_of_a_step = 24;
 
 // Largest growth that is integrated at once inside the plastic zone of an overload, as a share of the distance from the
-// tip to the end of the zone: for cycles of one block (small because retardation varies), and for whole programs of
-// cycles.
+// tip to the end of the zone: for cycles of one block, and for whole programs of cycles.
 constexpr double share_of_zone = 0.04, share_of_zone_by_program = 0.002;
 
 double rate_of(const TipOnStep& tip, double grown, const Block& block, const Overload& overload) {

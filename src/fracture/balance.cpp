@@ -9,34 +9,36 @@ namespace bempd::fracture {
 
 namespace {
 
-// Ratio of the elastic energy of the proportional load to its value when the load was given. A smaller ratio means that
-// nothing resists the load.
+// Least ratio of the elastic energy of the proportional load to its value when the load was given. A smaller ratio
+// means that nothing in the body resists the load.
 constexpr double separated_energy_ratio = 1e-10;
 
-// Largest share of the loads that supports bear where they only keep a body from moving. Supports with a larger share
-// carry load by purpose. A spall takes less than this share of the loads along, a half of a plate takes all loads.
+// Largest share of the loads that supports bear if they only keep a body with balanced loads from moving. Supports with
+// a larger share carry load by purpose. A spall that breaks off takes less than this share of the loads along, a half
+// of a plate takes all loads.
 constexpr double bystanders_share = 0.1;
 
-// Ratio of the energy due to moving supports to the energy of the same motion against the largest stiffness. A smaller
-// ratio is rounding: nothing resists the motion.
+// Least ratio of the elastic energy that moving supports cause to the energy of the same motion against the largest
+// stiffness. A smaller ratio is rounding: nothing resists the motion.
 constexpr double energy_rounding = 1e-14;
 
-// Least scale of forces and energies where supports move a body, as a share of the force or energy of the same motion
-// against the largest stiffness. If supports move a body without stress, all forces are rounding, about 1e-14 of that
-// force. Ordinary scenes have larger forces: in a strip in tension the share is 1 / (number of elements along the
-// strip).
+// Lower bound for the scale by which residuals are divided where supports move a body: this share of the force of the
+// same motion against the largest stiffness (for energies, of its energy). If supports move a body without stress, all
+// forces are rounding errors, about 1e-14 of that force. Ordinary scenes have larger forces: in a strip in tension the
+// share is 1 / (number of elements along the strip).
 constexpr double scale_without_stress = 1e-5;
 
-// Least scale of forces where the constant and the proportional part of the loads cancel, as a share of these parts;
-// energies use the square of this share. All forces are then rounding, about 1e-14 of the parts, as in a load program
-// that is at rest at zero. Loads that rise from zero at some time exceed this scale after some 1e-6 of that time.
+// Lower bound for the scale by which residuals are divided where the constant and the proportional part of the loads
+// cancel: this share of the force of each part (for energies, the square of this share). All forces are then rounding
+// errors, about 1e-14 of the parts, as while a load program rests at zero load. Loads that rise from zero at some time
+// exceed this scale after some 1e-6 of that time.
 constexpr double scale_of_parts = 1e-6;
 
 constexpr char causes_of_rounding[] =
     "look for strips that are very thin for their length, also those that holes, cracks and edges leave between "
     "them, and for parts that supports or a few bonds hardly hold";
 
-// Largest displacement that supports, free swelling, or the springs on freed parts impose on the body.
+// Largest displacement that supports, free swelling, or the springs that hold freed parts impose on the body.
 double moved_by_holds(const coupling::EquilibriumSystem& system, double load_factor) {
   double largest =
       std::max(system.load().support_motion(load_factor), system.stress_free().largest_motion(load_factor));

@@ -11,14 +11,14 @@ namespace bempd::fracture {
 // load in the present body, `first_unit_energy` its value when the load was given.
 bool is_separated(const coupling::EquilibriumSystem& system, double unit_energy, double first_unit_energy);
 
-// Whether the loads have lost their balance: a fragment has come free with loads that balanced the other loads, so that
-// only supports balance the remaining loads.
+// Whether the loads have lost their balance: a fragment has come free together with its loads, which balanced the other
+// loads, so that only supports balance the remaining loads.
 bool is_balance_lost(const LostBalance& balance);
 
 [[noreturn]] void fail_out_of_range();
 
-// Residual: largest unbalanced force at a free node, relative to `largest_force`, the largest internal nodal force of
-// the run so far.
+// Residual: largest unbalanced force at an unsupported degree of freedom, divided by `largest_force`, the largest
+// internal nodal force of the run so far.
 double residual(const coupling::EquilibriumSystem& system, const Eigen::VectorXd& internal_force, double load_factor,
                 double largest_force);
 
@@ -27,7 +27,8 @@ double residual(const coupling::EquilibriumSystem& system, const Eigen::VectorXd
 constexpr double most_residual = 1e-6, most_imbalance = 1e-6;
 
 // Lower bounds of the scales of forces [N] and energies [J] by which residuals and energy errors are divided. The
-// bounds matter where supports move the body without stress, or where the parts of the loads nearly cancel.
+// bounds matter where supports move the body without stress, or where the constant and the proportional part of the
+// loads nearly cancel.
 double least_force_scale(const coupling::EquilibriumSystem& system, double load_factor);
 double least_energy_scale(const coupling::EquilibriumSystem& system, double load_factor);
 

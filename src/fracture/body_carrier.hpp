@@ -19,8 +19,8 @@ class BodyCarrier : public crack::Carrier {
   virtual int bodies_before() const = 0;
 
   // Enlarges lattice patches (lattices in a body of boundary elements) around bonds that have broken by themselves near
-  // a patch border. `broken` holds the changes of the body's terms (bonds and cell squares). Returns whether some patch
-  // has no room to grow.
+  // a patch border. `broken` holds the changes of damage stages in the body's terms (bonds and cell squares). Returns
+  // whether some patch has no room to grow.
   virtual bool follow_breaks(const std::vector<coupling::StageChange>& broken) = 0;
 
   // Lets crack lines (cracks that grow in a lattice by steps) that have reached boundary elements since the last call

@@ -13,8 +13,8 @@ using coupling::Affine;
 
 namespace {
 
-// Potential of the loads that nodes have lost in a growth, at the displacements before the growth. Lost loads do no
-// further work.
+// Potential energy (force times displacement) of the loads that nodes have lost in a growth, at the displacements
+// before the growth. Lost loads do no further work.
 double potential_of_lost_loads(const Affine& force, const std::vector<char>& lost, const std::vector<char>& lost_before,
                                const Eigen::VectorXd& displacement, double load_factor) {
   double sum = 0;
@@ -28,8 +28,8 @@ double potential_of_lost_loads(const Affine& force, const std::vector<char>& los
 
 }  // namespace
 
-// Takes over the stages of terms from the old body; bonds that the longer cracks cut stay broken. Tips of cracks that
-// have entered a lattice are added to the tips of the old body.
+// Takes over the damage stages of terms (bonds and cell squares) from the old body; bonds that the longer cracks cut
+// stay broken. Tips of cracks that have entered a lattice are added to the tips of the old body.
 void BodyGrowth::take_over_lattices(const BodyState& old, const FormerBody& former,
                                     const std::vector<crack::TipId>& entering) {
   for (std::size_t t = 0; t < old.stages.size(); ++t) {
@@ -48,10 +48,10 @@ void BodyGrowth::take_over_lattices(const BodyState& old, const FormerBody& form
   state_.tips = std::move(tips);
 }
 
-// Takes over the contact state. An exact constraint begins with the status (closed or open) of the nearest exact
-// constraint of the old body, so that few constraints are switched before the new equilibrium. If a crack has entered a
-// lattice, or boundary elements have replaced a part of a lattice, contact places on initial cracks begin open, and
-// places at broken bonds that the crack cuts in the new body are left out.
+// Takes over which contact constraints are closed. An exact constraint begins with the status (closed or open) of the
+// nearest exact constraint of the old body, so that few constraints are switched before the new equilibrium. If a crack
+// has entered a lattice, or boundary elements have replaced a part of a lattice, contact places on initial cracks begin
+// open, and places at broken bonds that the crack cuts in the new body are left out.
 void BodyGrowth::take_over_faces(LoadedBody& then, const FaceState& old, const FormerBody& former) {
   FaceState& faces = state_.faces;
   const CrackFaces& before = then.faces();
@@ -106,10 +106,10 @@ void BodyGrowth::take_over_body(const BodyState& old, const FormerBody& former,
   sources_.refresh();
 }
 
-// Finds the equilibrium after growth. A piece that comes off is held at its present position. If that position is far
-// from the unloaded one, rounding errors of the stiffness cause forces; the last attempt then holds the piece at its
-// unloaded position. An attempt before it opens all exact constraints, in case too many are closed for the longer
-// cracks.
+// Finds the equilibrium after growth. The first attempt holds pieces that come off at their present positions. If exact
+// constraints are closed, a second attempt opens all of them, in case too many are closed for the longer cracks. The
+// last attempt holds pieces at their unloaded positions, because rounding errors of the stiffness cause forces if the
+// present position is far from there.
 LoadedBody::FirstEquilibrium BodyGrowth::find_equilibrium_of_pieces() {
   constexpr double balanced = 1e-8;
   const BodyState given = state_;
@@ -123,8 +123,8 @@ LoadedBody::FirstEquilibrium BodyGrowth::find_equilibrium_of_pieces() {
   };
   const int attempts = system_.constraints().closed_exact_count() > 0 ? 2 : 1;
   for (int attempt = 0; attempt < attempts; ++attempt) {
-    // If the body also has broken bonds, a residual above `balanced` looks like a motion that no spring holds, and
-    // find_equilibrium() throws. The next attempt is made in that case, too.
+    // A residual above `balanced` in a body that also has broken bonds looks like a motion that no spring holds. For
+    // this reason find_equilibrium() may throw; the next attempt is made all the same.
     try {
       const LoadedBody::FirstEquilibrium found = body_.find_equilibrium(false);
       if (found.held.empty() || body_.response().residual() <= balanced) return found;
@@ -139,8 +139,8 @@ LoadedBody::FirstEquilibrium BodyGrowth::find_equilibrium_of_pieces() {
   return body_.find_equilibrium(false);
 }
 
-// Continues the run of the body `before`. At constant loads the work of the loads is the change of their potential; the
-// energy released by the growth is this work less the increase of the stored energy.
+// Continues the run of the body `before`. The work of constant loads is their force times the change of displacement;
+// the energy released by the growth is this work less the increase of the stored energy.
 void BodyGrowth::go_on_from(BodyGrowth& before, const FormerBody& former, const std::vector<crack::TipId>& entering) {
   before.sources_.update_for_reader();
   const EvolutionState& old = before.state_;
@@ -178,19 +178,19 @@ void BodyGrowth::go_on_from(BodyGrowth& before, const FormerBody& former, const 
   outcome_.resistance = body_.supports().resistance(outcome_.reactions);
 }
 
-// Negative potential energy at a load factor: work of the loads at full size on the displacements, less the stored
-// energy.
+// Negative potential energy at a load factor: nodal loads times displacements, less the stored energy.
 double BodyGrowth::potential_at(double load_factor) const {
   const double of_loads =
       coupling::evaluate(system_.load().force(), load_factor).dot(coupling::evaluate(state_.displacement, load_factor));
   return of_loads + inner_work_.at(load_factor) - body_.response().stored_energy_at(load_factor);
 }
 
-// Energy released at constant loads less the energy released along the equilibrium path. The energy released at
-// constant loads is a quadratic function R of the load factor. Along a path from the load factor a to b the released
-// energy is the bilinear form B(a, b) with B(f, f) = R(f), up to the third power of the crack extension. By Betti's
-// theorem, B is half the difference between the work of the forces of the body before on the displacements of the body
-// after, and the converse. B follows from three values of R.
+// Energy released at constant loads less the energy released along the equilibrium path. The energy R(f) released at
+// the constant load factor f is a quadratic function. If the load factor changes from a to b along the equilibrium path
+// while cracks grow, the released energy is the bilinear form B(a, b) with B(f, f) = R(f), up to the third power of the
+// crack extension. By Betti's theorem, B(a, b) is half of: forces at a before the growth times displacements at b after
+// the growth, less forces at b after the growth times displacements at a before. B follows from R at three load
+// factors.
 double BodyGrowth::released_beyond_path(const BodyGrowth& before, double load_factor) const {
   const auto released = [&](double at) { return potential_at(at) - before.potential_at(at); };
   const double present = state_.load_factor;

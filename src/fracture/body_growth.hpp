@@ -23,14 +23,15 @@ struct Growth {
 // Relation of the nodes and terms (bonds and cell squares) of the body in which a run continues to those of the body
 // before it.
 struct FormerBody {
-  std::vector<int> node;      // node of the body before for each present node: at the same place or close
-  std::vector<int> node_now;  // present node for each node of the body before; -1: none
-  // Present numbers of terms by their numbers in the body before; empty: all terms keep their numbers. The map has all
-  // terms that have changed their stage, except terms of lattices that boundary elements have replaced.
+  std::vector<int> node;      // by present node: node of the body before at the same place, or a close one
+  std::vector<int> node_now;  // by node of the body before: present node at the same place, or a close one; -1: none
+  // Numbers of terms in the present body by their numbers in the body before; empty: all terms keep their numbers. The
+  // map contains all terms that have changed their damage stage, except terms of lattices that boundary elements have
+  // replaced.
   std::optional<std::unordered_map<int, int>> terms;
   bool has_fewer_terms = false;  // boundary elements have replaced a part of a lattice and carry a crack there
 
-  // Present number of a term of the body before; -1 if the term no longer exists.
+  // Number in the present body of a term of the body before; -1 if the term no longer exists.
   int new_number(int term) const {
     if (!terms) return term;
     if (!has_fewer_terms) return terms->at(term);
@@ -55,10 +56,10 @@ class BodyGrowth {
   // Continues the run of the body `before` at its load factor. `former` relates that body to this one; `entering` are
   // crack tips that have entered a lattice. book() or book_layout() has to follow.
   void go_on_from(BodyGrowth& before, const FormerBody& former, const std::vector<crack::TipId>& entering);
-  // Energy released by the growth at constant loads [J].
+  // Energy that the growth would release at constant loads [J].
   double released() const { return outcome_.released_energy; }
-  // Part of released() that exceeds the energy released along the equilibrium path, on which the load factor changes to
-  // `load_factor` [J].
+  // Part of released() beyond the energy that the growth releases along the equilibrium path, on which the load factor
+  // changes to `load_factor` meanwhile [J].
   double released_beyond_path(const BodyGrowth& before, double load_factor) const;
   // Enters the growth of cracks in the history as an event.
   void book(const Growth& growth);

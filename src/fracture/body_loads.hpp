@@ -19,7 +19,7 @@ struct ActingLoads {
 };
 
 // Loads of a body: nodal forces and prescribed displacements that the host gives, and the fluid in cracks. The
-// equilibrium system gets these loads without those on parts that have come free.
+// equilibrium system gets all of these loads except those on parts that have come free.
 class BodyLoads {
  public:
   BodyLoads(coupling::EquilibriumSystem& system, const std::vector<Point>& positions, BodyState& state);
@@ -42,14 +42,14 @@ class BodyLoads {
   const coupling::Affine& prescribed() const { return prescribed_; }
   const std::vector<int>& loaded_nodes() const { return loaded_nodes_; }
   Point on(int node, double load_factor) const;  // load on a node [N]
-  // Imbalance of the loads at the present load factor, which supports have to bear [-]; 0 if the loads balance. It is
-  // the resultant force, or the resultant moment over the radius of gyration of the loaded places if that is larger,
-  // divided by half the sum of the magnitudes of the loads.
+  // Imbalance of the loads at the present load factor, which supports have to bear, as a share of the loads [-]; 0 if
+  // the loads balance each other. It is the resultant force, or the resultant moment over the radius of gyration of the
+  // loaded nodes if that is larger, divided by half the sum of the magnitudes of the loads.
   double unbalanced_share() const;
 
  private:
   coupling::Affine without_lost_loads(coupling::Affine force) const;
-  // Nodal forces `force` without the loads that nodes have lost, plus the forces of the fluid.
+  // Nodal forces on the body: `force` without the loads that nodes have lost, plus the forces of the fluid.
   coupling::Affine carried(coupling::Affine force, const CrackPressures& pressures) const;
 
   coupling::EquilibriumSystem& system_;

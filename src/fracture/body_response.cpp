@@ -10,11 +10,13 @@ namespace bempd::fracture {
 
 namespace {
 
-// Residual above which some motion of the body may have lost its resistance.
+// Residual (largest unbalanced force over the largest internal force) above which some motion of the body may have lost
+// its resistance.
 constexpr double suspicious_residual = 1e-8;
-// Rounding of a solution whose forces nearly cancel, relative to these forces.
+// Rounding error of the forces of a solution whose constant and proportional forces nearly cancel, as a share of these.
 constexpr double rounding_of_parts = 1e-12;
-// Least load factor f for which energies divided by f^2 keep their digits; the largest one is the reciprocal.
+// Least size of the load factor f at which energies divided by f^2 keep their digits; the largest size is the
+// reciprocal.
 constexpr double least_load_factor = 1e-50;
 
 }  // namespace
@@ -35,8 +37,8 @@ bool BodyResponse::is_balanced() const {
       std::max({state_.largest_force, force.lpNorm<Eigen::Infinity>(), least_force_scale(system_, f)});
   const double residual = fracture::residual(system_, force, f, largest);
   if (residual <= suspicious_residual) return true;
-  // Loads whose constant and proportional parts nearly cancel, as on a path that is short compared with its time, leave
-  // rounding errors of both parts.
+  // The constant and the proportional part of loads may nearly cancel, as at the beginning of a short stretch of a load
+  // program late in its time. Such loads leave rounding errors of both parts.
   const double parts =
       system_.response().internal_force(state_.displacement.col(0)).lpNorm<Eigen::Infinity>() +
       std::abs(f) * system_.response().internal_force(state_.displacement.col(1)).lpNorm<Eigen::Infinity>();
@@ -55,8 +57,8 @@ double BodyResponse::absorb(double load_factor) {
   const Eigen::VectorXd displacement = evaluate(state_.displacement, load_factor);
   const Eigen::VectorXd force = system_.response().internal_force(displacement, load_factor);
   if (!displacement.allFinite() || !force.allFinite()) fail_out_of_range();
-  // The trapezoidal rule is exact on the straight path between two states; in equilibrium the internal forces equal the
-  // loads.
+  // The trapezoidal rule gives the exact work, because the path between two states is straight; in equilibrium the
+  // internal forces equal the loads.
   double work = 0.5 * (state_.total_force + force).dot(displacement - state_.total_displacement);
   if (system_.response().has_offsets() && load_factor != state_.load_factor) {
     const double before = system_.response().energy_slope(state_.total_displacement, state_.load_factor);

@@ -12,8 +12,8 @@
 namespace bempd::fracture {
 
 // Response of the whole body to the loads of its system: displacements as affine functions of the load factor, and
-// forces, energies and stretch ratios (stretch over critical stretch of each bond) at the present load factor.
-// Displacements stay the same functions of the load factor between two breaks.
+// forces, energies and stretch ratios (stretch over critical stretch of each bond) at the present load factor. The
+// displacements stay the same functions of the load factor from one break to the next.
 class BodyResponse {
  public:
   // `state` belongs to the caller, who saves and restores it.
@@ -21,13 +21,14 @@ class BodyResponse {
       : system_(system), state_(state), ratios_(system.terms(), std::move(critical_stretch)) {}
 
   void solve();  // finds the displacements of the present system
-  // Gives the stages of the system's terms to the stretch ratios. Their values change with the next update_ratios().
+  // Gives the damage stages of the system's terms to the stretch ratios, whose values change with the next
+  // update_ratios().
   void enter_stages() { ratios_.enter(system_.stages().numbers()); }
   void update_ratios();  // computes the ratios for the present stages and displacements
   const StretchRatios& ratios() const { return ratios_; }
 
-  // Moves the state to a load factor along the present solution; returns the work [J] of the loads, and of rest
-  // elongations that change with the load factor (swelling).
+  // Moves the state to a load factor along the present solution. Returns the work [J] of the loads, including the work
+  // of rest elongations that change with the load factor (swelling).
   double move_to(double load_factor);
   // Brings the state to the present solution at a load factor, also where only the displacements have changed; returns
   // the work as move_to() does.
@@ -46,7 +47,8 @@ class BodyResponse {
   // Range of load factors in which no intact bond exceeds its critical stretch.
   LoadInterval admissible() const { return ratios_.admissible(system_.stages().intact()); }
 
-  // Energy that rest elongations of terms store at zero displacements [J]; it counts as work done before the run.
+  // Energy that rest elongations of terms (bonds and cell squares) store at zero displacements [J]; it counts as work
+  // done before the run.
   double energy_at_rest() const;
   double stored_energy() const;
   double stored_energy_at(double load_factor) const;  // for the present stages of the terms

@@ -11,10 +11,11 @@ namespace bempd::fracture {
 
 namespace {
 
-// Tolerance for right angles between bonds, and for equal lengths.
+// Tolerance for the cosine of right angles between bonds, and relative tolerance for equal lengths of bonds.
 constexpr double same = 1e-9;
 
-// Largest sum of the squares of the weights of two bonds; an estimate beyond it is too inaccurate.
+// Largest sum of the squares of the weights with which two bonds give the strain across a third; estimates with larger
+// weights are too inaccurate.
 constexpr double most_weight = 16;
 
 }  // namespace
@@ -53,9 +54,9 @@ void BondsAcross::add_at_right_angles(const coupling::Terms& terms, std::size_t 
   }
 }
 
-// Adds an estimate of b, the stretch across `bond`, by two other bonds at its node: the pair with the smallest weights.
-// With the stretch a along `bond` and the shear g, a bond at the angle f to it has the stretch a cos^2 f + b sin^2 f +
-// g sin f cos f; a combination of two bonds eliminates g.
+// Adds an estimate of the strain b across `bond`, from two other bonds at its node: the pair with the smallest weights.
+// If a is the strain along `bond` and g the shear strain, a bond at the angle f to it has the strain a cos^2 f + b
+// sin^2 f + g sin f cos f; a combination of two bonds eliminates g.
 void BondsAcross::add_by_two(const coupling::Terms& terms, std::size_t bond, std::span<const int> at_node) {
   std::optional<Estimate> best;
   double least = most_weight;

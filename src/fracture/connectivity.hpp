@@ -7,16 +7,17 @@
 
 namespace bempd::fracture {
 
-// Connectivity of nodes by intact terms and by bodies that cannot break (boundary element regions).
+// Connectivity of nodes by intact terms (bonds and cell squares), and by bodies that cannot break (boundary element
+// regions).
 class Connectivity {
  public:
   explicit Connectivity(const coupling::EquilibriumSystem& system);
 
-  // Pieces of the body: lists of nodes, each in ascending order, in the order of their first nodes.
+  // Connected pieces of the body: lists of nodes, each in ascending order, in the order of their first nodes.
   std::vector<std::vector<int>> pieces() const;
 
-  // Whether the pieces of the body are certainly the same without the terms `removed`, because the nodes of each of
-  // these terms share an intact neighbour. False means that the pieces may differ.
+  // Whether the connected pieces of the body certainly stay the same without the terms `removed`, because the nodes of
+  // each of these terms share an intact neighbour. False means that the pieces may differ.
   bool still_joined(const std::vector<int>& removed) const;
 
   // Whether a path of intact terms and bodies that cannot break leads from one node to the other.

@@ -42,7 +42,7 @@ StopReason CrackEvolution::advance(double target, Goal goal, const SteppingOptio
   return EventLoop(*this, target, goal, options, on_event, on_end).run();
 }
 
-// Next bond that breaks by itself; bonds around the tips of crack lines are left out.
+// Bond that breaks next by itself; bonds around the tips of crack lines do not, and are left out.
 std::optional<NextBond> CrackEvolution::next_bond(bool upwards, Control control) {
   sources_.update_for_reader();
   std::vector<char> intact = system_.stages().intact();

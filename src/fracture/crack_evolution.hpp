@@ -87,7 +87,7 @@ class CrackEvolution {
     return sources_.resumption().present();
   }
   void restore(EvolutionState state, std::optional<Continuation> continuation = std::nullopt) noexcept;
-  // Lets the run continue bit for bit like a run that is restored from a copy of the present state alone.
+  // Makes the run continue bit for bit like a run that is restored from a copy of the present state alone.
   void synchronize();
 
   // Body with its displacements and forces brought up to date. Reading it does not affect the run.

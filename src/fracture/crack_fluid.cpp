@@ -9,8 +9,8 @@ namespace bempd::fracture {
 
 namespace {
 
-// Distance beyond the ends of a facet or a bond, in spacings, within which the two still count as meeting: bonds pass
-// through points where facets join.
+// Distance beyond the ends of a facet (piece of crack face) or a bond, in spacings, within which the two still count as
+// meeting, because bonds pass through points where facets join.
 constexpr double rounding = 1e-6;
 
 // Whether two segments (a, b) and (c, d) meet within `near`, ends included; parallel segments never do.

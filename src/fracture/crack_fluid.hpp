@@ -19,8 +19,8 @@ using CrackPressures = std::map<int, Eigen::RowVector2d>;
 
 // Fluid in cracks of lattices. It spreads from the initial faces of a crack to all open facets (pieces of crack face
 // between neighbouring points) that are connected to them. The pressure acts in place of broken terms (bonds and cell
-// squares): terms that the crack cuts, bonds that cross a facet that the fluid has reached, and the followers of both
-// (cell squares that break with a bond).
+// squares): terms that the crack cuts, bonds that cross a facet with fluid, and the followers of both (cell squares
+// that break with a bond).
 class CrackFluid {
  public:
   CrackFluid() = default;

@@ -9,15 +9,15 @@ namespace bempd::fracture {
 
 namespace {
 
-// Difference of a stretch ratio from 1 below which a bond counts as just reaching its critical stretch.
+// Difference of a stretch ratio (stretch over critical stretch) from 1 below which a bond counts as just critical.
 constexpr double excess_tolerance = 1e-12;
 
-// Least slope of a stretch ratio over the load factor that counts; with a smaller slope the load factor at the ratio 1
-// would exceed the range of numbers.
+// Least slope of a stretch ratio over the load factor that counts. With a smaller slope, the load factor at which the
+// ratio reaches 1 would exceed the range of numbers.
 constexpr double least_slope = 1e-280;
 
-// Rounding by which the band of ties is widened, so that mirrored bonds, equal up to rounding, fall on one side of its
-// limit.
+// Rounding by which the least stretch ratio of bonds that break together is lowered, so that mirrored bonds, whose
+// ratios are equal up to rounding, break together.
 constexpr double tie_rounding = 1e-9;
 
 }  // namespace
@@ -53,8 +53,8 @@ void StretchRatios::update(const coupling::Affine& displacement) {
 
 namespace {
 
-// Range of (load factor times direction) in which the function constant + proportional * load factor is at least 1.
-// Empty (first > second) or infinite if the function is constant.
+// Range of (load factor times direction) in which the function constant + proportional * load factor is at least 1. The
+// range is empty (first > second) or infinite if the function is constant.
 std::pair<double, double> at_least_one(double constant, double proportional, double direction) {
   const double infinity = std::numeric_limits<double>::infinity();
   const double slope = proportional * direction;
@@ -110,8 +110,8 @@ LoadInterval AffineRatios::admissible(const std::vector<char>& intact, bool upwa
       const Span span = critical_span(b, 1);
       if (!(span.begin <= span.end)) continue;
       if (std::isinf(span.begin) && std::isinf(span.end)) return {infinity, -infinity};
-      // A bond may be critical between two ranges of load factors in which it is not critical; the range that the load
-      // path comes from counts.
+      // If the range in which a bond is critical has two ends, the bond is not critical on either side of it; only the
+      // side from which the load path comes counts.
       if (std::isinf(span.begin) || (!upwards && !std::isinf(span.end))) {
         result.lowest = std::max(result.lowest, span.end);
       } else {

@@ -24,8 +24,9 @@ struct LoadInterval {
   }
 };
 
-// Ratios of stretch to critical stretch of bonds, as affine functions of the load factor. If bonds have a relief
-// (bonds_across.hpp), its positive values are subtracted, so that the ratio is the smaller of two affine functions.
+// Stretch ratios (stretch over critical stretch) of bonds, as affine functions of the load factor. If bonds have a
+// relief (stretch by Poisson's effect, bonds_across.hpp), it is subtracted where it is positive, so that the ratio is
+// the smaller of two affine functions.
 struct AffineRatios {
   std::vector<double> constant, proportional;
   AffineRelief relief;  // empty: no bond has a relief
@@ -35,11 +36,12 @@ struct AffineRatios {
     return relief.empty() ? whole : whole - std::max(0.0, relief.at(bond, load_factor));
   }
 
-  // Load factor of the next break on the way from `from` towards `to` (which may be infinite): `from` itself while a
-  // bond exceeds its critical stretch there. Empty if no intact bond becomes critical.
+  // Load factor of the next break on the way from `from` towards `to` (which may be infinite). The result is `from` if
+  // some bond exceeds its critical stretch already there; empty if no intact bond becomes critical on the way.
   std::optional<double> next_break(const std::vector<char>& intact, double from, double to) const;
 
-  // next_break() from `from` to infinity, for ratios whose constant parts are all 0, and which are 0 for broken bonds.
+  // next_break() from `from` to infinity, for stretch ratios whose constant parts are all 0, and which are 0 for broken
+  // bonds.
   std::optional<double> next_proportional_break(double from) const;
 
   // Range of load factors in which no intact bond is critical. If critical load factors lie between two such ranges,
@@ -53,8 +55,9 @@ struct AffineRatios {
   // Intact bonds at or beyond their critical stretch at this load factor, in bond order.
   std::vector<int> overstretched(const std::vector<char>& intact, double load_factor) const;
 
-  // Intact bonds whose ratio is within the relative `band` below the largest one at a load factor, in bond order; at
-  // most `limit` of them (0: all), the most stretched ones. `largest` is the largest ratio, if the caller knows it.
+  // Intact bonds whose stretch ratio lies within the relative `band` below the largest ratio at a load factor, in bond
+  // order; at most `limit` of them (0: all), the most stretched ones. `largest` is the largest ratio, if the caller
+  // knows it.
   std::vector<int> most_stretched(const std::vector<char>& intact, double load_factor, double band, int limit) const;
   std::vector<int> most_stretched(const std::vector<char>& intact, double load_factor, double band, int limit,
                                   double largest) const;
@@ -68,16 +71,15 @@ struct AffineRatios {
   std::optional<double> critical_from(std::size_t bond, double from, double direction) const;
 };
 
-// Share of the largest ratio from which on bonds break together with the most stretched bond: 1 - band, less the
-// rounding by which mirrored bonds differ.
+// Share of the largest stretch ratio from which on bonds break together with the most stretched bond: 1 - band, less
+// the rounding by which mirrored bonds differ.
 double tie_limit(double band);
 
 // Stretch ratios of all terms (bonds and cell squares) of a system: elastic elongation over the critical elongation in
 // the term's damage stage.
 class StretchRatios : public AffineRatios {
  public:
-  // Stretch ratios of all terms in their first damage stage. An infinite critical stretch marks a term that cannot
-  // break.
+  // Begins with all terms in their first damage stage. An infinite critical stretch marks a term that cannot break.
   StretchRatios(const coupling::Terms& terms, std::vector<double> critical_stretch);
 
   void enter(const std::vector<std::uint8_t>& stages);  // stages of all terms; the ratios change with the next update()
@@ -86,7 +88,7 @@ class StretchRatios : public AffineRatios {
   const coupling::CriticalScales& scales() const { return scales_; }
   const coupling::Terms& terms() const { return terms_; }
   const BondsAcross& across() const { return across_; }
-  // Critical stretch of a term in one of its stages; infinite where the term is broken.
+  // Critical stretch of a term in one of its damage stages; infinite in the stage in which the term is broken.
   double critical_stretch(std::size_t term, int stage) const {
     return critical_stretch_[term] * terms_.law_of(term).critical_share(stage);
   }

@@ -49,10 +49,12 @@ std::optional<Outcome> perform_event(const Event& event, const LoadedBody& whole
   outcome.work = change->work;
   outcome.stored_energy = body.stored_energy(f);
   const double released = released_energy(terms, *change, body, f);
-  // A piece that comes free takes the energy of its loads with it.
+  // A piece that comes free takes its loads along, with their potential energy. The released energy is then the work of
+  // the loads less the increase of the stored energy; otherwise it is the sum over the changed terms.
   outcome.released_energy =
       change->takes_loads_along ? outcome.work + outcome.stored_energy_before - outcome.stored_energy : released;
-  // Energy is counted as released at the critical load, so that it does not matter whether the load is held or falls.
+  // The energy of the bonds counts as released at the critical load, so that it does not matter whether the load is
+  // held or falls.
   outcome.bond_energy = released / (event.ratio * event.ratio);
   if (event.taken_energy > 0) outcome.bond_energy = std::min(outcome.bond_energy, event.taken_energy);
   outcome.critical_stored_energy = body.stored_energy(event.critical_load_factor);

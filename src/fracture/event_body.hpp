@@ -9,7 +9,7 @@
 
 namespace bempd::fracture {
 
-// Elongation of a term (bond or cell square) [m], and its elastic part: the elongation less the rest elongation, which
+// Elongation of a term (bond or cell square) [m], and its elastic part: the elongation less the rest elongation that
 // swelling causes.
 struct Elongation {
   double whole, elastic;
@@ -23,14 +23,15 @@ struct ChangingTerm {
   Elongation before;
 };
 
-// Work of the loads and energies released [J] when a body performs an event, without the energies that the terms of the
-// event release.
+// Work of the loads [J] when a body performs an event, and the energies released by other causes than the terms that
+// change their damage stage.
 struct BodyChange {
   double work = 0;
-  // Energy that crack faces release in a window by opening or closing. It is summed before the energies of the terms.
+  // Energy that crack faces in a window release by opening or closing. It is the first summand of the released energy,
+  // before the energies of the terms.
   double released_before_terms = 0;
-  // Energies that crack faces and the fluid in cracks release in the whole body. They are summed after the energies of
-  // the terms.
+  // Energies that crack faces, and fluid in cracks, release in the whole body. They are the last summands of the
+  // released energy, after the energies of the terms.
   std::vector<double> released_after_terms;
   bool takes_loads_along = false;  // a part that comes free takes its loads along
 };
@@ -50,8 +51,8 @@ class EventBody {
   virtual std::vector<double> reactions(double load_factor) const = 0;  // x and y of every support [N]
   virtual Elongation elongation(int term, double load_factor) const = 0;
 
-  // Changes the stages of the event's terms, holds parts that this frees, and closes and opens crack faces until they
-  // agree with their gaps. `terms` holds values before the event. `outcome` gets the numbers of freed parts and
+  // Changes the damage stages of the event's terms, holds parts that this frees, and closes and opens crack faces until
+  // they agree with their gaps. `terms` holds values before the event. `outcome` gets the numbers of freed parts and
   // switched faces. Returns null and changes nothing if this body cannot perform the event.
   virtual std::optional<BodyChange> change(const Event& event, std::span<const ChangingTerm> terms,
                                            Outcome& outcome) = 0;

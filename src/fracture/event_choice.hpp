@@ -11,22 +11,22 @@
 
 namespace bempd::fracture {
 
-// Bonds among which the next break is chosen: all bonds of the body, or those that a window (region around crack tips
-// that is solved alone) watches. A bond is identified by its place in this list.
+// List of bonds among which the next break is chosen: all bonds of the body, or those that a window (region around
+// crack tips that is solved alone) watches. A bond is called by its place in this list.
 struct BondList {
   const AffineRatios& ratios;
   const std::vector<char>& intact;
   const std::vector<int>* numbers = nullptr;  // numbers in the system of the listed bonds; null: all bonds are listed
-  // Whether the constant parts of all ratios are 0, and the ratios of broken bonds too; load paths then lead upwards
-  // from a load factor >= 0.
+  // Whether all stretch ratios have a constant part of 0 (and broken bonds the ratio 0). In that case load paths have
+  // to lead upwards from a load factor >= 0.
   bool is_proportional = false;
 };
 
 // Load factor at which the first of the bonds becomes critical on a load path; empty if none does.
 std::optional<double> next_critical(const BondList& bonds, const LoadWay& way);
 
-// Most stretched bonds at a load factor: those whose ratio is within the relative `band` below the largest one; at most
-// `limit`, 0 for all.
+// Most stretched bonds at a load factor: those whose stretch ratio (stretch over critical stretch) is within the
+// relative `band` below the largest ratio; at most `limit`, 0 for all.
 std::vector<int> most_critical(const BondList& bonds, double load_factor, double band, int limit);
 
 // Event at which the bonds `chosen` enter their next damage stage. The caller adds the followers of the bonds (cell

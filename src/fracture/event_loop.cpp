@@ -11,12 +11,12 @@ namespace bempd::fracture {
 
 namespace {
 
-// Largest number of contact events at one load factor. All faces agree with their gaps after each event, so that more
-// events mean that faces open and close without end.
+// Largest number of contact events at one load factor. Each event leaves all faces in agreement with their gaps, so
+// that more events than this mean that faces open and close without end.
 constexpr int most_events = 1000;
 
-// Duration of an event above which the next one can be interrupted at the host's request. Keeping the body for that
-// would cost 2 % of the time of short events.
+// Duration of an event above which the next event can be interrupted at the host's request. For that the state of the
+// body is copied, which would cost 2 % of the time of shorter events.
 constexpr std::chrono::milliseconds long_event(100);
 
 void require_fewer_events(std::int64_t events, std::int64_t most) {
@@ -183,7 +183,8 @@ StopReason EventLoop::separated_before_growth() {
   return end_with(goal_ == Goal::load_factor ? StopReason::no_equilibrium : StopReason::separated);
 }
 
-// Reason for the end of a step when no event is left; empty if the step goes on to its target load factor.
+// Reason for the end of a step if no event is left; empty if the step moves on to its target load factor without
+// events.
 std::optional<StopReason> EventLoop::reason_without_event() {
   if (options_.control == Control::path) {
     body_->sources().bring_up_to_date();
@@ -193,13 +194,13 @@ std::optional<StopReason> EventLoop::reason_without_event() {
   return goal_ == Goal::load_factor ? std::nullopt : std::optional(StopReason::no_further_event);
 }
 
-// Whether the body has come apart, which marks it as separated: the connection that carried the load has lost its
-// resistance, and the remainder breaks only under larger loads, if at all.
+// Whether the body has come apart; marks it as separated in that case. The connection that carried the load has lost
+// its resistance, and what remains breaks only under larger loads, if at all.
 bool EventLoop::has_come_apart(const Event* next) {
   const EvolutionState& state = body_->progress();
   if (state.separated || !is_lost(state.resistance, options_.separation_share)) return false;
-  // Bonds that exceed their critical stretch after an increment break in the next increment, so separation is not
-  // judged yet.
+  // Bonds that exceed their critical stretch after an increment break in the next one. Only after that increment it can
+  // be judged whether the body has come apart.
   if (options_.mode == SteppingMode::increments &&
       !body_->body()
            .response()
@@ -211,8 +212,8 @@ bool EventLoop::has_come_apart(const Event* next) {
   if (next) {
     const double direction = target_ >= state.load_factor ? 1 : -1;
     double farthest = direction * state.load_factor;
-    // The load factor may have been larger before on an equilibrium path, so the farthest load factor of the history
-    // counts.
+    // The body counts as separated only if the next event lies beyond the farthest load factor so far, which on an
+    // equilibrium path may be one of the history.
     if (options_.control == Control::path) {
       for (const HistoryEntry& line : state.history) farthest = std::max(farthest, direction * line.load_factor);
     }

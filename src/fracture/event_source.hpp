@@ -9,20 +9,20 @@
 
 namespace bempd::fracture {
 
-// Rounding error of the stretch ratio of a term that just reaches its critical value.
+// Rounding error of the ratio of a term's stretch to its critical stretch, when the term just becomes critical.
 constexpr double ratio_rounding = 1e-9;
 
-// Event of a run at one load factor: terms (bonds and cell squares) that reach their critical value together, crack
-// faces that close or open, or a crack tip that grows.
+// Event of a run at one load factor: terms (bonds and cell squares) that become critical together change their damage
+// stages, crack faces close or open, or a crack tip grows.
 struct Event {
   double load_factor = 0;
   double ratio = 0;  // largest stretch over critical stretch, or of a tip: stress intensity over toughness
   double critical_load_factor = 0;  // at which the term or tip of this ratio just reaches its critical value
-  // Whether equilibrium is lost: the term or tip is loaded beyond its critical value, not just to it.
+  // Whether equilibrium is lost at the event: the term or tip is loaded beyond its critical value, not just to it.
   bool is_out_of_balance() const { return ratio > 1 + ratio_rounding; }
 
-  // Changes of the stages of the event's terms and their followers, ascending; empty if the event lies beyond the
-  // target.
+  // Changes of the damage stages of the event's terms and their followers, by ascending numbers of terms; empty if the
+  // event lies beyond the target.
   std::vector<coupling::StageChange> changes;
 
   // Whether the event is a contact event: crack faces close or open, and nothing breaks.
@@ -34,7 +34,8 @@ struct Event {
   int ties = 0;             // other tips or places that would grow at the same load factor
   bool is_growth = false;   // a tip in boundary elements grows, and nothing breaks
 
-  // Notes the ratio of one of the event's terms, and its critical load factor; the largest ratio counts.
+  // Notes the stretch ratio (stretch over critical stretch) of one of the event's terms, and the load factor at which
+  // this term becomes critical. The event keeps both numbers of the term with the largest ratio.
   void reach(double ratio_of_term, double critical_of_term) {
     if (ratio_of_term <= ratio) return;
     ratio = ratio_of_term;
@@ -42,8 +43,8 @@ struct Event {
   }
 };
 
-// Share of the loads that only supports balance (BodyLoads::unbalanced_share()), before and after a freed part takes
-// its loads away.
+// Share of the loads that the other loads do not balance, only supports do (BodyLoads::unbalanced_share()): before and
+// after a freed part takes its loads away.
 struct LostBalance {
   double before = 0, after = 0;
 };
@@ -81,8 +82,8 @@ class EventSource {
   EventSource& operator=(const EventSource&) = delete;
   virtual ~EventSource() = default;
 
-  // Next event on the way to a target; null if the source knows of none in that direction. It may lie beyond the
-  // target.
+  // Next event on the way to a target, which may lie beyond the target; null if the source knows of no event in that
+  // direction.
   virtual const Event* next(double target, const SteppingOptions& options) = 0;
 
   // Performs the event that next() returned.

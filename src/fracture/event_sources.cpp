@@ -36,8 +36,8 @@ void EventSources::freeze(const std::set<crack::TipId>& tips) {
 
 const Event* EventSources::next(double target, const SteppingOptions& options) {
   const bool possible = may_use_window(target, options);
-  // Tips in boundary elements need the displacements of the whole body, which are therefore computed at each event of a
-  // window.
+  // The load factor at which a tip in boundary elements grows needs the displacements of the whole body, which are
+  // therefore computed at each event of a window.
   const auto comes_first = [&](const Event* event) {
     const double present = body_.state().load_factor;
     return options.elements && event &&

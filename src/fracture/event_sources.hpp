@@ -29,7 +29,7 @@ class EventSources {
   // Sets the tips that the host has frozen, until the next call.
   void freeze(const std::set<crack::TipId>& tips);
 
-  // Next event on the way to a target; null if none is left in that direction. It may lie beyond the target.
+  // Next event on the way to a target, which may lie beyond the target; null if no event is left in that direction.
   const Event* next(double target, const SteppingOptions& options);
   Outcome perform();
   // Event at which the tip of a crack line takes a step (LineEvents::step_of()).
@@ -64,8 +64,8 @@ class EventSources {
   void abandon() noexcept;
   void refresh();
 
-  // Data that a run needs beside the body's state to go on as if it had not been interrupted; abandon() forgets them.
-  // go_on() opens the window of a saved state again, before the run continues.
+  // Data that a run needs beside the body's state to go on as if it had not been interrupted; abandon() forgets these
+  // data. Before the run continues, go_on() opens a saved window again.
   Resumption& resumption() { return resumption_; }
   void go_on();
   // Notes that an event is given up that was begun or sought while no window was open. The caller then sets the body's

@@ -17,21 +17,22 @@ struct HistoryEntry {
   std::int64_t event = 0;
   std::int64_t total_broken_bonds = 0;
   double load_factor = 0;
-  // Largest ratio just before the event: stretch over critical stretch of a bond, or equivalent stress intensity factor
-  // over toughness of a tip.
+  // Largest stretch over critical stretch of the event's bonds, or equivalent stress intensity factor over toughness of
+  // its tip, just before the event.
   double stretch_ratio = 0;
   double stored_energy = 0;
   double released_energy = 0;
   double work = 0;
   double energy_balance_error = 0;
   double residual = 0;
-  // Load factor on the equilibrium path at which the event's bonds or tip just reach their critical value; at the end
-  // of a step the load factor.
+  // Load factor on the equilibrium path at which the event's bonds or tip just become critical; in an entry for the end
+  // of a step, the load factor of the entry.
   double critical_load_factor = 0;
-  // Stored energy after the event at the critical load factor [J]; at the end of a step the stored energy.
+  // Stored energy after the event, at the critical load factor [J]; in an entry for the end of a step, the stored
+  // energy.
   double critical_stored_energy = 0;
   double bond_energy = 0;  // energy released so far, had each event happened at its critical load factor [J]
-  // Values just before the event; in the entry at the end of a step, the values at the end of the step.
+  // Load factor, and energies [J], just before the event; in an entry for the end of a step, the present values.
   double load_factor_before = 0;
   double stored_energy_before = 0;
   double work_before = 0;
@@ -60,16 +61,17 @@ struct BodyState {
   std::vector<crack::TipId> stopped;             // tips in boundary elements that cannot grow
 };
 
-// Resistance: the force that the body carries, as the pull in a tensile test. It is half the sum of the magnitudes of
-// all support forces and nodal loads.
+// Resistance: the force that the body carries, half the sum of the magnitudes of all support forces and nodal loads. In
+// a tensile test it is the tensile force.
 struct Resistance {
   double present = 0;  // resistance after the last event [N]
   double peak = 0;     // largest resistance in equilibrium just before an event [N]
-  // Share of the stiffness that is left: product over all events of the resistance after an event over that before.
+  // Share of the body's stiffness that events have left: product over all events of the resistance after the event
+  // divided by the resistance before.
   double stiffness = 1;
 };
 
-// Counts and sums of a run.
+// Counts of events and breaks, and sums of energies [J], over a run.
 struct Sums {
   std::int64_t events = 0;
   std::int64_t broken_bonds = 0;
@@ -87,11 +89,11 @@ struct Sums {
   double work_out_of_balance = 0;
 };
 
-// State of a run: everything that the run changes, so that a copy saves it. A Continuation is needed as well to
-// continue with the same digits.
+// State of a run: everything that the run changes, so that a copy saves it. To continue with the same digits, a run
+// needs its Continuation as well.
 struct EvolutionState : BodyState, Sums {
   std::vector<HistoryEntry> history;
-  // Values of supports: an x and a y for each support and entry of the history. `reactions` are the forces of the
+  // Values of supports at each entry of the history: an x and a y for each support. `reactions` are the forces of the
   // supports at the entry, `reactions_before` those just before its event [N]. `support_displacements` are the mean
   // prescribed displacements of the nodes of the support, NaN where a component is not prescribed [m].
   std::vector<double> reactions, reactions_before, support_displacements;

@@ -14,15 +14,16 @@ using coupling::HeldDirection;
 using coupling::HoldingSpring;
 using coupling::RigidMotion;
 
-// Ratio of the smallest to the largest resistance of a point below which its terms act along one line and do not resist
-// a motion across that line.
+// Ratio of a point's smallest stiffness in any direction to its largest, below which the point's terms (bonds and cell
+// squares) act along one line only and do not resist a motion across that line.
 constexpr double collinearity_tolerance = 1e-10;
 
-// Ratio of the work of forces on a free motion to the size of the forces, below which the forces are in equilibrium
-// without support.
+// Ratio of the work of forces on a free motion (of unit size) to the sum of the forces, below which the forces are in
+// equilibrium without support.
 constexpr double balance_tolerance = 1e-9;
 
-// Relative difference below which components of a motion are equal, so that rounding does not decide which one is held.
+// Relative difference up to which components of a motion count as equal, so that rounding does not decide which
+// component is held.
 constexpr double motion_rounding = 1e-6;
 
 }  // namespace
@@ -144,7 +145,8 @@ void FreedPartFinder::hold_piece(const std::vector<int>& nodes, const Eigen::Vec
       if (system_.unknowns().is_unknown(2 * node + component)) holdable.push_back(direction);
     }
   }
-  // All loads count, also those that acted before the springs were added, because springs must not carry loads.
+  // Springs must not carry loads, so all loads of the piece count here, also those that acted before springs were
+  // added.
   const RigidMotion unsupported(positions_, nodes, held);
   if (unsupported.free_count() == 0) return;
   const bool pushed = is_pushed(unsupported, positions_, nodes, system_.load().force());

@@ -11,8 +11,8 @@
 
 namespace bempd::fracture {
 
-// Parts that broken terms have freed: the springs that hold them and the loads that are removed, so that the
-// equilibrium stays unique.
+// Parts that broken terms (bonds and cell squares) have freed: the springs that hold the parts, and the nodes whose
+// loads have to be removed, so that the equilibrium stays unique.
 struct FreedParts {
   std::vector<coupling::HoldingSpring> springs;
   std::vector<int> nodes_with_lost_loads;  // nodes of free parts that their loads push, so that these are removed
@@ -37,12 +37,12 @@ class FreedPartFinder {
   // Parts that the terms `removed` have freed, which are broken in the system.
   FreedParts after_break(const std::vector<int>& removed, const Eigen::VectorXd& displacement) const;
 
-  // Whether after_break() would find nothing; in most cases without a search of the whole body.
+  // Whether after_break() would find no freed part; in most cases this is known without a search of the whole body.
   bool frees_nothing(const std::vector<int>& removed, const Eigen::VectorXd& displacement) const;
 
-  // Parts on springs. `nodes` has flags of the nodes of pieces that springs but no support hold, and of points whose
-  // terms act along one line. `springs_in_supported_pieces` are the other springs: they hold motions within pieces that
-  // supports hold as well.
+  // Parts that springs hold. `nodes` has flags of the nodes of pieces that have springs but no support, and of points
+  // whose terms act along one line. `springs_in_supported_pieces` are the other springs: they hold motions within
+  // pieces that have supports as well.
   struct PartsOnSprings {
     std::vector<char> nodes;
     std::vector<coupling::HoldingSpring> springs_in_supported_pieces;
@@ -54,8 +54,8 @@ class FreedPartFinder {
   coupling::HoldingSpring spring_against(const Eigen::VectorXd& motion, const Eigen::VectorXd& displacement) const;
 
  private:
-  // Resistance of a point to displacement, by its terms and supports. A point is loose if its weakest direction has
-  // almost no resistance.
+  // Stiffness of a point against displacement, by its terms and supports. A point is loose if its stiffness in the
+  // weakest direction is almost zero.
   struct Resistance {
     linalg::SymmetricModes modes;
     bool has_terms;

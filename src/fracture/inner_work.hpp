@@ -9,8 +9,8 @@ namespace bempd::fracture {
 
 // Work that the system's nodal forces do not include: the work of loads inside dense operators (boundary element
 // regions), and of the contact forces that these operators eliminate (closed exact constraints). At the load factor f
-// the loads contribute (1, f) W (1, f)^T / 2 with a matrix W. All of this work counts as stored energy, so that it does
-// not disturb the balance of energies.
+// the loads contribute (1, f) W (1, f)^T / 2 with a matrix W [J]. All of this work counts as stored energy too, so that
+// the balance of energies is not disturbed.
 class InnerWork {
  public:
   // Inner work of a system at the displacements of `state`.
@@ -20,8 +20,8 @@ class InnerWork {
   void set_form(const Eigen::Matrix2d& form) { form_ = form; }
 
   double at(double load_factor) const;  // inner work [J]
-  // Least scale of the energies that at() returns [J]. Where the constant and the proportional part of the loads
-  // cancel, at() is accurate only to a share of the energies of these parts.
+  // Lower bound for the scale by which errors of at() are divided [J]. Where the constant and the proportional part of
+  // the loads cancel, at() is accurate only to a share of the energies of these parts.
   double least_scale(double load_factor) const;
 
  private:

@@ -7,8 +7,8 @@
 
 namespace bempd::fracture {
 
-// Shortest bonds at the nodes of bodies that cannot break (boundary element regions). Once such a bond breaks, a crack
-// has reached the body and can only run along it.
+// Shortest bonds at the nodes of bodies that cannot break (boundary element regions). If such a bond has broken, a
+// crack has reached the body and can only run along its border.
 class InterfaceBonds {
  public:
   // Collects the shortest bonds that are intact at present.

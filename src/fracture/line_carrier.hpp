@@ -24,8 +24,8 @@ class LineCarrier final : public crack::Carrier {
   // Tips without their critical loads, which may need trial steps.
   std::vector<crack::Tip> tips_without_loads();
   std::vector<crack::Candidate> candidates(const crack::LoadWay& way) override;
-  // Performs a step. A step that the load drives has to be the next event of the run. Nothing grows if no bond lies
-  // ahead of the tip.
+  // Performs a step of a crack line. A step that the load drives has to be the next event of the run. Nothing grows if
+  // no bond lies ahead of the tip.
   crack::Advance advance(const crack::Step& step) override;
   std::vector<Point> openings(int crack, const std::vector<double>& fractions) override {
     return openings_(crack, fractions);

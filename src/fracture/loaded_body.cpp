@@ -81,8 +81,8 @@ LoadedBody::FirstEquilibrium LoadedBody::find_equilibrium(bool tells_work) {
   holder_.exclude_from_fluid();
   response_.update_ratios();
   result.work = response_.absorb(state_.load_factor);
-  // The trapezoidal rule for the work is invalid if faces close or open on the way from the previous loads; in that
-  // case the work is the change of the stored energy.
+  // The trapezoidal rule for the work holds only if no faces close or open on the way from the previous loads. If some
+  // do, the work is the change of the stored energy.
   if (had_contact || result.switches > 0) result.work = response_.stored_energy() - stored_before;
   if (!tells_work) result.work = 0;
   if (state_.first_unit_energy < 0) state_.first_unit_energy = response_.unit_energy();

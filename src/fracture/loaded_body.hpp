@@ -41,8 +41,8 @@ class LoadedBody {
   PartHolder& holder() { return holder_; }
   BodyContact& contact() { return contact_; }
 
-  // Replaces the loads by others that are equal at the present load factor. The body stays in equilibrium if the new
-  // loads have no proportional part; otherwise find_equilibrium() has to follow.
+  // Replaces the loads by others that are equal at the present load factor. If the new loads have no proportional part,
+  // the body stays in equilibrium; otherwise find_equilibrium() has to follow.
   void take_over(const coupling::Affine& force, const coupling::Affine& prescribed, const CrackPressures& pressures);
 
   struct FirstEquilibrium {
@@ -52,8 +52,8 @@ class LoadedBody {
     std::int64_t switches;   // contact places that have closed or opened
     LostBalance lost_balance;
   };
-  // Finds the equilibrium under new loads at the present load factor. The work of the loads is computed only if
-  // `tells_work`, because it costs more where faces are closed; else it is 0.
+  // Finds the equilibrium under new loads at the present load factor. With `tells_work` the result contains the work of
+  // the loads, which costs more where faces are closed; otherwise the work is given as 0.
   FirstEquilibrium find_equilibrium(bool tells_work);
 
   void restore();  // adapts system and ratios to the state, which the caller has replaced

@@ -13,18 +13,21 @@ namespace {
 
 using coupling::EquilibriumSystem;
 
-// Largest number of springs that are added one after another; bodies with a hundred initial cracks have needed ten.
+// Largest number of springs that are added one after another to hold free motions; bodies with a hundred initial cracks
+// have needed ten.
 constexpr int most_holds = 64;
 
-// Ratio of the resistance of a motion to that of the stiffest direction, below which the motion is free up to rounding.
+// Ratio of the stiffness against a motion to the stiffness in the stiffest direction, below which the motion is free up
+// to rounding.
 constexpr double free_motion_resistance = 1e-13;
 
-// Largest elongation of a term and largest bending of a dense body in a free motion, over the largest displacement of
-// the motion. A motion with larger values is only soft: bending a slender strip of length L and width h (in spacings)
-// has about h / L^2 and 1.
+// Largest elongation of a term (free_elongation) and largest bending of a dense body (free_bending) in a free motion,
+// over the largest displacement of the motion. A motion with larger values is only soft. For example, the softest
+// motion of a slender strip of length L and width h (in spacings), its bending, has about h / L^2 and 1.
 constexpr double free_elongation = 1e-9, free_bending = 1e-6;
 
-// Ratio of a node's displacement to the largest one of a free motion, below which the node counts as not moving.
+// Ratio of a node's displacement to the largest displacement in a free motion, below which the node counts as not
+// moving.
 constexpr double moved_share = 1e-6;
 
 bool is_free(const EquilibriumSystem& system, const std::vector<Point>& positions, const coupling::SoftMotion& soft) {
@@ -42,7 +45,7 @@ bool is_free(const EquilibriumSystem& system, const std::vector<Point>& position
   });
 }
 
-// Loaded nodes that a motion moves.
+// Nodes with loads that move in a motion.
 std::vector<int> pushed_nodes(const EquilibriumSystem& system, const Eigen::VectorXd& motion) {
   std::vector<char> moves(system.node_count(), 0);
   const auto is_moved = [&](int node) { return motion.segment<2>(2 * node).norm() > moved_share; };
@@ -103,7 +106,8 @@ HeldMotions PartHolder::solve(std::span<const int> broken, const Eigen::VectorXd
 HeldParts PartHolder::held_parts() const {
   FreedPartFinder::PartsOnSprings held = freed_parts_.held_parts();
   HeldParts parts{std::move(held.nodes), {}};
-  // Closed faces do not count as connections here, so that the set of barred constraints does not depend on them.
+  // Closed faces do not count as connections here, so that the set of constraints barred from closing does not depend
+  // on which faces are closed.
   if (!held.springs_in_supported_pieces.empty())
     parts.motions = system_.motions().motions_held_by(held.springs_in_supported_pieces);
   return parts;

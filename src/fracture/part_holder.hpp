@@ -41,11 +41,11 @@ class PartHolder {
                     const std::function<bool()>& looks_free);
 
   HeldParts held_parts() const;
-  // Excludes parts that only springs hold from the fluid in cracks, which would push them away if it reached them
-  // later.
+  // Excludes parts that only springs hold from the fluid in cracks, because the fluid would push such parts away if it
+  // reached them later.
   void exclude_from_fluid();
-  // Removes the loads of parts that only springs hold if the fluid pushes such parts, and solves again. Returns whether
-  // loads were removed.
+  // If the fluid in cracks pushes parts that only springs hold, removes the loads of such parts and solves again.
+  // Returns whether loads were removed.
   bool unload_pushed();
 
  private:

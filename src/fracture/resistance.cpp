@@ -6,7 +6,7 @@ namespace bempd::fracture {
 
 namespace {
 
-// Share of the largest force below which forces may be rounding.
+// Ratio of a force to the largest force that the body has carried, below which the force may be rounding.
 constexpr double rounding_of_forces = 1e-9;
 
 }  // namespace

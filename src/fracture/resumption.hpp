@@ -11,7 +11,8 @@
 namespace bempd::fracture {
 
 // Saves the data of a run beside the body's state (Continuation), and sets them again after the state has been
-// replaced. A saved window is opened again before the run goes on, and only then.
+// replaced. A saved window (region around crack tips that is solved alone) is opened again before the run goes on, and
+// only then.
 class Resumption {
  public:
   Resumption(LoadedBody& body, WindowEvents& window, WindowPatience& patience)
@@ -19,19 +20,19 @@ class Resumption {
 
   Continuation present() const;
 
-  // Sets the awaited continuation, which recall() and reopen() restore; await_nothing() clears it.
+  // Sets the saved data that recall() and reopen() shall restore later; await_nothing() clears them.
   void await(Continuation continuation) noexcept { awaited_ = std::move(continuation); }
   void await_nothing() noexcept { awaited_.reset(); }
-  // Restores the awaited data except an open window. System and ratios must be those of the body's state. The
-  // continuation stays awaited only if it has an open window.
+  // Restores the awaited data except an open window. The system and the stretch ratios must already be those of the
+  // body's state. If the data contain an open window, they stay awaited for reopen().
   void recall();
-  // Opens the window again that was open when the awaited continuation was saved. Returns false if the result differs
-  // from the saved one, as on a processor that rounds otherwise. After that, or after a failure, the body's state is as
-  // it was before the call, but system and ratios are not.
+  // Opens the window again that was open when the awaited data were saved. Returns false if the result differs from the
+  // saved window, as on a processor that rounds otherwise. After that, or after a failure, the body's state is as it
+  // was before the call, but the system and the stretch ratios are not.
   bool reopen();
-  // Closes a saved window without opening it: drops the system's factor, or the order of elimination of the factor,
-  // where closing the open window would (EventSources::settle()). The displacements of the state are already those
-  // after the window's last event.
+  // Forgets a saved window without opening it. The system's factor, or its order of elimination, is dropped in the same
+  // cases as at the closing of an open window (EventSources::settle()). The displacements of the state are already
+  // those after the window's last event.
   void close();
 
  private:

@@ -19,7 +19,8 @@ void RunRecords::forget_since(const Start& start) noexcept {
   state_.extensions.resize(start.extensions_size);
 }
 
-// Work may come back to zero when loads are taken away, so the largest work so far is the measure of energy errors.
+// The largest work so far is the scale of energy errors, because the present work may come back to zero when loads are
+// taken away.
 void RunRecords::measure_work() { state_.largest_work = std::max(state_.largest_work, std::abs(work())); }
 
 double RunRecords::work() const { return in_range(state_.work + inner_work_.at(state_.load_factor)); }
@@ -41,8 +42,8 @@ void RunRecords::add_extensions(const std::vector<CrackExtension>& extensions) {
   }
 }
 
-// Excess work of an event out of equilibrium: the part of the loads' work that the bonds do not absorb. It becomes
-// kinetic energy, so that it counts neither as energy released by breaking nor as work of a quasi-static run.
+// Excess work of an event out of equilibrium: the part of the loads' work that the bonds do not absorb. The excess
+// becomes kinetic energy, so that it counts neither as energy released by breaking nor as work of a quasi-static run.
 double RunRecords::work_that_moves(const Event& event, const Outcome& outcome) {
   if (mode_ != SteppingMode::events || !event.is_out_of_balance()) {
     state_.work_out_of_balance = 0;
@@ -89,8 +90,9 @@ void RunRecords::book_contact(const Outcome& outcome) {
   state_.work = in_range(state_.work + outcome.work_before);
   measure_work();
   state_.contact_switches += outcome.switches;
-  // first_unit_energy is the energy with which later ones are compared (is_separated()). Before the first event its
-  // largest value counts, because a body that only closed faces hold stores hardly any energy until they close.
+  // first_unit_energy is the energy of the proportional load with which later values are compared (is_separated()). The
+  // largest value before the first event counts, because a body that only closed faces hold stores hardly any energy
+  // until the faces close.
   if (state_.events == 0) state_.first_unit_energy = std::max(state_.first_unit_energy, body_.response().unit_energy());
   if (!outcome.comes_free) return;
   state_.work = in_range(state_.work + outcome.work);
@@ -99,7 +101,8 @@ void RunRecords::book_contact(const Outcome& outcome) {
   note_separation(outcome);
 }
 
-// Records the extensions of crack lines. The extensions of one event share its energy by their lengths.
+// Records the extensions of crack lines at an event. Each extension gets a share of the energy in proportion to its
+// length.
 void RunRecords::book_lines(const Outcome& outcome, double released_energy) {
   double length = 0;
   for (const CrackExtension& extension : outcome.extensions) length += extension.length;
@@ -130,7 +133,8 @@ void RunRecords::note_separation(const Outcome& outcome) {
     state_.separated = true;
 }
 
-// Restores the work, after it was beyond the range of numbers, as the sum of the stored and the released energy.
+// Sets the work to the sum of the stored and the released energy if the work has left the range of numbers and these
+// energies have not.
 void RunRecords::find_lost_work(double stored_energy) {
   const auto is_lost = [](double energy) { return !(std::abs(energy) < std::numeric_limits<double>::max()); };
   if (!is_lost(state_.work) || is_lost(stored_energy) || is_lost(state_.released_energy)) return;

@@ -25,7 +25,7 @@ class RunRecords {
   // kinetic energy.
   void set_mode(SteppingMode mode) { mode_ = mode; }
 
-  // Sums and sizes of lists at the start of a call, to return to.
+  // Sums, and sizes of lists, at the start of a call to which a failed call returns.
   struct Start {
     Sums sums;
     std::size_t history_size, extensions_size;
@@ -33,7 +33,7 @@ class RunRecords {
   Start start() const { return {state_, state_.history.size(), state_.extensions.size()}; }
   void forget_since(const Start& start) noexcept;
 
-  // Adds the work of loads and supports while the load factor moves without an event.
+  // Adds the work of loads and supports on a way without an event.
   void add_work(double work);
   double work() const;  // work of loads and supports so far [J]
   // Updates the largest work so far, the scale of energy errors.
@@ -51,8 +51,8 @@ class RunRecords {
 
   void set_separated() { state_.separated = true; }
 
-  // Notes nodes of parts that could move freely in the last equilibrium under new loads, and that springs hold since.
-  // take_held() returns the list and clears it.
+  // Notes nodes of parts that could move freely in the last equilibrium under new loads and have been held by springs
+  // from there on. take_held() returns the list and clears it.
   void set_held(std::vector<int> nodes) { held_ = std::move(nodes); }
   std::vector<int> take_held() { return std::exchange(held_, {}); }
 

@@ -24,8 +24,8 @@ class SupportForces {
   double reaction_moment(std::size_t support, const Point& about) const;  // moment about a place [N m]
   double reaction_at(int dof) const;      // reaction at a degree of freedom that is held [N]
   std::vector<double> reactions() const;  // x and y of every support [N]
-  // Prescribed displacement at the present load factor, x and y of each support: the mean over its nodes, NaN for a
-  // component that is not prescribed.
+  // Prescribed displacements of supports at the present load factor: x and y of each support, as the mean over its
+  // nodes; NaN for a component that is not prescribed.
   std::vector<double> displacements() const;
   // Force that the body carries at a load factor [N]: half the sum of the magnitudes of `reactions` and of the nodal
   // loads.

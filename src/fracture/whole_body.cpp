@@ -11,8 +11,8 @@ namespace bempd::fracture {
 
 namespace {
 
-// Ratio of a term's elongation after its break to the scale of elongations before. A larger ratio means that the term
-// was the last resistance to some motion.
+// Largest ratio of a term's elongation after its break to the scale of elongations before the break. A larger ratio
+// means that the term was the last resistance to some motion.
 constexpr double runaway_elongation = 1e8;
 
 // Rounding error of an elongation, as a share of the displacements whose difference it is.
@@ -32,13 +32,14 @@ Elongation WholeBody::elongation(int term, double load_factor) const {
 bool WholeBody::loses_resistance(std::span<const ChangingTerm> terms) const {
   const double f = body_.state().load_factor;
   const Eigen::VectorXd after = evaluate(body_.state().displacement, f);
-  // The scale is the largest elongation of all changing terms, because a follower (cell square), or a bond that the
-  // step of a crack line cuts, may have had no elongation. The scale is at least the rounding error, for events without
-  // load.
+  // The scale of elongations is the largest elastic elongation of all changing terms, because a follower (cell square),
+  // or a bond that the step of a crack line cuts, may have had no elongation. For events without load, the scale is at
+  // least the rounding error.
   const double displacement = body_.state().total_displacement.lpNorm<Eigen::Infinity>();
   double largest = elongation_rounding * displacement;
   for (const ChangingTerm& one : terms) largest = std::max(largest, std::abs(one.before.elastic));
-  // A body that loses its loads moves back by at most its displacement, also against a part that is held in place.
+  // A body that loses its loads moves back by at most its displacement, which changes the elongation of a term between
+  // two parts by at most twice as much.
   const double most = std::max(runaway_elongation * largest, 2 * displacement);
   const auto is_within = [&](const ChangingTerm& one) {
     const auto term = static_cast<std::size_t>(one.term);
@@ -48,9 +49,9 @@ bool WholeBody::loses_resistance(std::span<const ChangingTerm> terms) const {
 }
 
 // Energies [J] that constraints have released by opening or closing at the event: the sum for constraints with a
-// penalty and, if an exact constraint has a multiplier, the sum for exact constraints. The formula for exact
-// constraints is the limit of the formula for penalties as penalties grow. The gaps in the formula for exact
-// constraints are the gaps that the displacements would leave without multipliers.
+// penalty, then, if an exact constraint has a multiplier (contact force), the sum for exact constraints. The formula
+// for exact constraints is the limit of the formula with penalties for large penalties; gaps are those that the
+// displacements would leave without multipliers.
 std::vector<double> WholeBody::released_by_constraints(const Eigen::VectorXd& before) const {
   const coupling::Constraints& constraints = system_.constraints();
   const Eigen::VectorXd& after = body_.state().total_displacement;
@@ -107,8 +108,9 @@ std::optional<BodyChange> WholeBody::change(const Event& event, std::span<const 
   if (change.takes_loads_along) outcome.lost_balance = {unbalanced_before, body_.loads().unbalanced_share()};
   body_.response().update_ratios();
   change.work = body_.response().absorb(event.load_factor);
-  // The whole force of the entering fluid acts while the points move, but absorb() takes the mean of the nodal forces
-  // before and after, which has half of it. The fluid also fills the opening that the bonds had before they broke.
+  // The whole force of the entering fluid acts while the points move. absorb() takes the mean of the nodal forces
+  // before and after, which contains half of this force, so the other half is added. The fluid also fills the opening
+  // that the bonds had before they broke.
   const double by_fluid = 0.5 * flow.dot(state.total_displacement + before);
   change.work += by_fluid;
   change.released_after_terms = released_by_constraints(before);

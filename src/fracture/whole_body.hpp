@@ -6,8 +6,8 @@
 
 namespace bempd::fracture {
 
-// Whole body that events change by a low-rank change and a solution of the whole system. Parts that come free are held,
-// so that every event can be performed. The state has to be at the event's load factor.
+// Whole body, in which an event is performed by a low-rank change of the system and a new solution. Parts that come
+// free are held, so that every event can be performed. The state has to be at the event's load factor.
 class WholeBody final : public EventBody {
  public:
   explicit WholeBody(LoadedBody& body) : body_(body), system_(body.system()) {}

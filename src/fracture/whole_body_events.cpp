@@ -10,7 +10,8 @@ namespace bempd::fracture {
 
 namespace {
 
-// Share of an increment's size up to which an increment that has begun counts as not begun.
+// Distance from the end of an increment, as a share of the increment's size, within which a load factor counts as at
+// the end.
 constexpr double increment_rounding = 1e-9;
 
 }  // namespace

@@ -7,7 +7,7 @@
 
 namespace bempd::fracture {
 
-// Source of breaks among all terms (bonds and cell squares) of the body, which are performed on the whole body
+// Source of events at which terms (bonds and cell squares) of the body break. Events are performed on the whole body
 // (WholeBody). The displacements of the state have to be up to date.
 class WholeBodyEvents final : public EventSource {
  public:

@@ -14,16 +14,16 @@ using coupling::evaluate;
 
 namespace {
 
-// Limits on the number of rounds. Newton's method takes 1 to 6 rounds; switching one constraint at a time may meet each
-// constraint several times.
+// Limits on the number of rounds in which contact constraints are switched. Newton's method takes 1 to 6 rounds
+// (newton_rounds); switching one constraint at a time may switch each constraint several times (rounds_per_constraint).
 constexpr std::int64_t newton_rounds = 64, rounds_per_constraint = 16;
 
-// Number of rounds without success after which gaps are evaluated slightly farther along the load path. Faces may part
-// or meet all at once, as under a pressure that just vanishes; rounding may then decide which constraints are open, so
-// that no active set agrees with all gaps.
+// Number of rounds without agreement after which gaps are evaluated slightly farther along the load path. Faces may
+// part or meet all at once, as under a pressure that just vanishes. In that case rounding may decide which constraints
+// are open, so that no set of closed constraints agrees with all gaps.
 constexpr std::int64_t rounds_at_rounding = 256;
 // Distances along the load path at which gaps are evaluated after rounds_at_rounding, as shares of the load factor: the
-// first and the largest one. The share grows tenfold at each attempt.
+// first and the largest share. The share grows tenfold at each attempt.
 constexpr double farther_at_first = 1e-8, farthest_ahead = 1e-6;
 
 // Constraint to be switched alone, out of those whose gaps are wrong: the first constraint with a penalty, else the
@@ -36,14 +36,15 @@ int first_of(const std::vector<int>& wrong, const coupling::Constraints& constra
 
 }  // namespace
 
-// Bars the constraints of parts that only springs hold: a constraint that closes on such a part would push it away.
+// Bars the contact constraints of parts that only springs hold from closing, because a closed constraint would push
+// such a part away.
 void BodyContact::bar_held_parts() {
   const coupling::Constraints& constraints = system_.constraints();
   const std::size_t exact = constraints.exact_count(), count = constraints.size() - exact;
   const std::size_t springs = system_.springs().size();
   if (constraints.size() == 0 || springs == 0) return system_.contact().bar({});
-  // The numbers of springs and of broken terms tell whether the barred constraints are still up to date, because
-  // neither ever decreases, and held parts only change when terms break.
+  // Held parts only change when terms break or springs are added, and both numbers never decrease. So an unchanged sum
+  // of the two numbers tells that the barred constraints are still up to date.
   const auto broken = std::count(system_.stages().intact().begin(), system_.stages().intact().end(), 0);
   const std::size_t changes = springs + static_cast<std::size_t>(broken);
   const bool is_known = constraints.barred().size() == count && constraints.barred_exact().size() == exact;
@@ -65,8 +66,9 @@ void BodyContact::bar(std::vector<char> barred, std::size_t changes) {
   changes_that_bar_ = changes;
 }
 
-// Load factor farther along `direction`, by a share of the present load factor, or near zero by a share of the load
-// factor at which both parts of the displacement are equally large.
+// Load factor farther along `direction` by a share of its size. The size is the present load factor plus the load
+// factor at which the constant and the proportional part of the displacement are equally large, so that it does not
+// vanish at 0.
 double BodyContact::farther_on(double share, double direction) const {
   const double f = state_.load_factor, proportional = state_.displacement.col(1).lpNorm<Eigen::Infinity>();
   if (share == 0 || proportional == 0) return f;
@@ -92,13 +94,15 @@ void BodyContact::look_ahead(double direction) {
   settle(direction);
   settled_at_ = settled_at, settled_farther_on_ = settled_farther_on;
   response_.update_ratios();
-  // Displacements without constant parts are in proportion to the load factor, of which only the sign matters.
+  // Displacements without a constant part are proportional to the load factor, of which only the sign matters in that
+  // case.
   const double at = farther_on(farthest_ahead, direction);
   state_.load_factor = at != state_.load_factor ? at : state_.load_factor + direction;
 }
 
 BodyContact::Settled BodyContact::settle(double direction) {
-  // Newton's method converges, because the energy is convex and once differentiable.
+  // Newton's method converges here, because the energy is a convex function of the displacements with a continuous
+  // gradient.
   Settled result;
   NewtonRounds rounds;
   double farther = 0;
@@ -124,7 +128,7 @@ BodyContact::Settled BodyContact::settle(double direction) {
       response_.solve();
       continue;
     }
-    // A part may come free that only closed faces held.
+    // Opening faces may free a part that only closed faces held.
     const Eigen::VectorXd before = state_.total_displacement;
     HeldMotions held = holder_.solve({}, before, [&] { return !response_.is_balanced(); });
     result.held.insert(result.held.end(), held.nodes.begin(), held.nodes.end());

@@ -22,16 +22,16 @@ class BodyContact {
     std::vector<int> held;                     // nodes of parts that could move freely
   };
   // Opens and closes constraints, with a solution after each round, until all agree with their gaps at the present load
-  // factor. Where a gap is zero, its sign just ahead in `direction` decides. A part that only closed faces held is held
-  // by springs when the faces open.
+  // factor. If a gap is zero, its sign just ahead in `direction` decides. A part that only closed faces held is held by
+  // springs when the faces open.
   Settled settle(double direction);
-  // Load factor up to which constraints are settled in a direction: the present load factor, or one slightly farther if
-  // the constraints could be settled only there.
+  // Load factor up to which the last settle() is valid in a direction: the present load factor, or one slightly farther
+  // if the constraints agreed with their gaps only there.
   double settled_until(double direction) const;
   // Whether constraints open or close as soon as the load factor moves in a direction.
   bool switches_at_once(double direction) const;
-  // Settles constraints as they are just ahead in a direction, and moves the load factor there. The caller restores the
-  // state afterwards.
+  // Settles constraints as they are just ahead in a direction, and moves the state's load factor there. The caller
+  // restores the state afterwards.
   void look_ahead(double direction);
 
   // Adds the contact places of bonds that have broken since the last update, at the state's displacements.

@@ -7,9 +7,9 @@
 
 namespace bempd::fracture {
 
-// Source of contact events: crack faces that close or open between two breaks. Nothing breaks and no energy is
-// released, unless a part comes free, but the stiffness changes. Under loads proportional to the load factor from rest
-// there is one such event, at the very beginning.
+// Source of contact events: crack faces that close or open between two breaks. Nothing breaks at such an event, but the
+// stiffness changes; energy is released only if a part comes free. Under loads proportional to the load factor from
+// rest there is one contact event only, at the very beginning.
 class ContactEvents final : public EventSource {
  public:
   explicit ContactEvents(LoadedBody& body) : body_(body) {}

@@ -13,15 +13,16 @@ using coupling::Constraints;
 
 namespace {
 
-// Distance in spacings around a contact place within which broken bonds between neighbours determine the direction of
-// the crack: about a horizon.
+// Distance in spacings around a contact place, about a horizon: broken bonds between neighbouring points within this
+// distance determine the direction of the crack.
 constexpr double normal_reach = 3.6;
 
-// Ratio of the spread of broken bonds' middles across their principal axis to the spread along it, above which these
+// Ratio of spreads of the middles of broken bonds, across their principal axis to along it. With a larger ratio these
 // bonds determine no direction of the crack.
 constexpr double no_axis = 0.4;
 
-// Least ratio of the component of a bond across the crack to its length for which the bond separates the faces.
+// Least ratio of the component of a bond across the crack to the bond's length. With a smaller ratio the broken bond
+// gets no contact place.
 constexpr double least_share_across = 0.2;
 
 std::uint64_t cell_of(const Point& p, double size, int right, int up) {
@@ -90,8 +91,8 @@ std::vector<int> CrackFaces::near(int term) const {
   return found;
 }
 
-// Normal of a contact place: across the principal axis of the middles of the broken bonds around it, and towards the
-// bond's second end.
+// Normal of the contact place at a broken bond: perpendicular to the principal axis of the middles of the broken bonds
+// around (`others`), and towards the bond's second end. If these bonds determine no axis, the normal is along the bond.
 Point CrackFaces::normal_at(int term, std::span<const int> others) const {
   const Point along(system_.terms().cosine[term], system_.terms().sine[term]);
   if (others.size() < 2) return along;
@@ -113,8 +114,8 @@ std::optional<Constraint> CrackFaces::constraint_at(int term, const Point& norma
   const Point along(terms.cosine[term], terms.sine[term]);
   const double across = std::abs(normal.dot(along));
   if (across < least_share_across) return std::nullopt;
-  // Each contact place stands for this length of crack, because a crack breaks as many bonds between neighbours in a
-  // given length as it crosses rows and columns.
+  // Length of crack that each contact place stands for [spacings]: a straight crack breaks a bond between neighbours at
+  // each row and each column of points that it crosses.
   const double length = 1 / (across + std::abs(cross(normal, along)));
   const int lattice = *plan_.lattices.lattice_of_neighbours(terms.first[term], terms.second[term]);
   const auto place = plan_.lattices.at(lattice, middle(term), normal, length);
@@ -137,7 +138,7 @@ std::vector<int> CrackFaces::newly_broken(std::span<const int> terms) const {
   return found;
 }
 
-// Contact places of the body itself at its present displacement.
+// Contact places of the body itself (not of a forecast), updated at a displacement of the body.
 class CrackFaces::PresentPlaces final : public FacePlaces {
  public:
   PresentPlaces(CrackFaces& faces, const Eigen::VectorXd& displacement, FaceState& state)

@@ -22,10 +22,10 @@ struct ContactPlan {
   std::vector<pd::FacePlace> initial;
 };
 
-// Contact of crack faces in lattices: constraints with a penalty at contact places. Contact places lie on the initial
-// cracks, and at every bond between neighbouring points that has broken since. The normal at such a bond follows from
-// the broken bonds around it and may change while the place is open. In the system's list these constraints follow the
-// exact ones.
+// Contact of crack faces in lattices: constraints with a penalty (stiffness against overlap) at contact places. Contact
+// places lie on the initial cracks, and at every bond between neighbouring points that has broken since. The normal at
+// such a bond follows from the broken bonds around and may change while the place is open. In the system's list these
+// constraints follow the exact ones (faces of boundary elements).
 class CrackFaces {
  public:
   // Creates the contact places on initial cracks. `cut` are the bonds that initial cracks have cut.
@@ -41,7 +41,7 @@ class CrackFaces {
   // Whether a contact place of a saved state is possible in this body.
   bool can_have(const GrownFace& face) const;
 
-  // Notes terms that have broken together; the next update() adds their contact places.
+  // Notes terms (bonds and cell squares) that have broken together; the next update() adds their contact places.
   void note_broken(std::span<const int> terms, FaceState& state);
   // Terms that have broken but whose contact places are not added yet, grouped by event.
   const std::vector<std::vector<int>>& pending() const { return pending_; }
@@ -54,15 +54,15 @@ class CrackFaces {
   // if the faces would overlap with the new normal at this displacement.
   void update(const Eigen::VectorXd& displacement, FaceState& state);
   // Rule shared by updates and forecasts: adds to `places` the contact places of terms that have broken together, and
-  // renews the normals of open places near them. Returns the terms that determine normals from now on; forget_terms()
-  // undoes that.
+  // renews the normals of open places near them. From this call on, the broken bonds among the terms count when normals
+  // are determined; the result lists these bonds for forget_terms(), which ends that.
   std::vector<int> follow(std::span<const int> broken, FacePlaces& places);
   void forget_terms(std::span<const int> terms);
   // Makes the system's constraints those of a saved state whose stages the system already has; pending terms remain
   // pending.
   void restore(const FaceState& state);
-  // Makes the system's constraints those of a state while the system's factor belongs to another matrix, as when a
-  // window is open.
+  // Makes the system's constraints those of a state, while the system's factor belongs to another matrix, as in an open
+  // window (region around crack tips that is solved alone).
   void go_on_from(const FaceState& state);
   coupling::Constraints constraints_of(const FaceState& state) const;
 
@@ -76,7 +76,7 @@ class CrackFaces {
   std::vector<int> places_affected(std::span<const int> terms) const;
   Point middle(int term) const;
   double spacing(int term) const;
-  // Broken bonds between neighbours around the middle of a term.
+  // Broken bonds between neighbouring points within about a horizon of the middle of a term.
   std::vector<int> near(int term) const;
   Point normal_at(int term, std::span<const int> others) const;
   std::optional<coupling::Constraint> constraint_at(int term, const Point& normal) const;

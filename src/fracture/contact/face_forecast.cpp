@@ -49,8 +49,8 @@ void FaceForecast::renew(std::size_t place, const GrownFace& face, coupling::Con
   before.until = state_;
   grown_[place - faces_.first_grown()] = face;
   latest_[place] = watched_.size();
-  // A new normal is used only if the faces do not overlap with it in the state before the break. The certificate has to
-  // check that, so the constraint is watched from that state on.
+  // A new normal is used only if the faces do not overlap with it in the state before the break. The proof of the
+  // forecast has to check that, so the constraint is watched from that state on.
   watched_.push_back({std::move(constraint), false, false, std::max(state_ - 1, 0), for_good, place, state_});
 }
 

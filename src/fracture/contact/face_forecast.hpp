@@ -9,8 +9,8 @@
 
 namespace bempd::fracture {
 
-// Contact constraint with its status in the states that a window (region around crack tips that is solved alone)
-// computes: from the state `since` on, before the state `until`. State n is that after n events.
+// Contact constraint that is closed or open in some of the states that a window (region around crack tips that is
+// solved alone) computes: from the state `since` to the state before `until`. State n is the state after n events.
 struct WatchedConstraint {
   coupling::Constraint constraint;
   bool closed;
@@ -20,25 +20,25 @@ struct WatchedConstraint {
   int event;           // number of the event that gave it this status or normal
 };
 
-// Contact constraints in the states that a window computes ahead (0 is the present state), by the rule of
+// Contact constraints in the states that a window computes ahead (state 0 is the present one), by the rule of
 // CrackFaces::follow(). The constraints of the body itself stay unchanged.
 class FaceForecast final : public FacePlaces {
  public:
   FaceForecast(CrackFaces& faces, const FaceState& state);
   ~FaceForecast() override;
 
-  // Adds the contact places of terms that an event breaks on the way to `state`, and renews the normals of open places
+  // Adds the contact places of terms that the event leading to `state` breaks, and renews the normals of open places
   // near them.
   void follow(std::span<const int> broken, int state);
-  // Closes or opens the constraint with an index in constraints(), from `state` on.
+  // Closes or opens the constraint with the index `watched` in constraints(), in `state` and later states.
   void switch_constraint(std::size_t watched, int state);
   // Forgets the states after `state`. Only constraints() may be called afterwards.
   void forget_after(int state);
 
-  // Constraints of all states, each with the range of states in which it holds. The constraints of the system come
-  // first, in the order of its list.
+  // Contact constraints in all states, each with the range of states in which it has its status and normal. The
+  // constraints of the system come first, in the order of its list.
   const std::vector<WatchedConstraint>& constraints() const { return watched_; }
-  // Indices in constraints() of the constraints that hold in the last state and are not barred from closing.
+  // Indices in constraints() of those that are valid in the last state and are not barred from closing.
   std::vector<std::size_t> last() const;
   FaceState last_state() const;
 

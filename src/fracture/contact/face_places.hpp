@@ -8,9 +8,9 @@
 
 namespace bempd::fracture {
 
-// Contact places that CrackFaces::follow() updates: the places of the body, or those forecast for the states that a
-// window (region around crack tips that is solved alone) computes ahead. A place has the number of its constraint in
-// the system.
+// Contact places that CrackFaces::follow() updates: the places of the body, or the places forecast for states that a
+// window (region around crack tips that is solved alone) computes ahead. The number of a place is the number of its
+// constraint in the system.
 class FacePlaces {
  public:
   FacePlaces() = default;
@@ -23,7 +23,7 @@ class FacePlaces {
   virtual bool is_closed(std::size_t place) const = 0;
   // Adds a contact place, which is open at first.
   virtual void add(const GrownFace& face, coupling::Constraint constraint) = 0;
-  // Gives an open place another normal, unless the faces would overlap with that normal.
+  // Gives an open place another normal, unless the faces would overlap in that direction.
   virtual void renew(std::size_t place, const GrownFace& face, coupling::Constraint constraint) = 0;
 };
 

@@ -11,32 +11,35 @@ using coupling::Constraints;
 
 namespace {
 
-// Rounding errors of gaps and of their rates over the largest displacement, also of iterated solutions: smaller values
-// count as zero. Exact constraints, inside dense operators, have larger errors.
+// Rounding errors of gaps and of their rates, as shares of the largest displacement, also for iterated solutions:
+// smaller values count as zero. Exact constraints, which lie inside dense operators (boundary element regions), have
+// larger errors than constraints with a penalty.
 constexpr double rounding_of_penalties = 1e-12, rounding_of_exact = 1e-10;
 
-// Tolerance for gaps that have passed zero. While a constraint is closed its gap is zero up to rounding; after it
-// opens, that rounding is magnified by the ratio of the penalty to the remaining stiffness, which is unknown. So a gap
-// that has passed zero by less than this share of the largest displacement, and is returning, still counts as zero. The
-// energy error is the square of the share. Contact forces of exact constraints may change faster than any displacement;
-// for such constraints the tolerance is this share of the change of the load factor.
+// Tolerance for gaps that have passed zero. While a constraint is closed its gap is zero up to rounding. When the
+// constraint opens, that rounding is magnified by the ratio of the penalty to the remaining stiffness, which is
+// unknown. So a gap that has passed zero by less than this share of the largest displacement, but is returning, still
+// counts as zero. The energy error is the square of the share. Contact forces of exact constraints may change faster
+// than any displacement; for such constraints the tolerance is this share of the change of the load factor.
 constexpr double rounding_of_passed_gaps = 1e-8;
 
 double rounding_of(const Constraint& constraint) {
   return constraint.is_exact() ? rounding_of_exact : rounding_of_penalties;
 }
 
-// Distance of a gap on the wrong side of zero: an opening at a closed constraint or an overlap at an open one; negative
-// if the gap is right.
+// Distance by which a gap has passed zero to the wrong side: an opening at a closed constraint, or an overlap at an
+// open one. Negative if the gap is on the right side.
 double passed_zero(bool closed, double gap) { return closed ? gap : -gap; }
 
-// Gap of a constraint as a linear function of the load factor, with the scales for rounding.
+// Gap of a constraint at a load factor, and its rate (change with the load factor); `rounding` is the share of the
+// largest displacement below which a gap counts as zero, and of the largest rate of a displacement below which a rate
+// does.
 struct GapLine {
   double gap, rate;
   double largest_displacement, largest_rate;
   double rounding;
 
-  // Rate of the gap in a direction of the load factor: negative while it closes, zero within rounding.
+  // Change of the gap if the load factor moves in a direction: negative while the gap closes, zero within rounding.
   double rate_in(double direction) const { return std::abs(rate) <= rounding * largest_rate ? 0 : direction * rate; }
   double faster() const { return std::max(1.0, std::abs(rate) / largest_rate); }
   bool is_wrong(bool closed, double direction) const {
@@ -46,7 +49,8 @@ struct GapLine {
   }
 };
 
-// Change of the load factor in a direction at which the constraint opens or closes; empty if it does neither.
+// Distance from the present load factor, in a direction, at which the constraint opens or closes; empty if it does
+// neither.
 std::optional<double> distance_to_switch(const GapLine& line, bool closed, double direction) {
   if (line.is_wrong(closed, direction)) return 0;
   const double rate = line.rate_in(direction);
@@ -54,7 +58,7 @@ std::optional<double> distance_to_switch(const GapLine& line, bool closed, doubl
   return std::max(0.0, -line.gap / rate);
 }
 
-// Calls visit(number, line) for every constraint with its gap as a function of the load factor.
+// Calls visit(number, line) for every constraint; `line` is its gap as a linear function of the load factor.
 template <class Visit>
 void for_each_line(const Constraints& constraints, const Affine& gaps, const Affine& u, double load_factor,
                    const Visit& visit) {

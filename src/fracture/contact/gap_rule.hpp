@@ -14,9 +14,9 @@ namespace bempd::fracture {
 // an open one.
 bool is_wrong(const coupling::Constraint& constraint, bool closed, double gap, double largest_displacement);
 
-// Constraints whose status (closed or open) contradicts their gaps at a load factor. Where a gap is zero, its sign just
-// ahead in `direction` (1 or -1) decides. With direction 0, constraints with a penalty keep their status there, and
-// exact ones are treated as if the load factor rises.
+// Constraints whose status (closed or open) contradicts their gaps at a load factor, and barred constraints that are
+// closed. If a gap is zero, its sign just ahead in `direction` (1 or -1) decides. With direction 0, a constraint with a
+// penalty keeps its status at a zero gap, and an exact one is treated as if the load factor rises.
 std::vector<int> wrong_constraints(const coupling::Constraints& constraints, const coupling::Affine& gaps,
                                    const coupling::Affine& displacement, double load_factor, double direction);
 
@@ -25,8 +25,8 @@ std::optional<double> next_switch(const coupling::Constraints& constraints, cons
                                   const coupling::Affine& displacement, double from, double to);
 
 // Energy that a constraint with a penalty releases when it opens, or takes up (negative) when it closes, from its gaps
-// before and after. The potential energy is quadratic and least in equilibrium: if a stiffness k is lost while the gap
-// goes from g to g', the energy falls by k g g' / 2.
+// before and after the switch. The potential energy is quadratic and least in equilibrium: if the penalty k is lost
+// while the gap goes from g to g', the energy falls by k g g' / 2.
 inline double released_by_switch(const coupling::Constraint& constraint, bool was_closed, double gap_before,
                                  double gap_after) {
   const double lost = (was_closed ? 1 : -1) * constraint.stiffness;

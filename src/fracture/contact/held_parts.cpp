@@ -10,10 +10,12 @@ namespace bempd::fracture {
 
 namespace {
 
-// Least change of a gap that is not rounding, over the largest change that the weights of the gap allow for a motion.
+// Least change of a gap in a motion that is not rounding, as a share of the largest change that the gap's weights allow
+// for a motion of that size.
 constexpr double least_gap_change = 1e-6;
 
-// Ratio of a node's displacement to the largest one of a held motion, below which the node counts as not moving.
+// Ratio of a node's displacement to the largest displacement in a held motion, below which the node counts as not
+// moving.
 constexpr double least_share_moved = 1e-6;
 
 using Motions = std::vector<Eigen::VectorXd>;
@@ -27,8 +29,8 @@ void add_free_motions(const std::vector<int>& body, const std::vector<Point>& po
   }
 }
 
-// Completes a motion of a dense body (boundary element region), which moves as a rigid body: finds the displacements of
-// the nodes that the sparse system has eliminated from those of the other nodes.
+// Completes a rigid motion of a dense body (boundary element region). The sparse system has eliminated some nodes of
+// the body; their displacements follow from those of the other nodes.
 void complete(const coupling::EquilibriumSystem& system, const std::vector<int>& body,
               const std::vector<Point>& positions, Eigen::VectorXd& motion) {
   std::vector<int> hidden, visible;

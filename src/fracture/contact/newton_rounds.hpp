@@ -8,11 +8,11 @@
 
 namespace bempd::fracture {
 
-// Choice of the constraints that a round of Newton's method for unilateral constraints switches. Rounds switch all
-// constraints whose status contradicts their gaps (wrong constraints), until an active set (of closed constraints)
-// occurs again. From then on they switch only the first wrong constraint, until fewer constraints are wrong than ever
-// before, after which some rounds switch all again. Switching one at a time always ends (Murty 1974), but slowly; the
-// combination ends soon (Judice and Pires 1994).
+// Choice of the contact constraints that a round of Newton's method switches. A round switches all wrong constraints
+// (whose status contradicts their gaps), until an active set (set of closed constraints) occurs again. From that round
+// on, only the first wrong constraint is switched, until fewer constraints are wrong than ever before; some rounds
+// after that switch all again. Switching one at a time always ends (Murty 1974), but slowly; the combination ends soon
+// (Judice and Pires 1994).
 class NewtonRounds {
  public:
   // Whether the next round switches all wrong constraints. `wrong` is their number, `closed` the present active set.
