@@ -4,8 +4,8 @@
 
 namespace bempd::fracture {
 
-// Tips of the crack lines in the order of the state. Tips that have not ended have the stress intensity factors of
-// Williams' series fitted to the stress ahead.
+// Tips of the crack lines in the order of the state's list. Tips that have not ended have the stress intensity factors
+// of Williams' series fitted to the stress ahead.
 std::vector<crack::Tip> LineEvents::fitted_tips() const {
   const BodyState& state = body_.state();
   std::vector<crack::Tip> found(state.tips.size());
@@ -24,9 +24,9 @@ std::vector<crack::Tip> LineEvents::fitted_tips() const {
   return found;
 }
 
-// Tips that have not ended, with the range of load factors in which they do not grow. Critical load factors depend
-// neither on the control of the load path nor on its start. Control::path is used because with it no critical load
-// factor is replaced by the present load factor.
+// Tips that have not ended, with the range of load factors in which they do not grow. These load factors depend neither
+// on the control of the load path nor on its start. Control::path is used because with it no load factor of growth is
+// replaced by the present load factor.
 std::vector<crack::Tip> LineEvents::tips(bool with_loads) {
   const BodyState& state = body_.state();
   std::vector<crack::Tip> found = fitted_tips();

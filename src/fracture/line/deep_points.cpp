@@ -10,8 +10,9 @@ namespace bempd::fracture {
 
 namespace {
 
-// Points deep inside the lattices of one kind, whose points `is_of` marks. Such points have `full` neighbours. Points
-// beside an outline that does not follow the rows may have more neighbours, and do not count.
+// Points deepest inside the lattices of one kind, whose points have the flag `is_of`: their own neighbours and, where
+// such points exist, also neighbours and next neighbours have the largest number of neighbours. `full` is that number
+// inside a lattice; points beside an outline that is oblique to the rows may have more neighbours, and do not count.
 std::vector<int> deepest_of(const std::vector<char>& is_of, const linalg::Adjacency& neighbours, std::size_t full) {
   const auto is_own = [&](int node) { return is_of[static_cast<std::size_t>(node)] != 0; };
   std::size_t most = 0;

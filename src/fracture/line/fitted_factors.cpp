@@ -2,17 +2,20 @@
 
 #include "fracture/line/tip_stress.hpp"
 
-// Stress intensity factors of a tip from those of the fit of Williams' series.
+// Stress intensity factors of a tip, corrected from those that the fit of Williams' series gives.
 namespace bempd::fracture {
 
 namespace {
 
-// Ratio of the K_II of a fit to that of boundary elements: measured as 1.06 to 1.11 on inclined cracks
-// (docs/directions.md). Under shear the effective tip lies some 0.15 horizons farther ahead than under opening.
+// Ratio of the K_II that a fit of Williams' series gives to the K_II that boundary elements give: measured as 1.06 to
+// 1.11 on inclined cracks (docs/directions.md). Under shear the effective tip lies some 0.15 horizons farther ahead
+// than under opening.
 constexpr double shear_as_fitted = 1.08;
-// Ratio of the K_II of a fit to the K_II by which a tip grows: shear acts farther ahead, so a part of the difference is
-// real. With stress points nearer to the tip, as beside an edge, K_I is too small as well. Both ratios are measured on
-// first loads of kinks of 10 to 70 degrees and of edge cracks at 20 to 70 degrees.
+// Ratio of the K_II that a fit gives to the K_II by which a tip grows: away from surfaces (shear_for_load), and beside
+// an edge, where stress points are nearer to the tip (shear_for_load_beside). The first ratio is smaller than
+// shear_as_fitted, because under shear the effective tip really lies farther ahead. The second one is below 1, because
+// beside an edge the K_I of the fit is too small as well. Both are measured on first loads of kinks of 10 to 70 degrees
+// and of edge cracks at 20 to 70 degrees.
 constexpr double shear_for_load = 1.03, shear_for_load_beside = 0.94;
 
 }  // namespace

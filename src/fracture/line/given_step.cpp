@@ -5,8 +5,9 @@
 
 namespace bempd::fracture {
 
-// Step of a tip in a given direction. Its load counts as one by a trial energy, so that the energy of the step does not
-// correct later loads by the fit. A tip that bears no load releases no energy at the step.
+// Step of a tip in a given direction. The step is marked as one whose load comes from a trial step, so that its
+// released energy does not correct later loads by the fit. A tip that bears no load gets the present load factor, and
+// no energy counts as released.
 std::optional<LineStep> step_towards(const Point& direction, const crack::TipId& tip, const LineSteps& steps,
                                      const BodyState& state, const std::optional<LineStep>& by_load) {
   const std::vector<GrowingTip>& tips = state.tips;

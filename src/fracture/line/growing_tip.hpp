@@ -14,15 +14,17 @@ struct GrowingTip {
   int law = 0;                         // number of the tip law of the region in which the tip lies
   crack::TipId id;
   crack::TipState state = crack::TipState::grows;
-  // Ratios of the energy that each of the last steps has released to the energy expected from stress intensity factors.
-  // They correct the load factors of the next steps.
+  // Ratios for the last steps: energy that a step has released, over the energy expected from stress intensity factors.
+  // The ratios correct the load factors of the next steps.
   std::vector<double> energy_ratios{};
-  // Distance from `place` to the effective tip ahead of it [m], where a crack would end that cuts as much stiffness out
-  // of evenly spread bonds. Known for initial cracks with a placed cut until they grow; else empty.
+  // Distance ahead of `place` at which a cut through evenly spread bonds would end that takes as much stiffness as this
+  // crack's cut does [m]. Known for initial cracks whose cut was placed by its stiffness (pd::CutEnd), until they grow;
+  // else empty.
   std::optional<double> even_ahead{};
   double grown = 0;  // length by which the tip has grown [m]
 
-  // Place of the effective tip.
+  // Place at which the stresses and the material of the tip are evaluated: the end of the equal cut through evenly
+  // spread bonds (even_ahead) if known, else `place`.
   Point acts_at() const { return place + even_ahead.value_or(0) * direction; }
   bool has_ended() const { return crack::has_ended(state); }
 };

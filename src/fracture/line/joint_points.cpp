@@ -4,9 +4,9 @@ namespace bempd::fracture {
 
 namespace {
 
-// Distance from a border with boundary elements, in spacings, within which stress points are left out. Loads of tips
-// two horizons before the border are within 0.9 % without such points, and were up to 2.2 % off with them
-// (docs/mixed_cracks.md).
+// Distance from a border with boundary elements, in spacings, within which material points are left out of the fit of
+// stresses. Tips two horizons before the border get critical loads within 0.9 % without such points, and up to 2.2 %
+// off with them (docs/mixed_cracks.md).
 constexpr double beside_border = 2.2;
 
 }  // namespace

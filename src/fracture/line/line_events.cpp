@@ -11,7 +11,7 @@ namespace bempd::fracture {
 
 namespace {
 
-// Distance from any tip, in horizons, within which no other crack begins.
+// Distance from any crack tip, in horizons, within which no new crack begins.
 constexpr double reach_of_other_tip = 1;
 
 // Relative difference of two energies up to which they count as equal.
@@ -44,7 +44,7 @@ Point LineEvents::middle_of(int bond) const {
          2;
 }
 
-// Crack that begins at a bond at a load factor. Empty at cell squares, at bonds with an end outside the lattices of
+// New crack that begins at a bond at a load factor. Empty at cell squares, at bonds with an end outside the lattices of
 // crack lines, and close to a tip.
 std::optional<LineEvents::Birth> LineEvents::birth_at(int bond, double load_factor) const {
   const coupling::Terms& terms = body_.system().terms();
@@ -62,9 +62,9 @@ std::optional<LineEvents::Birth> LineEvents::birth_at(int bond, double load_fact
   return Birth{middle, direction, number};
 }
 
-// Bonds that a new crack cuts. A path through a material point, such as the middle of a bond of two spacings, may pass
-// the point on either side. It takes the side on which the bonds across it have the larger energy, which does not
-// depend on how the body is mirrored or turned. `is_tie` says whether the energies are equal.
+// Bonds that a new crack cuts. If its path runs through a material point, such as the middle of a bond of two spacings,
+// it may pass the point on either side. It takes the side on which the cut bonds store the larger energy; this choice
+// does not depend on how the body is mirrored or turned. `is_tie` tells whether the energies are equal.
 std::vector<int> LineEvents::cut_by(const Birth& birth, double load_factor, bool& is_tie) const {
   const pd::TipLaw& law = laws().laws[static_cast<std::size_t>(birth.law)];
   const Point half = law.spacing / 2 * birth.direction;
@@ -115,8 +115,8 @@ const Event* LineEvents::prepare_breaks(const std::vector<char>& intact, double 
   return &event_;
 }
 
-// Prepares the event at which a crack begins at one of the most stretched bonds: the bond with the smallest number that
-// the crack through its middle would cut. Null if no crack begins.
+// Prepares the event at which a crack begins at one of the most stretched bonds, `most`: the bond with the smallest
+// number that a crack through its middle would cut. Null if no crack begins.
 const Event* LineEvents::prepare_birth(const std::vector<int>& most, double load_factor) {
   for (const int bond : most) {
     const std::optional<Birth> birth = birth_at(bond, load_factor);
@@ -126,8 +126,8 @@ const Event* LineEvents::prepare_birth(const std::vector<int>& most, double load
   return nullptr;
 }
 
-// Flags of the terms that can break by themselves: all intact terms, except those near tips that the load drives, or
-// that do not grow at any load.
+// Flags of the terms (bonds and cell squares) that can break by themselves: all intact terms, except those near tips
+// that the load drives or that do not grow at any load.
 std::vector<char> LineEvents::free_to_break(const LineSteps::Choice& choice, const LoadWay& way) const {
   const BodyState& state = body_.state();
   std::vector<char> intact = body_.system().stages().intact();
@@ -143,8 +143,9 @@ std::vector<char> LineEvents::free_to_break(const LineSteps::Choice& choice, con
   return intact;
 }
 
-// Exempts overloaded bonds close to a tip that unloads from breaking. These bonds exceeded their critical stretch
-// before without breaking, because the tip did not grow, so they do not break while the load decreases either.
+// Exempts overloaded bonds close to a tip that unloads from breaking. Before, such bonds exceeded their critical
+// stretch without breaking, because bonds near a tip are cut by its growth only; they do not break while the load
+// decreases either.
 void LineEvents::exempt_unloading(const LoadWay& way, std::vector<char>& intact) const {
   const BodyState& state = body_.state();
   for (const LineStep& step : steps_.all(state.tips, state.displacement, way.back()))
@@ -212,8 +213,8 @@ Outcome LineEvents::perform() {
   return outcome;
 }
 
-// Adds the tips of the new crack to the state and its extensions to the outcome. The id of the crack follows those of
-// all existing cracks.
+// Adds the two tips of the new crack to the state, and their extensions to the outcome. The id of the crack is the next
+// one after all existing cracks.
 void LineEvents::begin_crack(Outcome& outcome) {
   std::vector<GrowingTip>& tips = body_.state().tips;
   int id = static_cast<int>(laws().of_crack.size());

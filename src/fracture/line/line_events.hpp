@@ -10,7 +10,7 @@ namespace bempd::fracture {
 
 // Source of the steps of crack lines (cracks that grow in lattices by steps of a spacing). The tip that first reaches
 // its toughness grows by a spacing in the direction of maximum hoop stress, and all bonds across this step break at one
-// event. The load factor is corrected by the energy that the last steps released, so that the growth absorbs the
+// event. Critical load factors are corrected by the energy that the last steps released, so that the growth absorbs the
 // fracture energy. Away from tips, a new crack begins where a bond reaches its critical stretch: a crack of one spacing
 // through the middle of the bond, perpendicular to the largest principal stress, with a tip at both ends.
 class LineEvents final : public EventSource {
@@ -25,21 +25,21 @@ class LineEvents final : public EventSource {
   const Event* step_of(const crack::TipId& tip, const std::optional<Point>& direction);
 
   const LineSteps& steps() const { return steps_; }
-  // Prepares trial steps, before tips or candidates are asked for. They use a factor of their own if an open window
-  // (`in_window`) has changed the terms, or if the system has no current factor.
+  // Prepares trial steps (evaluated but not taken), before tips or candidates are asked for. Trial steps use a separate
+  // factor of the matrix if an open window (`in_window`) has changed the terms, or if the system has no current factor.
   void prepare_trials(bool in_window) {
     trials_.use_separate_factor(in_window || !body_.system().factor().is_current());
   }
   void freeze(const std::set<crack::TipId>& tips) { steps_.freeze(tips); }
-  // Tips of the crack lines, for LineCarrier (line_carrier.hpp). Without `with_loads` they have no critical loads, and
-  // no trial step is made.
+  // Tips of the crack lines, for LineCarrier (line_carrier.hpp). Without `with_loads` their critical load factors are
+  // left out, and no trial step is evaluated.
   std::vector<crack::Tip> tips(bool with_loads = true);
   // Tips that grow on a load path, with the load factors at which they grow.
   std::vector<crack::Candidate> candidates(const crack::LoadWay& way);
   bool is_step_of_tip() const { return step_.has_value(); }  // the next event is not the beginning of a crack
 
  private:
-  // Beginning of a new crack: its middle, its direction, and the number of its tip law.
+  // New crack of one spacing: its middle, its direction, and the number of its tip law.
   struct Birth {
     Point middle, direction;
     int law;

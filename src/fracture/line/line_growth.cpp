@@ -14,13 +14,13 @@ namespace bempd::fracture {
 
 namespace {
 
-// Number of last steps whose energies correct the load factor.
+// Number of last steps of a tip whose released energies correct its next load factors.
 constexpr std::size_t remembered_steps = 8;
-// Number of additional steps that count as exact, which dampen the correction.
+// Number of imagined steps with the ratio 1 of released to expected energy, which dampen the correction.
 constexpr double steps_taken_exact = 2;
 
-// Limits on the ratio of released to expected energy of a step, by which the loads of later steps are corrected. A step
-// behind a sharp kink or beside an edge releases little at first.
+// Limits on the ratio of released to expected energy of a step, by which the load factors of later steps are corrected.
+// A step behind a sharp kink or beside an edge releases little at first.
 constexpr double least_energy_ratio = 0.5, largest_energy_ratio = 2;
 
 double distance_to(const std::vector<Edge>& edges, const Point& place) {
@@ -29,8 +29,8 @@ double distance_to(const std::vector<Edge>& edges, const Point& place) {
   return nearest;
 }
 
-// Number of the law of the region in which the nearest material point ahead of a tip lies; the tip's present law if
-// there is no point near.
+// Number of the tip law of the region in which the nearest material point ahead of a tip lies; the tip's present law if
+// no point is near.
 int law_ahead_of(const GrowingTip& tip, const pd::TipLaws& laws, const NearPoints& near,
                  const std::vector<Point>& positions) {
   const pd::TipLaw& law = laws.laws[static_cast<std::size_t>(tip.law)];
@@ -53,8 +53,8 @@ double LineGrowth::correction_of(const GrowingTip& tip) {
   return std::sqrt(sum / (steps_taken_exact + static_cast<double>(tip.energy_ratios.size())));
 }
 
-// Ratio of the equivalent stress intensity factor to the toughness after a step. If the tip has entered a region with
-// another modulus, the ratio is scaled so that its square gives the energy release rate.
+// Ratio of a tip's equivalent stress intensity factor after a step to the toughness of `law`. If the tip has entered a
+// region with another modulus, the ratio is scaled so that its square is energy release rate over fracture energy.
 double LineGrowth::ratio_after(const GrowingTip& tip, const pd::TipLaw& law, const coupling::Affine& displacement,
                                double load_factor) const {
   const Eigen::Vector2d at(1, load_factor);
@@ -99,10 +99,11 @@ crack::Extension LineGrowth::remember(const LineStep& step, double ratio, double
   const double share_of_direction = law.directions ? law.directions->share(heading_of(step.direction)) : 1;
   if (law.directions) law.toughness *= std::sqrt(share_of_direction);
   if (step.toughness > 0) law.toughness = step.toughness;
-  // The event's ratio contains the correction by earlier steps, which must not enter the remembered ratios.
+  // The event's ratio of intensity to toughness contains the correction by earlier steps, which must not enter the
+  // remembered ratios of released to expected energy.
   const double before = step.load_by_trial || step.load_by_sums ? ratio : ratio / correction_of(tip);
-  // The expected energy is the mean of the rates at both ends of the step: the rate changes by up to a half within a
-  // spacing behind a kink or near an edge.
+  // The expected energy follows from the mean of the energy release rates at both ends of the step, because this rate
+  // changes by up to a half within a spacing behind a kink or near an edge.
   const bool arrives = step.path.arrives();
   const double after = arrives              ? before
                        : step.load_by_trial ? before * step.after_step
@@ -112,8 +113,9 @@ crack::Extension LineGrowth::remember(const LineStep& step, double ratio, double
   const double rate = fracture_energy * (before * before + after * after) / 2;
   const double expected = rate * law.thickness * step.path.length;
   const double released = step.load_by_sums ? step.rate_over_fit : expected > 0 ? released_energy / expected : 1;
-  // The energy of a first step is not used, because it depends on where between the points the crack was described to
-  // end. A step whose load comes from a trial energy does not test the fit, so that the correction stays as it is.
+  // The first step counts with the ratio 1, because its energy depends on where between material points the described
+  // crack ends. A step whose load comes from a trial step says nothing of the fit, so that the correction stays
+  // unchanged.
   const bool is_first = tip.energy_ratios.empty();
   if (is_first || !step.load_by_trial)
     tip.energy_ratios.push_back(is_first ? 1 : std::clamp(released, least_energy_ratio, largest_energy_ratio));

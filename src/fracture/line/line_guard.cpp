@@ -8,7 +8,7 @@ namespace {
 
 // Distance from a tip, in horizons, within which no bond breaks by itself.
 constexpr double guarded_reach = 3;
-// Distance from a tip that unloads, in horizons, within which overloaded bonds do not break; farther away an overload
+// Distance from a tip that unloads, in horizons, within which overloaded bonds do not break. An overload farther away
 // has another cause than the tip.
 constexpr double relaxing_reach = 1;
 
@@ -20,15 +20,16 @@ Point middle_of(const coupling::Terms& terms, int term, const std::vector<Point>
 
 }  // namespace
 
-// Whether a term is too close to a tip to break by itself. The middle of the term decides, so that the order of its
-// ends does not matter.
+// Whether a term (bond or cell square) is too close to a tip to break by itself. The middle of the term decides, so
+// that the order of its ends does not matter.
 bool LineGuard::is_guarded(int term, const GrowingTip& tip) const {
   const Point middle = middle_of(body_.system().terms(), term, body_.positions());
   return (middle - tip.place).norm() < (1 - rounding_of_places) * guarded_reach * fields_.law_of(tip).horizon;
 }
 
 void LineGuard::exempt(const GrowingTip& tip, std::vector<char>& intact, std::optional<double> overloaded_at) const {
-  // Only overloaded bonds closest to an unloading tip are exempt; the overload of farther bonds has another cause.
+  // A term keeps its flag, if `overloaded_at` is given, when it is not overloaded, or so far from the tip that its
+  // overload has another cause.
   const auto bears = [&](int term) {
     return overloaded_at && (!(body_.response().ratios().at(static_cast<std::size_t>(term), *overloaded_at) > 1) ||
                              (middle_of(body_.system().terms(), term, body_.positions()) - tip.place).norm() >

@@ -17,8 +17,8 @@ class LineGuard {
 
   // Whether a term is too close to a tip to break by itself.
   bool is_guarded(int term, const GrowingTip& tip) const;
-  // Marks terms near a tip as not intact in `intact`, because they do not break by themselves: all of them, or only
-  // those that are overloaded at the load factor `overloaded_at`.
+  // Marks terms (bonds and cell squares) near a tip as not intact in `intact`, because they do not break by themselves.
+  // Without `overloaded_at` these are all terms near the tip, with it only terms overloaded at that load factor.
   void exempt(const GrowingTip& tip, std::vector<char>& intact, std::optional<double> overloaded_at = {}) const;
 
  private:

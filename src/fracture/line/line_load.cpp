@@ -12,12 +12,12 @@ namespace {
 
 constexpr int rounds_for_kink = 8;
 
-// Largest ratio that counts as a load factor: intensities times this ratio can still be squared within the range of
-// numbers.
+// Largest quotient that counts as a load factor: stress intensity factors times this quotient can still be squared
+// within the range of numbers.
 constexpr double largest_ratio_of_loads = 1e150;
 
-// Kink of a tip with the stress intensity factors `of`: in the direction of maximum hoop stress, or by the law if its
-// fracture energy depends on the direction.
+// Kink of a tip with the stress intensity factors `of` at a load factor: by the growth law if its fracture energy
+// depends on the direction, else in the direction of maximum hoop stress.
 Kink kink_at(const AffineIntensity& of, double load_factor, const crack::GrowthLaw& law) {
   const Eigen::Vector2d at(1, load_factor);
   const Point factors(of.one.dot(at), of.two.dot(at));
@@ -28,8 +28,8 @@ bool are_proportional(const AffineIntensity& intensity, const AffineIntensity& t
   return turn_factors.one[0] == 0 && turn_factors.two[0] == 0 && intensity.one[0] == 0 && intensity.two[0] == 0;
 }
 
-// Load factor above that at which a tip reaches its toughness, as the start of an iteration; 0 if larger loads do not
-// increase the intensity of the tip.
+// Load factor beyond the one at which a tip reaches its toughness, as the start of an iteration; 0 if larger loads do
+// not increase the tip's equivalent stress intensity factor.
 double beyond_toughness(const AffineIntensity& intensity, const crack::GrowthLaw& law) {
   const Point slopes(intensity.one[1], intensity.two[1]);
   const double slope = (law.directions ? law.kink(slopes) : kink_of(slopes)).equivalent_factor;
@@ -37,9 +37,10 @@ double beyond_toughness(const AffineIntensity& intensity, const crack::GrowthLaw
   return slope > 0 ? load_ratio(4 * size, slope).value_or(0) : 0;
 }
 
-// Load factor of growth by the maximum hoop stress. Without constant loads the kink does not depend on the load factor.
-// Otherwise the equivalent factor is convex in the load factor, with one tangent for each kink: rising tangents lead to
-// the larger load factor at which the equivalent factor reaches the toughness (Newton's method).
+// Search for the load factor at which a tip grows, by the criterion of maximum hoop stress. Without constant loads the
+// kink does not depend on the load factor. Otherwise the equivalent factor is a convex function of the load factor,
+// with one tangent for each kink: rising tangents lead to the larger one of the two load factors at which the
+// equivalent factor equals the toughness (Newton's method).
 class ByHoopStress {
  public:
   ByHoopStress(const AffineIntensity& intensity, const AffineIntensity& turn_factors, const LineCriterion& criterion)
@@ -77,9 +78,9 @@ class ByHoopStress {
     return root.has_value();
   }
 
-  // Whether a tip that is overloaded at the start of the load path grows right there, although the search has found no
-  // load factor (`grows` is false) or only one farther along the path. This happens where the load factor has turned,
-  // or where the path starts below the smaller of two roots.
+  // Whether a tip that is overloaded at the start of the load path grows at once, although the search has found no load
+  // factor or only a farther one. This happens if the load factor has changed its direction, or if the path starts
+  // below the smaller of the two load factors at which the equivalent factor equals the toughness.
   bool is_due(bool grows) const {
     const double present = criterion_.present, least = proportional_ ? 1 + ratio_rounding : 1;
     return (!proportional_ || present < 0) && criterion_.control == Control::load &&
@@ -109,8 +110,9 @@ std::optional<LineLoad> load_by_energy(const AffineIntensity& intensity, const A
     found.load_factor = present, found.constant = ratio_at(present);
   } else if (std::abs(range.highest) < largest_ratio_of_loads) {
     found.load_factor = range.highest;
-    // The linear function ratio = constant + load factor * growing passes through the present ratio if the tip is
-    // overloaded now.
+    // The ratio of equivalent factor to toughness is given as constant + load factor * growing. For a tip that is
+    // overloaded at the present load factor, this line joins the ratio 1 at range.highest and the present ratio; for
+    // any other tip the line is the constant 1.
     const double ratio = holds_load && present > range.highest ? ratio_at(present) : 1;
     found.growing = ratio > 1 ? (ratio - 1) / (present - range.highest) : 0;
     found.constant = 1 - range.highest * found.growing;
@@ -142,7 +144,7 @@ std::optional<LineLoad> load_by_numbers(const AffineIntensity& intensity, const 
 }  // namespace
 
 // A fracture energy from a function of the host depends on the stress intensity factors of the tip, and so on the load
-// factor. Both are found together, by repeated substitution.
+// factor of growth. Fracture energy and load factor are found together, by repeated substitution.
 std::optional<LineLoad> load_of_growth(const AffineIntensity& intensity, const AffineIntensity& turn_factors,
                                        LineCriterion& criterion) {
   if (!criterion.law.asking.function) return load_by_numbers(intensity, turn_factors, criterion);

@@ -10,23 +10,23 @@ namespace bempd::fracture {
 
 namespace {
 
-// Length in spacings without bonds ahead after which a tip has arrived at an edge or a crack.
+// Largest length of a step in spacings: a tip with no bonds ahead within this length has arrived at an edge or a crack.
 constexpr int most_empty_steps = 2;
 
-// Largest length of a ligament (sound material) from a tip to a free edge, in horizons (plus one spacing), that breaks
-// in one step. No stress point ahead gives the load on a shorter ligament, which would carry twice the correct load
-// (docs/directions.md).
+// Largest length of a ligament (sound material) between a tip and a free edge that breaks in one step, in horizons; one
+// spacing is added. Ahead of such a tip no stress point is left that gives its load, and the ligament would carry twice
+// the correct load (docs/directions.md).
 constexpr double shortest_ligament = 1;
-// Distance from a place on an edge, in spacings, within which boundary elements and supports make the edge count as not
-// free.
+// Distance from a place on an edge, in spacings. If boundary elements or supports lie within this distance, the edge
+// does not count as free.
 constexpr double around_edge = 1.5;
 
-// Number of places on one spacing of the path at which a crack face ahead is searched.
+// Number of places, within one spacing of the path ahead of a tip, at which a crack face is searched.
 constexpr int samples = 10;
-// Bonds that count in the search for a crack face ahead: largest distance from the path in spacings, and least cosine
+// Limits for bonds that tell of a crack face ahead: largest distance from the tip's path in spacings, and least cosine
 // of the angle to the path.
 constexpr double beside = 1, least_cosine = 0.8;
-// Number of bonds near a place on the path, all of them broken, that make a crack face there.
+// Least number of bonds along the path near a place. If all of them are broken, a crack face lies there.
 constexpr int enough_bonds = 2;
 
 }  // namespace
@@ -41,8 +41,8 @@ LinePath::LinePath(const coupling::EquilibriumSystem& system, const std::vector<
         for (std::size_t t = 0; t < first.size(); ++t) add(first[t], static_cast<int>(t));
       })) {}
 
-// Distance from a tip to the face of a crack on its path, where all bonds along the path are broken; empty if there is
-// no such face within a spacing.
+// Distance from a tip along its path to the face of another crack, where all bonds along the path are broken; empty if
+// there is no such face within a spacing.
 std::optional<double> LinePath::face_ahead(const Point& tip, const Point& direction, const pd::TipLaw& law) const {
   const coupling::Terms& terms = system_.terms();
   std::array<int, samples> present{}, left{};
@@ -79,7 +79,8 @@ bool LinePath::is_free(const Point& edge, double reach) const {
   return true;
 }
 
-// Distance from a tip to the place where its path leaves the body through a free edge; empty if that place is not near.
+// Distance from a tip to the place where its path leaves the body through a free edge; empty if the path meets no free
+// edge within a horizon and a spacing.
 std::optional<double> LinePath::edge_ahead(const Point& tip, const Point& direction, const pd::TipLaw& law) const {
   const int farthest = static_cast<int>(std::lround(shortest_ligament * law.horizon / law.spacing)) + 1;
   const double around = around_edge * law.spacing, reach = farthest * law.spacing + around;
@@ -132,8 +133,8 @@ LinePath::Step LinePath::next(const Point& place, const Point& direction, const 
   const auto step_of = [&](double length, TipState ends_as) {
     return Step{length, across(place, place + length * direction, law.horizon), ends_as};
   };
-  // The step reaches half a spacing beyond the face, because the first row of points behind the face may lie that far
-  // away.
+  // The step reaches half a spacing beyond the face, because the bonds to the first row of points behind the face have
+  // to be cut too.
   if (const std::optional<double> face = face_ahead(place, direction, law))
     return step_of(*face + law.spacing / 2, TipState::at_crack);
   if (const std::optional<double> edge = edge_ahead(place, direction, law)) return step_of(*edge, TipState::at_edge);

@@ -29,15 +29,15 @@ class LinePath {
 
   // Side of a straight path to which material points exactly on the path are counted.
   enum class PointsOnPath { right, left };
-  // Intact bonds across the straight path between two places. Points exactly on the path all count to one `side` of it,
-  // so that none stays bonded to both faces.
+  // Intact bonds across the straight path between two places. All points exactly on the path count to the same `side`
+  // of it, so that none of them stays bonded to both crack faces.
   std::vector<int> across(const Point& from, const Point& to, double horizon,
                           PointsOnPath side = PointsOnPath::right) const;
 
-  // Number of spacings from a tip to the face of a crack or an edge ahead, at most `most`.
+  // Number of spacings from a tip at a place to the next crack face or edge in a direction, at most `most`.
   int clear_spacings(const Point& place, const Point& direction, const pd::TipLaw& law, int most) const;
 
-  // Whether a place lies at a free edge or outside of it, with no bonds ahead.
+  // Whether a place lies at a free edge or outside of the body, with no bonds ahead.
   bool leaves_body(const Point& place, const Point& direction, const pd::TipLaw& law) const;
 
   const linalg::Adjacency& terms_from() const { return terms_from_; }

@@ -9,8 +9,8 @@ namespace bempd::fracture {
 
 namespace {
 
-// Ratio of a tip's critical load factor to that of the event considered, beyond which the intensity of the tip is only
-// rounding, as in a part without stress.
+// Ratio of a tip's critical load factor to the load factor of the next event, beyond which only rounding loads the tip,
+// as in a part without stress.
 constexpr double farthest_load = 1e6;
 
 }  // namespace

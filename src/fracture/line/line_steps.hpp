@@ -20,14 +20,15 @@
 namespace bempd::fracture {
 
 class LineSteps;
-// Step of a tip in a given direction, whatever its load. `by_load` is the step that the tip would take by the present
-// loads, if any. Empty if no bond lies ahead of the tip.
+// Step of a tip in a given direction, whatever its load; empty if no bond lies ahead of the tip. `by_load` is the step
+// that the tip would take under the present loads, if any.
 std::optional<LineStep> step_towards(const Point& direction, const crack::TipId& tip, const LineSteps& steps,
                                      const BodyState& state, const std::optional<LineStep>& by_load);
 
 // Steps of crack lines (cracks that grow in a lattice by steps) for given displacements, which need to be known around
-// tips only. The tip that first reaches its toughness grows by a spacing in the direction of maximum hoop stress. The
-// load factor is corrected by the energy that the last steps released, so that the growth absorbs the fracture energy.
+// tips only. The tip that first reaches its toughness grows by a spacing in the direction of maximum hoop stress.
+// Critical load factors are corrected by the energy that the last steps released, so that the growth absorbs the
+// fracture energy.
 class LineSteps {
  public:
   LineSteps(LoadedBody& body, pd::TipLaws laws);
@@ -42,12 +43,14 @@ class LineSteps {
     return tip.state == crack::TipState::at_interface || (!tip.has_ended() && frozen_.count(tip.id) > 0);
   }
 
-  // One step for each tip that is loaded and whose path meets bonds; tips that do not grow at any load are included if
-  // `with_frozen`, as if they were free. If the fit of a tip does not hold, a trial step of `body` gives the load.
-  // Without a body, as in a window (region around crack tips that is solved alone), the load of the fit is used.
+  // One step for each tip that is loaded and whose path meets bonds. Tips that do not grow at any load are left out,
+  // or, with `with_frozen`, included as if they were free. If the fit of stresses does not hold at a tip, a trial step
+  // of `body` gives the load factor. Without a body, as in a window (region around crack tips that is solved alone),
+  // that of the fit is used.
   std::vector<LineStep> all(const std::vector<GrowingTip>& tips, const coupling::Affine& displacement,
                             const LoadWay& way, TrialBody* body = nullptr, bool with_frozen = false) const;
-  // Candidates for the order of growth: the load factors of the steps.
+  // Candidates for growth, from which the tip that grows first is chosen: the tips of the steps with their load
+  // factors.
   static std::vector<crack::Candidate> candidates(const std::vector<LineStep>& steps, const LoadWay& way);
   // Tip that grows first on a load path (crack/order.hpp), used for the whole body and in windows alike.
   struct Choice {
@@ -55,15 +58,16 @@ class LineSteps {
     std::optional<LineStep> first;  // empty if no tip grows
     double load_factor;             // load factor of the event; if no tip grows, the end of the load path
     int ties = 0;                   // other tips that would have grown at the same load factor
-    // Whether no body was given to choose(), although a trial step has to give the load of a step that may be first.
+    // Whether the order of the steps is unknown: a trial step has to give the load factor of a step that may be first,
+    // but no body for trial steps was given.
     bool needs_trial_step = false;
   };
   Choice choose(const std::vector<GrowingTip>& tips, const coupling::Affine& displacement, const LoadWay& way,
                 TrialBody* body = nullptr) const;
   // Event at which a step is taken, without the followers (cell squares) of the bonds that it breaks.
   Event event_of(const LineStep& step, double load_factor) const;
-  // Whether the load drives a tip by more than rounding: the critical load factor of its step is not far above
-  // `load_factor`, that of the event considered.
+  // Whether more than rounding loads a tip: the critical load factor of its step is at most a million times
+  // `load_factor`, the load factor of the next event.
   static bool is_driven(const LineStep& step, const LoadWay& way, double load_factor);
   // Tips near which no bond breaks by itself: tips whose steps the load drives, and tips that do not grow at any load.
   std::vector<GrowingTip> guarded(const std::vector<LineStep>& steps, const std::vector<GrowingTip>& tips,

@@ -16,8 +16,8 @@ class NearPoints {
   std::vector<int> about(const Point& place, double reach) const;
 
  private:
-  // Row or column of buckets at a distance from the lowest coordinate of all points; `count` is the number of rows or
-  // columns.
+  // Number of the row or column of buckets at a distance from the lowest coordinate of all points; `count` is the
+  // number of rows or columns.
   int bucket_index(double distance, int count) const;
 
   Point lowest_{0, 0};

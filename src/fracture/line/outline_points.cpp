@@ -13,16 +13,16 @@ namespace bempd::fracture {
 
 namespace {
 
-// Ratio of the sum of the pulls of a point's bonds to the sum of their magnitudes, above which the point lies on the
-// outline.
+// Least ratio, for points on the outline, of the vector sum of the forces of a point's bonds to the sum of the
+// magnitudes of these forces, if all bonds are stretched by the same share of their length.
 constexpr double outline_pull = 0.1;
 
-// Least ratio of the smallest to the largest eigenvalue of a point's stiffness for which its bonds determine all
-// components of the stress.
+// Least ratio of the smallest to the largest eigenvalue of the matrix S of a point (find_stresses()). With a larger
+// ratio the point's bonds determine all components of the stress.
 constexpr double least_resistance = 1e-3;
 
-// Relative difference between the stiffness of a point and that of a point deep inside, up to which the two count as
-// equal.
+// Relative difference between the matrix S of a point (find_stresses()) and that of a point deep inside, up to which
+// the point counts as lying inside.
 constexpr double alike_inside = 1e-6;
 
 double median_of(std::vector<double> values) {
@@ -37,7 +37,8 @@ bool are_of_a_kind(const pd::TipLaws& laws, int one, int other) {
   return are_alike(laws.laws[static_cast<std::size_t>(first)], laws.laws[static_cast<std::size_t>(second)]);
 }
 
-// Typical matrix of some points inside a lattice: the median of every entry, because edges affect some points.
+// Typical matrix of some points inside a lattice: the median of every entry, because edges change the matrices of some
+// of these points.
 Eigen::Matrix3d typical(const std::vector<Eigen::Matrix3d>& of_node, const std::vector<int>& points) {
   Eigen::Matrix3d result = Eigen::Matrix3d::Zero();
   std::vector<double> values(points.size());
@@ -59,8 +60,9 @@ OutlinePoints::OutlinePoints(const coupling::Terms& terms, const std::vector<Poi
   find_stresses(terms, positions, laws, stiffness);
 }
 
-// Finds points on the outline by their bonds. Under uniform stress the bonds of such a point pull it inwards, while the
-// pulls on an inner point balance. Weakened bonds count as whole, because the end of a crack is no outline.
+// Finds points on the outline by their bonds. If all bonds are stretched alike, their forces on such a point add up to
+// a force inwards, while the forces on an inner point balance. Weakened bonds count with their whole stiffness, because
+// the end of a crack is no outline.
 void OutlinePoints::find_shares(const coupling::Terms& terms, const pd::TipLaws& laws,
                                 const std::vector<double>& stiffness) {
   std::vector<Point> pull(share_.size(), Point(0, 0));
@@ -80,10 +82,11 @@ void OutlinePoints::find_shares(const coupling::Terms& terms, const pd::TipLaws&
   }
 }
 
-// Finds the matrices of stress_of_moments(). Under a uniform strain E, a term with the stiffness k, n points and the
-// moment m (xx, yy, xy) at each of them has the tension k n m.(E_xx, E_yy, 2 E_xy). So the sum of moments of a point is
-// S (E_xx, E_yy, 2 E_xy) with S = sum of k n m m^T, and the stress is the S of a full point over its volume, times the
-// same strain.
+// Finds the matrices of stress_of_moments(). Under a uniform strain E = (E_xx, E_yy, 2 E_xy), a term (bond or cell
+// square) with the stiffness k, n points and the moment m (xx, yy, xy), equal at all its points, has the tension k n
+// m.E. So the moments times tensions of a point's terms add up to S E with S = sum of k n m m^T. The stress is S0 E /
+// volume, with the S0 and the volume of a point deep inside the lattice. So the wanted matrix is S0 / volume times the
+// inverse of S.
 void OutlinePoints::find_stresses(const coupling::Terms& terms, const std::vector<Point>& positions,
                                   const pd::TipLaws& laws, const std::vector<double>& stiffness) {
   std::vector<Eigen::Matrix3d> sums(share_.size(), Eigen::Matrix3d::Zero());
@@ -112,8 +115,8 @@ void OutlinePoints::find_stresses(const coupling::Terms& terms, const std::vecto
     if (share_[n] == 0 && (sums[n] - as_inside).norm() < alike_inside * as_inside.norm()) continue;
     const Eigen::Vector3d resistance = Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(sums[n]).eigenvalues();
     if (!(resistance[0] > least_resistance * resistance[2])) continue;
-    // The matrix is scaled by a power of two, which changes no digit, because the determinant of small moments is below
-    // the range of numbers.
+    // The determinant of small moments is below the range of numbers, so the matrix is scaled; a power of two changes
+    // no digit.
     const double scale = std::ldexp(1.0, -std::ilogb(resistance[2]));
     stress_of_moments_[static_cast<int>(n)] = whole * (scale * sums[n]).inverse() * scale;
   }

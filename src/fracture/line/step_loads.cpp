@@ -14,46 +14,49 @@ namespace bempd::fracture {
 
 namespace {
 
-// Largest residual of a fit that holds, as a share of the stress: least_limit, or limit_of_residual over the square of
-// the horizon in spacings, if that is larger. With few spacings in a horizon the field is rough, and the energy of a
-// step, which cuts few bonds, gives loads within 5 % only (with four spacings within 2.5 %). Behind kinks the error of
-// loads by the fit is about 1.8 * residual - 5 %.
+// Largest residual with which a fit of stresses holds, as a share of the stress: least_limit, or limit_of_residual over
+// the square of the horizon in spacings, if that is larger. With few spacings in a horizon the stress field is rough,
+// and the energy of a step, which cuts few bonds, gives load factors within 5 % only (with four spacings within 2.5 %).
+// Behind kinks the relative error of load factors by the fit is about 1.8 * residual - 5 %.
 constexpr double least_limit = 0.035, limit_of_residual = 0.7;
-// Largest residual of a fit that gives the direction of a step.
+// Largest residual with which a fit of stresses gives the direction of a step.
 constexpr double residual_without_direction = 0.2;
-// Residual up to which the fit fully determines how the energy release rate begins behind a kink. Beyond it the
-// influence of the fit fades out, up to residual_without_direction.
+// Largest residual with which the T-stress of the fit counts fully for the energy release rate at the beginning of a
+// kink. With larger residuals the T-stress counts less, and with residual_without_direction not at all.
 constexpr double residual_with_shape = 0.1;
-// Ratio of the T-stress by which the energy release rate changes behind a kink to the T-stress of the fit. The ratio is
-// above 1 because in a lattice a kink acts longer than the bonds that it cuts. It is measured so that loads of first
-// growth by energy are those of boundary elements for any T-stress, in the mean.
+// Factor on the T-stress of the fit, by which the energy release rate changes behind a kink. The factor is above 1
+// because in a lattice a kink acts longer than the bonds that it cuts. It is measured so that load factors of first
+// growth by energy are in the mean those of boundary elements, for any T-stress.
 constexpr double t_stress_at_kinks = 1.2;
-// Largest K_II / K_I for which the fit holds. Under more shear K_II dominates, which the fit gives less accurately.
+// Largest K_II / K_I for which the fit of stresses gives the load factor. Under more shear K_II dominates, which the
+// fit gives less accurately.
 constexpr double largest_shear = 0.7;
-// Distances in horizons that a fit needs: from the tip to any edge, face or other tip, and as length of the tip's own
-// crack.
+// Distances in horizons that a fit of stresses needs: from the tip to any edge, face or other tip (clear_horizons), and
+// between the two tips of the tip's own crack (shortest_crack).
 constexpr double clear_horizons = 2, shortest_crack = 3;
 
-// Largest ratio of the load of a fit that does not hold to the correct load. A step whose load exceeds the smallest
-// load by more than this ratio cannot come first. There is no such bound if the direction of the fit does not hold
-// either, or if the tip seems shut.
+// Largest ratio of the load factor by a fit that does not hold to the correct load factor. A step whose load factor
+// exceeds the smallest one by more than this ratio cannot come first. There is no such bound if the fit's direction
+// does not hold either, or if the tip seems shut.
 constexpr double most_by_fit = 4;
 
-// Largest relative error with which factors by sums around a tip are used. The error is that of the smallest sum, which
-// the mouth of a crack (where it meets an edge) disturbs; the largest sum is right to 0.3 %.
+// Largest relative error with which stress intensity factors by sums around a tip are used. The error is that of the
+// smallest path, which the mouth of a crack (where it meets an edge) disturbs; the largest path is right to 0.3 %.
 constexpr double largest_error_around = 0.1;
 
-// Relative errors of loads: by a fit with a small residual (error_of_fit), its growth with the residual beyond
-// least_residual (error_by_residual), and by the energy of a trial step (error_by_energy).
+// Relative errors of load factors: by a fit with a residual up to least_residual (error_of_fit), its increase per
+// residual beyond least_residual (error_by_residual), and by the energy of a trial step (error_by_energy).
 constexpr double error_of_fit = 0.02, error_by_residual = 1.8, least_residual = 0.025, error_by_energy = 0.025;
-// Relative error of the load by the fit for a sheared tip: without shear (error_of_sheared), its growth with the share
-// of K_II^2 and with the residual, and its increase beside an edge or a face (error_of_crowded).
+// Relative error of the load factor by the fit for a tip under shear, as a sum: of error_of_sheared, error_by_shear
+// times K_II^2 / (K_I^2 + K_II^2), error_of_sheared_by_residual times the residual beyond least_residual, and, beside
+// an edge or a face, error_of_crowded.
 constexpr double error_of_sheared = 0.01, error_by_shear = 0.03, error_of_sheared_by_residual = 0.5,
                  error_of_crowded = 0.02;
 
-// Relative errors of the loads by the fit and by the energy, with another crack's face within a horizon of the tip. The
-// fit has few points there, so neither its load nor its direction holds. Loads by the fit were up to 12 times too high;
-// those by the energy are up to 2.5 times those of boundary elements.
+// Relative errors of load factors by the fit (error_beside_face) and by the energy (error_by_energy_beside_face), with
+// another crack's face within a horizon of the tip. The fit has few points there, so neither its load factor nor its
+// direction holds. Load factors by the fit were up to 12 times too high; those by the energy are up to 2.5 times those
+// of boundary elements.
 constexpr double error_beside_face = 1, error_by_energy_beside_face = 0.65;
 
 bool direction_holds(const LineStep& step) {
@@ -64,8 +67,8 @@ double largest_residual(const pd::TipLaw& law) {
   return std::max(least_limit, limit_of_residual * std::pow(law.spacing / law.horizon, 2));
 }
 
-// Whether an edge lies within a horizon to a side of a tip, which makes the factors by sums turn the tip towards the
-// edge.
+// Whether an edge lies within a horizon to the left or right of a tip. Such an edge makes the stress intensity factors
+// by sums turn the tip towards the edge.
 bool runs_along_edge(const GrowingTip& tip, const pd::TipLaw& law, const LinePath& path) {
   const int spacings = static_cast<int>(std::floor(law.horizon / law.spacing + rounding_of_places));
   const Point left = left_of(tip.direction);
@@ -73,9 +76,9 @@ bool runs_along_edge(const GrowingTip& tip, const pd::TipLaw& law, const LinePat
          path.clear_spacings(tip.place, -left, law, spacings) < spacings;
 }
 
-// Change of the energy release rate along a kink, by the factors and the T-stress of the fit; the T-stress counts less
-// the larger the residual of the fit is. The rate is constant if the residual is too large, or if crack faces press on
-// each other, because the series is that of free faces.
+// Change of the energy release rate along a kink, by the stress intensity factors and the T-stress of the fit. The
+// larger the residual of the fit, the less its T-stress counts. The rate is constant if the residual is too large, or
+// if crack faces press on each other, because Williams' series is that of free faces.
 KinkShape shape_of(const WilliamsFit& fit, const TipStress& stress, double horizon, const LineStep& step) {
   const double share = std::clamp(
       (residual_without_direction - step.residual) / (residual_without_direction - residual_with_shape), 0.0, 1.0);
@@ -83,15 +86,15 @@ KinkShape shape_of(const WilliamsFit& fit, const TipStress& stress, double horiz
   return {stress.corrected_factors(fit.factors(horizon)), share * t_stress_at_kinks * fit.t_stress(), step.angle};
 }
 
-// Relative error of the load that the fit gives for a tip under shear, whose factors K_I and K_II are `one` and `two`.
+// Relative error of the load factor that the fit gives for a tip under shear with K_I = `one` and K_II = `two`.
 double sheared_error(double one, double two, const LineStep& step, bool is_crowded) {
   return error_of_sheared + error_by_shear * two * two / (one * one + two * two) +
          error_of_sheared_by_residual * std::max(step.residual - least_residual, 0.0) +
          (is_crowded ? error_of_crowded : 0);
 }
 
-// Replaces factors, load and turn of a step's fit by those of sums around the tip. `correction` is the correction of
-// the fit (LineGrowth::correction_of()).
+// Replaces the stress intensity factors, load factor and angle of a step, which come from the fit, by those of sums
+// around the tip. `correction` is the factor by which the fit is corrected (LineGrowth::correction_of()).
 void set_by_factors(const TipFactors& found, const LineLoad& load, const LoadWay& way, double correction,
                     LineStep& step) {
   const double load_factor = way.ahead(load.load_factor);
@@ -105,9 +108,10 @@ void set_by_factors(const TipFactors& found, const LineLoad& load, const LoadWay
   step.angle = load.angle;
 }
 
-// Direction of a step by trial energies, where that of its fit does not hold: the best direction near that of the fit.
-// With another crack's face within a horizon the fit may point to where the step would close; in that case directions
-// up to 65 degrees off straight ahead are tried.
+// Direction of a step by the energies of trial steps, used if the direction of the fit does not hold. If the residual
+// of the fit is too large, it is the best direction near that of the fit. Otherwise another crack's face lies within a
+// horizon: the direction of the fit stays if a step in it opens the crack; if not, directions up to 65 degrees off
+// straight ahead are tried.
 Point direction_by_energy(const GrowingTip& tip, const pd::TipLaw& law, const LineStep& step, const TrialSteps& trials,
                           const coupling::Affine& displacement, TrialBody& body) {
   const auto best_about = [&](const Point& middle) {
@@ -127,9 +131,9 @@ Point direction_by_energy(const GrowingTip& tip, const pd::TipLaw& law, const Li
   return best;
 }
 
-// Sets the load by the energy and its relative error. For a sheared tip the load is the mean of the loads by the energy
-// and by the fit, with weights inverse to the squares of their errors: the load by the fit depends less on the tip's
-// place between points, that by the energy less on what lies around (docs/cracks.md).
+// Sets a step's load factor and its relative error by the energy of a trial step. For a tip under shear the load factor
+// is the mean of those by the energy and by the fit, with weights inverse to the squares of their errors: that by the
+// fit depends less on the tip's place between points, that by the energy less on what lies around (docs/cracks.md).
 void average_loads(const LineLoad& by_energy, double error, LineStep& step) {
   const double share = step.averages_loads ? error * error / (error * error + step.error * step.error) : 0;
   const double constant = std::lerp(by_energy.constant, step.constant, share);
@@ -155,16 +159,16 @@ void StepLoads::judge_fit(const std::vector<GrowingTip>& tips, const WilliamsFit
   step.error = error_of_fit + error_by_residual * std::max(step.residual - least_residual, 0.0);
   const GrowingTip& tip = tips[step.tip];
   const pd::TipLaw& law = fields_.law_of(tip);
-  // A direction with little fracture energy turns a tip far more sharply than its field does. The stiffness that such a
-  // turn cuts says little of its length, so that the load stays that of the fit.
+  // A direction with little fracture energy turns a tip far more sharply than the stress field does. The stiffness that
+  // such a turn cuts says little of its length, so that the load factor by the fit is kept.
   if (!fields_.laws().loads_by_energy || law.directions) return;
   step.is_shut = fields_.is_shut(tip, fit);
   const bool press = fields_.faces_press_at(tip),
              beside_face = fields_.stress().is_beside_face(tip, law, (1 - rounding_of_places) * law.horizon);
   const bool may_sum =
       !fields_.has_begun(tip) && !step.is_shut && !press && !beside_face && !runs_along_edge(tip, law, path_);
-  // Sums around the tip give the loads of first steps, and of steps towards an edge. Other steps do not use them,
-  // because each of them would cost a solution of the whole body.
+  // Sums around the tip give the load factors of first steps, and of steps towards an edge. Sums are not used at other
+  // steps, because each would cost a solution of the whole body.
   const bool has_own_field = may_sum && tip.grown == 0;
   if (law.function) {  // the function of the host needs stress intensity factors
     step.asks_for_sums = has_own_field;
@@ -174,16 +178,16 @@ void StepLoads::judge_fit(const std::vector<GrowingTip>& tips, const WilliamsFit
   const Eigen::Vector2d at(1, step.load_factor);
   const AffineIntensity factors = fields_.stress().corrected_factors(fit.factors(law.horizon));
   const bool is_sheared = std::abs(factors.two.dot(at)) > largest_shear * std::abs(factors.one.dot(at));
-  // Distances are reduced by rounding, so that an equal distance counts as clear in whatever direction the scene is
-  // turned.
+  // Required distances are reduced by rounding, so that a distance equal to the limit counts as clear in whatever
+  // direction the scene is turned.
   const double horizon = (1 - rounding_of_places) * law.horizon, clear = clear_horizons * horizon;
   const bool beside_tip = std::ranges::any_of(tips, [&](const GrowingTip& other) {
     const double reach = other.id.crack == tip.id.crack ? shortest_crack * horizon : clear;
     return &other != &tip && (other.place - tip.place).norm() < reach;
   });
-  // An initial crack with all bonds across it cut acts as if it were longer, unless the cut ends so that the effective
-  // tip lies where it was described (even_ahead). Beside an edge the extra length affects the energy more than the fit,
-  // most of all under shear.
+  // An initial crack with all bonds across it cut acts as if it were longer, unless its cut was chosen so that the
+  // effective tip lies where the crack was described to end (even_ahead). Beside an edge the extra length affects the
+  // energy of a trial step more than the fit, most of all under shear.
   const bool acts_longer = tip.energy_ratios.empty() && !tip.even_ahead;
   const bool is_crowded = (!acts_longer || is_sheared) && fields_.stress().is_crowded(tip, law, clear);
   const bool is_told = is_sheared ? acts_longer && is_crowded && step.residual < residual_with_shape
@@ -224,8 +228,9 @@ bool StepLoads::take_factors(const GrowingTip& tip, const coupling::Affine& disp
   if (!load || its.bonds.empty()) return false;
   set_by_factors(*found, *load, way, LineGrowth::correction_of(tip), step);
   step.direction = direction, step.path = its;
-  // If the factors by the sums do not suffice, the energy gives the load: alone if growth is by the energy criterion,
-  // else (for a sheared tip beside an edge) in the mean with the load by the factors.
+  // If the stress intensity factors by the sums do not suffice, a trial step's energy gives the load factor: alone if
+  // growth is by the energy criterion; otherwise (for a tip under shear beside an edge) in the mean with that by the
+  // sums.
   step.averages_loads = !step.sums_suffice && fields_.laws().criterion == KinkCriterion::hoop_stress;
   if (step.averages_loads) step.error += error_of_crowded;
   if (law.function)
@@ -235,9 +240,9 @@ bool StepLoads::take_factors(const GrowingTip& tip, const coupling::Affine& disp
   return true;
 }
 
-// Replaces the load that follows from the fit by the load from path-independent sums around the tip, or from the energy
-// of a trial step. Cracks under fluid pressure get no load by a trial step, because fluid would follow into the step,
-// and the energy does not contain its work.
+// Replaces the load factor by the fit by that of sums around the tip, or of a trial step's energy. Cracks under fluid
+// pressure get no load factor by a trial step, because the fluid would follow into the step, which its energy does not
+// contain.
 void StepLoads::replace(const GrowingTip& tip, const coupling::Affine& displacement, const LoadWay& way,
                         TrialBody& body, LineStep& step) const {
   const bool around = step.asks_for_sums && take_factors(tip, displacement, way, body, step);
@@ -258,14 +263,14 @@ void StepLoads::replace(const GrowingTip& tip, const coupling::Affine& displacem
   growth->shape(shape_of(fit, fields_.stress(), law.horizon, step));
   const std::optional<LineLoad> load = growth->load(step.load_factor, way.sense(), displacement.col(0).isZero(0));
   if (!load) return;
-  // The fit gives the load of a tip whose faces are shut, which grows by shear alone: the energy release rate behind
-  // its kink falls too fast to be extrapolated. Behind a turn a tip only seems shut, because the fit shows the field of
-  // the tip before the turn; the energy gives the load there, which is the smaller load.
+  // A tip whose faces are shut grows by shear alone, and the fit gives its load factor: the energy release rate behind
+  // its kink falls too fast to be extrapolated. Behind a turn a tip only seems shut, because the fit shows the stress
+  // field of the tip before the turn; in that case the energy gives the load factor, which is the smaller one.
   if (step.is_shut && tip.grown == 0 && step.residual < residual_without_direction &&
       way.ahead(load->load_factor) > way.ahead(step.load_factor))
     return;
   step.load_by_trial = true, step.load_by_sums = false, step.taken_energy = growth->first_energy();
-  // A tip that is overloaded at the start of the path grows there, even if a smaller load would suffice further on.
+  // A tip that is overloaded at the start of the path grows at once, even if the search finds a load factor farther on.
   const bool is_due = way.control == Control::load && way.ahead(load->load_factor) > way.ahead(way.present) &&
                       growth->opens(way.present) && growth->ratio(way.present) >= 1 + ratio_rounding;
   step.after_step = growth->ratio_after(load->load_factor) / growth->ratio(load->load_factor);

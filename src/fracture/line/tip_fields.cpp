@@ -12,12 +12,12 @@ namespace bempd::fracture {
 
 namespace {
 
-// Ratio of the stress closely ahead of a tip to the stress around it, below which the stress closely ahead counts as
-// zero.
+// Least ratio of the stress closely ahead of a tip to the stress around the tip. With a smaller ratio the stress
+// closely ahead is only rounding.
 constexpr double least_stress = 1e-8;
 
-// Least ratio of the K_II of a shut crack to the K_I that the fit takes from the pressure across the crack. A smaller
-// K_II is an error of the lattice under pressure alone, by which a crack never grows.
+// Least ratio of the K_II of a shut crack to the size of its fitted K_I, which is negative under pressure across the
+// crack. A smaller K_II is an error of the lattice under pressure alone, under which a crack never grows.
 constexpr double least_shear_of_shut = 0.1;
 
 }  // namespace
@@ -29,14 +29,14 @@ crack::GrowthLaw TipFields::growth_law(const pd::TipLaw& there, const GrowingTip
           heading_of(tip.direction), {there.function, tip.id, place, tip.grown, {unknown, unknown}}};
 }
 
-// Whether the crack of a tip has begun during the run. Its other tip is closely behind at first, which the fitted
-// series does not take into account.
+// Whether the crack of a tip has begun during the run. Such a crack is short at first, and Williams' series does not
+// contain the field of its other tip closely behind.
 bool TipFields::has_begun(const GrowingTip& tip) const {
   return static_cast<std::size_t>(tip.id.crack) > laws_.of_crack.size();
 }
 
-// Stress intensity factors for the turn of a tip whose crack has begun during the run, from the stress closely ahead.
-// They are 0 (no turn) if that stress is only rounding.
+// Stress intensity factors that give the turn of a tip whose crack has begun during the run, from the stress closely
+// ahead. They are 0 (no turn) if that stress is only rounding.
 AffineIntensity TipFields::factors_for_turn(const GrowingTip& tip, const AffineIntensity& by_fit,
                                             const coupling::Affine& displacement, double present) const {
   const pd::TipLaw law = law_of(tip).at(tip.acts_at(), tip.grown);
@@ -55,8 +55,8 @@ bool TipFields::faces_press_at(const GrowingTip& tip) const {
   return coupling::faces_press_at(body_.system().constraints(), body_.positions(), tip.place, law_of(tip).horizon);
 }
 
-// Whether a tip is shut: its fit has no opening (K_I <= 0) and its faces press on each other. A kink beside pressed
-// faces may be open; K_I of its fit is positive in that case.
+// Whether a tip is shut: the fit of stresses has K_I <= 0, and the crack faces press on each other. The tip of a kink
+// beside pressed faces may be open; in that case the fit has K_I > 0.
 bool TipFields::is_shut(const GrowingTip& tip, const WilliamsFit& fit) const {
   const AffineIntensity found = fit.factors(law_of(tip).horizon);
   return found.one.dot(Eigen::Vector2d(1, body_.state().load_factor)) <= 0 && faces_press_at(tip);

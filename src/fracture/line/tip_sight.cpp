@@ -10,14 +10,14 @@ namespace bempd::fracture {
 
 namespace {
 
-// Half length of the pieces that make up a face, in spacings. Each piece runs across the middle of a broken bond
-// between neighbours and overlaps the next one slightly.
+// Half length of the straight segments that make up a crack face, in spacings. Each segment runs across the middle of a
+// broken bond between neighbours and overlaps the next segment slightly.
 constexpr double half_length_of_piece = 0.55;
 
-// Limits in spacings up to which a broken bond counts as broken by the tip's own crack: its middle lies at most
-// `ahead_of_own` ahead of the tip within `beside_own` to the sides, or at most `ahead_of_kink` ahead elsewhere. Broken
-// bonds between neighbours have their middles within half a spacing of their crack, and the crack turns back from the
-// tip's direction by at least 110 degrees.
+// Limits in spacings for the middle of a bond that the tip's own crack has broken: at most `ahead_of_own` ahead of the
+// tip, if it lies at most `beside_own` to a side, or else at most `ahead_of_kink` ahead. Bonds that a crack breaks
+// between neighbours have their middles within half a spacing of the crack, and the crack runs back from the tip at an
+// angle of at least 110 degrees to the tip's direction.
 constexpr double ahead_of_own = 0.75, beside_own = 1.5, ahead_of_kink = 0.25;
 
 bool lie_apart(const Point& from, const Point& to, const Point& a, const Point& b) {

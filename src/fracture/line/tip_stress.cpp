@@ -12,25 +12,29 @@ namespace bempd::fracture {
 
 namespace {
 
-// Distances in horizons between which Williams' series is fitted. With three terms, or farther out, the load of an
-// inclined crack's first growth is too small; nearer to the tip the lattice smooths the stress by a few percent. A
-// surface within three horizons disturbs the stress more, so that nearer points are used there (docs/directions.md).
+// Limits for the points to which Williams' series is fitted: least distance from the tip in horizons, away from
+// surfaces (inner_reach) and beside one (inner_reach_beside), and least cosine of the angle to the tip's direction.
+// With three terms, or points farther out, the load factor of an inclined crack's first growth is too small; nearer to
+// the tip the lattice smooths the stress by a few percent. Beside a surface nearer points are used, because it disturbs
+// the stress more (docs/directions.md).
 constexpr double inner_reach = 1, fitted_cosine = 0, inner_reach_beside = 0.5;
 constexpr double beside_surface = 1, away_from_surfaces = 3;
 
-// Points of the mean stress closely ahead of a tip, used for cracks that have begun in the run: largest distance, and
-// least cosine of the angle to the tip's direction.
+// Limits for the points whose mean stress closely ahead of a tip is used, for cracks that have begun in the run:
+// largest distance from the tip, and least cosine of the angle to the tip's direction.
 constexpr double near_reach = 1.5, near_cosine = 0.5;  // in horizons
-// Ratios of the mean stress closely ahead of a tip to the field of K_I and K_II, measured for horizons of 3 and 4
-// spacings. They are valid within 1 % for any angle of the rows (docs/directions.md).
+// Ratios of the mean stress closely ahead of a tip to the singular stress field: under opening (K_I) and under shear
+// (K_II), measured for horizons of 3 and 4 spacings. They are valid within 1 % for any angle of the rows
+// (docs/directions.md).
 constexpr double near_opening = 0.79, near_shear = 0.482;
 
 constexpr int fitted_terms = WilliamsFit::most_terms;
-// Number of fitted terms ahead of the face of another crack, where there are fewer points: four within three horizons
-// of the face, two within one (docs/directions.md).
+// Number of terms of Williams' series that are fitted ahead of the face of another crack, where there are fewer points:
+// four within three horizons of the face, two within one horizon (docs/directions.md).
 constexpr int terms_near_face = 4, terms_at_face = 2;
 constexpr double at_face = 1;
-// Number of stress points below which the points nearest to the tip are used too, if the face of another crack is near.
+// Least number of stress points for a fit near the face of another crack. With fewer points, the points nearest to the
+// tip are used too.
 constexpr std::size_t enough_points = 6;
 // Largest length of a bond between neighbours, in spacings.
 constexpr double longest_short_bond = 1.3;
@@ -75,9 +79,9 @@ double TipStress::nearest_outline(const Point& place, double at_most) const {
   return at_most;
 }
 
-// Distance to the nearest disturbance of the field ahead of a tip, at most three horizons [m]. A border with boundary
-// elements of the same material disturbs the field only if it lies ahead of the tip, where points are missing within
-// two horizons.
+// Distance from a tip to the nearest outline that disturbs the field ahead, at most three horizons [m]. A border with
+// boundary elements of the same material counts only if it lies ahead of the tip, and as one horizon farther away,
+// because points are missing there only within two horizons.
 double TipStress::nearest_disturbance(const GrowingTip& tip, const pd::TipLaw& law) const {
   double nearest = away_from_surfaces * law.horizon;
   for (const int node : near_.about(tip.place, nearest)) {
@@ -121,7 +125,7 @@ Eigen::RowVector2d TipStress::tension(std::size_t term, const coupling::Affine& 
   return parts;
 }
 
-// Stress at a point (xx, yy, xy), with x along a direction and y to the left of it.
+// Stress at a point: the components (xx, yy, xy), with x along `direction` and y to the left of it.
 TipStress::Stress TipStress::stress(int node, const Point& direction, const pd::TipLaw& law,
                                     const coupling::Affine& displacement) const {
   const Eigen::Matrix3d* stress_of_moments = outline_.has(node) ? outline_.stress_of_moments(node) : nullptr;
@@ -158,8 +162,8 @@ Point TipStress::across_tension(int bond, const pd::TipLaw& law, const coupling:
     return *stress_of_moments * stress_times_volume(node, {1, 0}, displacement);
   };
   const Eigen::Vector3d s = (stress_of(terms.first[b]) + stress_of(terms.second[b])) * Eigen::Vector2d(1, load_factor);
-  // Equal principal stresses have no direction but that of rounding; the result is perpendicular to the bond in that
-  // case.
+  // If both principal stresses are equal, rounding would decide their directions, so the result is perpendicular to the
+  // bond.
   if (std::hypot(s[0] - s[1], 2 * s[2]) <= rounding_of_places * (std::abs(s[0]) + std::abs(s[1])))
     return {-terms.sine[b], terms.cosine[b]};
   const double angle = std::atan2(2 * s[2], s[0] - s[1]) / 2;  // of the principal direction
@@ -171,7 +175,7 @@ GrowingTip TipStress::as_fitted(GrowingTip tip) const {
   return tip;
 }
 
-// Points for the fit are chosen around the effective tip (GrowingTip::even_ahead).
+// Fit of stresses at a tip: number of terms and stress points, which are chosen around GrowingTip::acts_at().
 TipStress::Fit TipStress::fit_of(const GrowingTip& growing, const pd::TipLaw& law) const {
   const GrowingTip tip = as_fitted(growing);
   const TipSight sight = sight_of(tip, law);
@@ -193,9 +197,9 @@ TipStress::Fit TipStress::fit_of(const GrowingTip& growing, const pd::TipLaw& la
   return fit;
 }
 
-// Edges behind the tip do not count: an edge behind it, as at the mouth of its crack, disturbs the energy of a step
-// more than the fit. A border with boundary elements of the same material is no edge, because the field of the tip goes
-// on behind it.
+// An edge behind the tip, as at the mouth of its crack, is not counted, because it disturbs the energy of a step more
+// than the fit. A border with boundary elements of the same material is no edge, because the field of the tip continues
+// beyond the border.
 bool TipStress::is_crowded(const GrowingTip& tip, const pd::TipLaw& law, double reach) const {
   return is_beside_face(tip, law, reach) || std::ranges::any_of(near_.about(tip.place, reach), [&](int node) {
            const Point step = positions_[static_cast<std::size_t>(node)] - tip.place;
@@ -215,8 +219,8 @@ bool TipStress::meets_other_material(const GrowingTip& tip, const pd::TipLaw& la
   });
 }
 
-// Points within a horizon of a border with boundary elements have other bonds. A border along the crack (at a slope
-// below 1/4) is not counted, because it disturbs the fit less.
+// Points within a horizon of a border with boundary elements have other bonds than inner points. A border along the
+// crack (at a slope below 1/4) is not counted, because it disturbs the fit less.
 bool TipStress::lacks_points(const GrowingTip& tip, const pd::TipLaw& law) const {
   const double reach = away_from_surfaces * law.horizon;
   std::array<Eigen::AlignedBox2d, 2> sides;  // nodes of the border to the right and left of the crack: ahead and across

@@ -15,44 +15,45 @@
 
 namespace bempd::fracture {
 
-// Stresses around tips of crack lines (cracks that grow in a lattice by steps) from the forces of terms. The stress of
-// a point is the mean over its area: half of force times bond vector of every bond belongs to the point at either end,
-// and the moment of a cell square belongs to its points in equal parts. At points of the outline the stress is exact
-// under uniform stress (OutlinePoints). All results are linear in the displacements. Only points ahead of the tip are
-// used, none of which lies beside its crack or is hidden by another crack.
+// Stresses around tips of crack lines (cracks that grow in a lattice by steps) from the forces of terms (bonds and cell
+// squares). The stress of a point is the mean over its area: half of force times bond vector of every bond belongs to
+// the point at either end, and a quarter of the moment of a cell square to each corner of its cell. At points of the
+// outline the stress is exact under uniform stress (OutlinePoints). All results are linear in the displacements. Only
+// points ahead of the tip are used that do not lie beside its crack and that no other crack hides.
 class TipStress {
  public:
-  // Distance in horizons of the farthest points of the fit: for tips away from surfaces, and for tips beside one.
+  // Distance from the tip, in horizons, of the farthest points of the fit: for tips away from surfaces (outer_reach),
+  // and for tips beside a surface (outer_reach_beside).
   static constexpr double outer_reach = 2, outer_reach_beside = 1.25;
 
   TipStress(const coupling::EquilibriumSystem& system, const std::vector<Point>& positions, const pd::TipLaws& laws);
 
   // Fit of Williams' series to the stress ahead of the tip. `pressure` is the fluid pressure in its crack (constant and
-  // proportional part): a uniform pressure of that size is subtracted from the stress, so that the faces are free of
-  // load.
+  // proportional part). The stress of a uniform compression by this pressure is subtracted first, so that the faces are
+  // free of load.
   WilliamsFit fitted(const GrowingTip& tip, const pd::TipLaw& law, const coupling::Affine& displacement,
                      const Eigen::RowVector2d& pressure) const;
-  // Stress intensity factors of a tip from those of its fit. If the laws take loads from energies, K_II is reduced,
-  // because the fit gives it too large.
+  // Stress intensity factors of a tip from those of its fit. If the tip laws take load factors from energies, K_II is
+  // reduced, because the fit gives it too large; otherwise the factors stay unchanged.
   AffineIntensity corrected_factors(AffineIntensity fitted) const;
-  // Stress intensity factors of a tip that give its load of growth.
+  // Stress intensity factors of a tip that give the load factor of its growth, corrected from those of its fit.
   AffineIntensity factors_for_load(const WilliamsFit& fit, double horizon) const;
 
-  // Stress intensity factors from the mean stress closely ahead of the tip. Their ratio K_II / K_I is more accurate
-  // than that of the fit if another tip is closely behind.
+  // Stress intensity factors from the mean stress closely ahead of the tip. If another tip is closely behind, their
+  // ratio K_II / K_I is more accurate than that of the fit.
   AffineIntensity closely_ahead_of(const GrowingTip& tip, const pd::TipLaw& law, const coupling::Affine& displacement,
                                    const Eigen::RowVector2d& pressure) const;
 
-  // Nodes on whose displacements fitted() depends, and also those of closely_ahead_of() if `closely_ahead`; some nodes
-  // are added more than once.
+  // Adds the nodes on whose displacements fitted() depends and, with `closely_ahead`, those on which closely_ahead_of()
+  // depends; some nodes are added more than once.
   void add_nodes_asked(const GrowingTip& tip, const pd::TipLaw& law, bool closely_ahead, std::vector<int>& nodes) const;
 
-  // Unit vector perpendicular to the largest principal stress at a bond, where the stress is the mean of that of the
-  // two points of the bond.
+  // Unit vector perpendicular to the largest principal stress at a bond. The stress there is the mean of the stresses
+  // of the bond's two points.
   Point across_tension(int bond, const pd::TipLaw& law, const coupling::Affine& displacement, double load_factor) const;
 
-  // Whether an edge ahead of the tip or another crack's face lies within `reach` [m], so that the field ahead is not
-  // that of the tip alone.
+  // Whether an edge ahead of the tip or another crack's face lies within `reach` [m], so that the stress field ahead is
+  // not that of the tip alone.
   bool is_crowded(const GrowingTip& tip, const pd::TipLaw& law, double reach) const;
   // Whether another crack's face lies within `reach` [m] of the tip.
   bool is_beside_face(const GrowingTip& tip, const pd::TipLaw& law, double reach) const {
@@ -60,7 +61,7 @@ class TipStress {
   }
   // Whether points of a material with another modulus lie within `reach` [m] of the tip.
   bool meets_other_material(const GrowingTip& tip, const pd::TipLaw& law, double reach) const;
-  // Whether the fit lacks points because a border with boundary elements of the same material is near.
+  // Whether the fit of stresses lacks points because a border with boundary elements of the same material is near.
   bool lacks_points(const GrowingTip& tip, const pd::TipLaw& law) const;
 
   const NearPoints& near() const { return near_; }
@@ -101,7 +102,7 @@ class TipStress {
   double nearest_disturbance(const GrowingTip& tip, const pd::TipLaw& law) const;
   Reach reach_at(double nearest_surface, double horizon) const;
   TipSight sight_of(const GrowingTip& tip, const pd::TipLaw& law) const;
-  // Constant and proportional part [N].
+  // Tension of a term: constant and proportional part [N].
   Eigen::RowVector2d tension(std::size_t term, const coupling::Affine& displacement) const;
   Stress stress(int node, const Point& direction, const pd::TipLaw& law, const coupling::Affine& displacement) const;
 

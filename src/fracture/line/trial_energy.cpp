@@ -10,11 +10,12 @@ namespace bempd::fracture {
 
 namespace {
 
-// Pivot of 1 - k^1/2 F k^1/2 below which rounding decides whether the body resists all motions.
+// Least pivot of the matrix 1 - k^1/2 F k^1/2 (stiffnesses k, flexibility F). With a smaller pivot, rounding decides
+// whether the body resists all motions.
 constexpr double smallest_trial_pivot = 1e-7;
 
-// Largest number of flexibilities kept for reuse: about as many trial paths and directions are tried between two
-// changes of the matrix.
+// Largest number of flexibility matrices kept for reuse: about as many trial paths and directions are evaluated before
+// the matrix of the system changes.
 constexpr std::size_t most_answers_kept = 32;
 
 }  // namespace
@@ -34,7 +35,8 @@ std::optional<Eigen::MatrixXd> WholeBodyTrials::flexibility(std::span<const int>
   }
 }
 
-// Factorizes 1 - k^1/2 F k^1/2 row by row, so that the factorization ends before the first pivot that is too small.
+// Factorizes 1 - k^1/2 F k^1/2 (stiffnesses k, flexibility F) row by row, so that the factorization ends before the
+// first pivot that is too small.
 TrialEnergy::TrialEnergy(const Eigen::VectorXd& stiffness, const Eigen::MatrixXd& flexibility,
                          const coupling::Affine& elongation)
     : root_stiffness_(stiffness.cwiseSqrt()), y_(root_stiffness_.asDiagonal() * elongation) {
@@ -59,7 +61,8 @@ double TrialEnergy::released(Eigen::Index terms, double load_factor) const {
   return 0.5 * (y_.topRows(terms) * Eigen::Vector2d(1, load_factor)).squaredNorm();
 }
 
-// Elongations after the terms are removed: k^-1/2 z with z = (1 - k^1/2 F k^1/2)^-1 k^1/2 e.
+// Elongations after terms are removed: k^-1/2 z with z = (1 - k^1/2 F k^1/2)^-1 k^1/2 e, where k are the stiffnesses, F
+// the flexibility and e the elastic elongations before.
 Eigen::VectorXd TrialEnergy::elongations_without(Eigen::Index terms, double load_factor) const {
   Eigen::VectorXd z = y_.topRows(terms) * Eigen::Vector2d(1, load_factor);
   lower_.topLeftCorner(terms, terms).triangularView<Eigen::Lower>().transpose().solveInPlace(z);

@@ -19,12 +19,12 @@ struct TipFactors {
   AffineIntensity intensity;
   double error = 0;
 };
-// Function that finds the stress intensity factors of a tip by path-independent sums from displacements; empty if there
-// is no room for the sums around the tip.
+// Function that finds the stress intensity factors of a tip by path-independent sums around it, from displacements;
+// empty if there is no room for the sums.
 using FactorsAround = std::function<std::optional<TipFactors>(const GrowingTip&, const coupling::Affine& displacement)>;
 
-// Body for trial steps of crack lines (steps that are evaluated but not taken): it gives the flexibility along some of
-// its terms, and the stress intensity factors of tips.
+// Body for trial steps of crack lines (steps that are evaluated but not taken). The body gives the flexibility along
+// some of its terms (bonds and cell squares), and the stress intensity factors of tips.
 class TrialBody {
  public:
   TrialBody() = default;
@@ -32,13 +32,15 @@ class TrialBody {
   TrialBody& operator=(const TrialBody&) = delete;
   virtual ~TrialBody() = default;
 
-  // Flexibility F = B^T K^-1 B along some intact terms (coupling/term_flexibility.hpp): their elongations due to unit
-  // forces in them. Empty if a part of the body could move freely.
+  // Flexibility F = B^T K^-1 B along some intact terms (coupling/term_flexibility.hpp), with the body's stiffness K and
+  // the elongations B^T u of the terms: their elongations due to unit forces in them. Empty if a part of the body could
+  // move freely.
   virtual std::optional<Eigen::MatrixXd> flexibility(std::span<const int> terms) = 0;
   virtual std::optional<TipFactors> factors_around(const GrowingTip& tip, const coupling::Affine& displacement) = 0;
 };
 
-// Whole body for trial steps. Recent flexibilities are kept as long as the body's matrix does not change.
+// Whole body in which trial steps are evaluated. Recent flexibilities are kept as long as the body's matrix does not
+// change.
 class WholeBodyTrials final : public TrialBody {
  public:
   WholeBodyTrials(coupling::EquilibriumSystem& system, FactorsAround factors)
@@ -49,8 +51,8 @@ class WholeBodyTrials final : public TrialBody {
     return factors_ ? factors_(tip, displacement) : std::nullopt;
   }
 
-  // Sets whether flexibilities are computed with a separate factor. It is needed if an open window (region around crack
-  // tips that is solved alone) has changed terms, so that the system's factor belongs to the previous matrix.
+  // Sets whether flexibilities are computed with a separate factor. This is needed if an open window (region around
+  // crack tips that is solved alone) has changed terms, so that the system's factor belongs to the previous matrix.
   void use_separate_factor(bool separate) { uses_separate_factor_ = separate; }
 
  private:
@@ -66,22 +68,23 @@ class WholeBodyTrials final : public TrialBody {
   std::vector<Answer> answers_;
 };
 
-// Energy that is released when terms (bonds and cell squares) are removed, for every number of first terms at once.
-// With the forces f = k e of the terms and the body's flexibility F along them, all terms release
+// Energy that is released when terms (bonds and cell squares) are removed from a list, for the first 1, 2, ... terms at
+// once. With the stiffnesses k and elastic elongations e of the terms, their forces f = k e and the body's flexibility
+// F along them, all terms together release
 //   1/2 f^T (k - k F k)^-1 f.
 // This is half the sum of the squares of y, where L y = e and L L^T = k^-1 - F; the first n terms release half the sum
-// of the first n squares. The formula holds for dead loads and for supports alike.
+// of the first n squares. The formula holds for dead loads and for prescribed displacements alike.
 class TrialEnergy {
  public:
   // Energy for terms with the given stiffnesses, flexibility and elastic elongations (constant and proportional part).
   TrialEnergy(const Eigen::VectorXd& stiffness, const Eigen::MatrixXd& flexibility, const coupling::Affine& elongation);
 
-  // Number of first terms that can be removed before some motion meets no resistance.
+  // Number of terms, from the beginning of the list, that can be removed before some motion meets no resistance.
   Eigen::Index count() const { return count_; }
 
   double released(Eigen::Index terms, double load_factor) const;
 
-  // Elongations of the first `terms` terms after their removal.
+  // Elastic elongations of the first `terms` terms after these terms are removed.
   Eigen::VectorXd elongations_without(Eigen::Index terms, double load_factor) const;
 
  private:

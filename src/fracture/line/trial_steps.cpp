@@ -16,29 +16,31 @@ namespace bempd::fracture {
 
 namespace {
 
-// Largest length of a trial step in spacings. The bonds that a step happens to cut change the result by up to 13 % over
-// one spacing, by 2 % over four. Near an edge or a face the step reaches half of the distance.
+// Largest length of a trial step (evaluated but not taken) in spacings. The bonds that a step happens to cut change the
+// result by up to 13 % over one spacing, by 2 % over four. Near an edge or a face the step reaches half of the distance
+// to it.
 constexpr int longest_trial = 4;
 
-// Number of directions that are tried on each side of a given one.
+// Number of directions that are tried on each side of a given direction.
 constexpr int trials_on_each_side = 2;
 // Angle between two directions that are tried [rad].
 constexpr double angle_between_trials = 10 * std::numbers::pi / 180;
 
-// Relative difference below which the ratios of two directions are equal.
+// Relative difference up to which the ratios mean_ratio() of two directions count as equal.
 constexpr double ratio_of_ties = 1e-9;
 
-// Ratio (mean_ratio()) below which only rounding loads the bonds across a step, as in a piece that hangs on a hinge.
-// The sign of the elongations of these bonds means nothing in that case.
+// Least value of TrialGrowth::mean_ratio(), a root of released over taken energy. With a smaller value only rounding
+// loads the bonds across a step, as in a piece that only a hinge holds, and the signs of their elongations mean
+// nothing.
 constexpr double least_ratio = 1e-9;
 
 constexpr int rounds_for_load = 30;
 constexpr double load_rounding = 1e-12;
-// Half the distance, relative to the load factor, of the two load factors at which the slope of the ratio is taken.
+// Distance from a load factor to either side, relative to it, at which the slope of ratio() there is measured.
 constexpr double beside_load = 1e-5;
 
-// Share of a tip's opening that depends on its last bonds, measured on straight cracks with horizons of 3, 4, 5
-// spacings.
+// Share of a tip's opening that depends on the last bonds that its crack cuts or weakens, measured on straight cracks
+// with horizons of 3, 4 and 5 spacings.
 constexpr double weakened_follows = 0.5;
 
 // Difference in spacings below which bond vectors count as equal.
@@ -61,7 +63,8 @@ CutStiffness::CutStiffness(const coupling::Terms& terms, const pd::TipLaws& laws
     family_[law] = family_of(terms, stiffness, deep[law], bonds_at, same_vector * laws.laws[law].spacing);
 }
 
-// Bonds of a typical inner point: every bond vector with its median stiffness, because edges affect some points.
+// Bonds of a typical inner point: each bond vector with the median of its stiffnesses, because edges change the bonds
+// of some of the points.
 std::vector<CutStiffness::Bond> CutStiffness::family_of(const coupling::Terms& terms, const std::vector<double>& whole,
                                                         const std::vector<int>& points,
                                                         const linalg::Adjacency& bonds_at, double same) {
@@ -79,15 +82,15 @@ std::vector<CutStiffness::Bond> CutStiffness::family_of(const coupling::Terms& t
     auto& [vector, stiffness] = bond;
     const auto middle = stiffness.begin() + static_cast<std::ptrdiff_t>(stiffness.size() / 2);
     std::nth_element(stiffness.begin(), middle, stiffness.end());
-    // Rounding may give equal bond vectors different keys. Each key gets the share of the stiffness that is the share
-    // of points at which it was found.
+    // Rounding may give equal bond vectors different keys. So each key gets a part of the stiffness, in proportion to
+    // the number of points at which it was found.
     family.push_back({vector, *middle * static_cast<double>(stiffness.size()) / static_cast<double>(points.size())});
   }
   return family;
 }
 
-// Stiffness across a straight crack that the crack cuts per unit of its length: a sum over the bonds of a point, half
-// of each, because the other half belongs to the bond's other point.
+// Stiffness across a straight crack that the crack cuts per unit of its length. It is a sum over the bonds of an inner
+// point, half of each bond, because the other half belongs to the bond's other point.
 double CutStiffness::per_length(int law, const Point& normal) const {
   double sum = 0;
   for (const Bond& bond : family_[static_cast<std::size_t>(law)]) {
@@ -130,9 +133,9 @@ CutStiffness::Counted CutStiffness::of(std::size_t bond, double stiffness, const
   return counted;
 }
 
-// Extrapolates the energy release rate to the tip. Along the path x the rate varies as g exp(c x) times the shape of a
-// kink, so its mean over s is about g exp(c s / 2) times the mean shape. The rate that growth takes is that of the
-// first, shortest trial length.
+// Extrapolates the energy release rate to the tip. At the distance x along the path the rate is about g exp(c x) times
+// the shape of a kink (KinkShape), with g and c from a fit, so its mean over the length s is about g exp(c s / 2) times
+// the mean shape. The fracture energy for comparison is that of the first, shortest trial length.
 TrialGrowth::AtTip TrialGrowth::at_tip(double load_factor) const {
   double weights = 0, x_mean = 0, y_mean = 0, xx = 0, xy = 0;
   const auto rate = [&](const Length& l) {
@@ -163,9 +166,9 @@ bool TrialGrowth::opens(double load_factor) const {
   return opening_.head(terms).dot(energy_.elongations_without(terms, load_factor)) > 0;
 }
 
-// Load factor at which ratio() is one, by the secant method; without constant loads the ratio is proportional to the
-// load factor. The points of the last secant nearly coincide, so that rounding dominates its slope; the slope at the
-// root is computed anew.
+// Finds the load factor at which ratio() is one, by the secant method. The last two points of the method nearly
+// coincide, so that rounding dominates the slope between them; the slope at the result is computed anew. Without
+// constant loads, ratio() is proportional to the load factor, and no iteration is needed.
 std::optional<LineLoad> TrialGrowth::load(double nearby, double sense, bool proportional) const {
   LineLoad found;
   if (nearby == 0 || !(mean_ratio(nearby) > least_ratio) || !opens(nearby)) return std::nullopt;
@@ -196,8 +199,8 @@ std::optional<LineLoad> TrialGrowth::load(double nearby, double sense, bool prop
 TrialSteps::TrialSteps(const coupling::EquilibriumSystem& system, const pd::TipLaws& laws, const LinePath& path)
     : system_(system), path_(path), cut_(system.terms(), laws) {}
 
-// Crack length and fracture energy that the cut of a bond stands for. Bonds at the end of an initial crack may be
-// weakened; the first step from there cuts them with their effective stiffness.
+// Crack length and fracture energy for which a cut bond counts. At the first step of an initial crack, bonds that its
+// end has weakened count with their effective stiffness.
 CutStiffness::Counted TrialSteps::counted(const GrowingTip& tip, int bond, const Point& normal) const {
   const auto b = static_cast<std::size_t>(bond);
   const double present = system_.stages().stiffness()[b];
@@ -211,8 +214,8 @@ double TrialSteps::energy_of_step(const GrowingTip& tip, const pd::TipLaw& law, 
   return std::isfinite(energy) ? energy * law.energy_share(tip.grown, direction) : 0;
 }
 
-// Trial step in a direction: the terms that it cuts, in the order in which ever longer steps cut them, with their
-// followers. Empty if no bond lies ahead or the body has no answer.
+// Trial step in a direction: the terms (bonds and their followers, cell squares) that ever longer steps cut, in this
+// order. Empty if no bond lies ahead, or if the body cannot give their flexibility.
 std::optional<TrialGrowth> TrialSteps::along(const GrowingTip& tip, const pd::TipLaw& law, const Point& direction,
                                              const coupling::Affine& displacement, TrialBody& body) const {
   const coupling::Terms& terms = system_.terms();
@@ -257,8 +260,8 @@ std::optional<TrialGrowth> TrialSteps::along(const GrowingTip& tip, const pd::Ti
                        : std::optional(TrialGrowth(std::move(energy), std::move(found), std::move(opening)));
 }
 
-// Direction of the largest mean_ratio(): the best one of the directions that are tried, refined by the top of a
-// parabola through it and its two neighbours.
+// Direction of the largest mean_ratio(): the best of the directions that are tried, refined by the top of a parabola
+// through the values of that direction and its two neighbours.
 Point TrialSteps::best_direction(const GrowingTip& tip, const pd::TipLaw& law, const Point& around, double load_factor,
                                  const coupling::Affine& displacement, TrialBody& body) const {
   std::array<double, 2 * trials_on_each_side + 1> ratio{};
@@ -266,7 +269,7 @@ Point TrialSteps::best_direction(const GrowingTip& tip, const pd::TipLaw& law, c
     const auto growth = along(tip, law, turned(around, k * angle_between_trials), displacement, body);
     ratio[static_cast<std::size_t>(k + trials_on_each_side)] = growth ? growth->mean_ratio(load_factor) : 0;
   }
-  // The direction nearest to `around` is chosen among directions with ratios that are equal up to rounding.
+  // The direction nearest to `around` is chosen if the ratios of several directions are equal up to rounding.
   int best = trials_on_each_side;
   for (const int k : {-1, 1, -2, 2})
     if (ratio[static_cast<std::size_t>(trials_on_each_side + k)] >

@@ -7,7 +7,8 @@
 
 namespace bempd::fracture {
 
-// Stiffness of all terms as in an intact lattice, also of terms that are weakened at the end of a crack.
+// Stiffness of all terms (bonds and cell squares) in the intact lattice: terms that are weakened at the end of a crack
+// have their whole stiffness.
 inline std::vector<double> whole_stiffness(const coupling::Terms& terms,
                                            const std::vector<pd::WeakenedTerm>& weakened) {
   std::vector<double> stiffness = terms.stiffness;

@@ -11,14 +11,14 @@ namespace bempd::fracture {
 
 namespace {
 
-// Limits on the energy release rate of a kink over its first spacings, relative to the rate at the beginning of the
-// kink.
+// Limits on the energy release rate behind a kink, over its first spacings, relative to the rate at the beginning of
+// the kink.
 constexpr double least_shape = 0.25, largest_shape = 4;
 
 constexpr int most_amplitudes = 2 * WilliamsFit::most_terms;
 
-// Stresses (xx, yy, xy) at the polar coordinates r, t for unit amplitudes of the terms: two columns for each term,
-// modes I and II.
+// Stresses (xx, yy, xy) of the terms of Williams' series for unit amplitudes, at the distance r and the angle t: two
+// columns for each term, modes I and II.
 Eigen::Matrix<double, 3, most_amplitudes> williams_stress(double r, double t) {
   Eigen::Matrix<double, 3, most_amplitudes> stress;
   for (int n = 1; n <= WilliamsFit::most_terms; ++n) {
@@ -45,9 +45,9 @@ void WilliamsFit::add(double distance, double angle, const Stress& stress) {
   reach_ = std::max(reach_, distance);
 }
 
-// Amplitudes of the first terms of Williams' series by least squares. Terms that are not fitted, and mode II of the
-// second term, which has no stress, have empty equations: the solution with the shortest vector gives them the
-// amplitude 0.
+// Amplitudes of the first terms of Williams' series by least squares. The equations of terms that are not fitted, and
+// of mode II of the second term (which has no stress), are empty; the solution with the shortest vector gives such
+// terms the amplitude 0.
 WilliamsFit::Parts WilliamsFit::solution(int terms) const {
   if (terms >= terms_) return linalg::LeastSquares(normal_).solve(right_);
   Eigen::Matrix<double, amplitudes, amplitudes> normal = normal_;

@@ -13,7 +13,7 @@ struct AffineIntensity {
 };
 
 // Least-squares fit of Williams' series (J. Appl. Mech. 24, 1957) to stresses around a tip: terms r^(-1/2), 1, r^(1/2)
-// and so on of both modes. Stresses have a constant and a proportional part.
+// and so on of both modes, with the distance r from the tip. Stresses have a constant and a proportional part.
 class WilliamsFit {
  public:
   static constexpr int most_terms = 5;
@@ -27,14 +27,15 @@ class WilliamsFit {
   // Stress intensity factors from the first `terms` terms of the series, or from all fitted terms if these are fewer.
   AffineIntensity factors(double horizon, int terms = most_terms) const;
 
-  // T-stress: the stress along the tip's direction that is independent of the distance, constant and proportional part.
+  // T-stress: the part of the stress along the tip's direction that is independent of the distance; constant and
+  // proportional part.
   Eigen::RowVector2d t_stress() const { return 4 * solution(terms_).row(2); }
 
-  // Distance from the tip of the farthest point of the fit [horizons].
+  // Distance from the tip to the farthest point of the fit [horizons].
   double reach() const { return reach_; }
 
   // Residual at a load factor: the part of the stress that the fitted terms do not describe, as a share of the stress.
-  // It is small if the field is that of the tip alone.
+  // The residual is small if the stress field is that of the tip alone.
   double residual(double load_factor) const;
 
  private:
@@ -49,19 +50,20 @@ class WilliamsFit {
   Eigen::Matrix2d squares_ = Eigen::Matrix2d::Zero();  // sums of squares of the stress
 };
 
-// Change of the energy release rate over the first spacings of a kink: it varies as the square of stress intensity
-// factors that grow with the square root of the kink's length. The rate is constant without a kink, or if nothing is
-// known of the tip.
+// Change of the energy release rate over the first spacings of a kink, as the square of stress intensity factors that
+// change with the square root of the kink's length. The rate is constant without a kink, or if nothing is known of the
+// tip.
 class KinkShape {
  public:
   KinkShape() = default;
-  // Shape of a kink by which a tip turns by `angle`. `factors` and `t_stress` are those of the tip before the turn.
+  // Shape of a kink by which a tip turns by `angle`. `factors` (stress intensity) and `t_stress` belong to the tip
+  // before the turn.
   KinkShape(const AffineIntensity& factors, const Eigen::RowVector2d& t_stress, double angle)
       : factors_(factors), t_stress_(t_stress), angle_(angle) {}
 
-  // Ratio of the energy release rate to that of a kink of zero length: mean over a length.
+  // Ratio of the energy release rate, as the mean over a length of a kink, to the rate of a kink of zero length.
   double mean(double length, double load_factor) const;
-  // Ratio of the energy release rate at the end of a length to that of a kink of zero length.
+  // Ratio of the energy release rate at the end of a length of a kink to the rate of a kink of zero length.
   double at(double length, double load_factor) const;
 
  private:
