@@ -22,7 +22,7 @@ struct BondList {
   bool is_proportional = false;
 };
 
-// Load factor at which the first of the bonds becomes critical on a load path; empty if none does.
+// Load factor at which the first of the bonds reaches its critical stretch on a load path; empty if none does.
 std::optional<double> next_critical(const BondList& bonds, const LoadWay& way);
 
 // Most stretched bonds at a load factor: those whose stretch ratio (stretch over critical stretch) is within the

@@ -23,9 +23,8 @@ constexpr double beside_surface = 1, away_from_surfaces = 3;
 // Limits for the points whose mean stress closely ahead of a tip is used, for cracks that have begun in the run:
 // largest distance from the tip, and least cosine of the angle to the tip's direction.
 constexpr double near_reach = 1.5, near_cosine = 0.5;  // in horizons
-// Ratios of the mean stress closely ahead of a tip to the singular stress field: under opening (K_I) and under shear
-// (K_II), measured for horizons of 3 and 4 spacings. They are valid within 1 % for any angle of the rows
-// (docs/directions.md).
+// Ratios of the mean stress closely ahead of a tip to the singular field, for K_I (opening) and K_II (shear): measured
+// for horizons of 3 and 4 spacings, valid within 1 % for any angle of the rows (docs/directions.md).
 constexpr double near_opening = 0.79, near_shear = 0.482;
 
 constexpr int fitted_terms = WilliamsFit::most_terms;

@@ -19,23 +19,26 @@ class BondForecast {
  public:
   explicit BondForecast(LoadedBody& body) : body_(body) {}
 
-  // Sets the window whose events are computed. `proportional` says that its displacements are proportional to the load
-  // factor.
+  // Sets the window whose events are computed. `proportional` says that the window's displacements are proportional to
+  // the load factor.
   void begin_window(const coupling::Condensation& condensation, const WindowSolver& window, bool proportional);
   void end_window() noexcept { certificate_.reset(), window_ = nullptr; }
 
-  // Begins a series of events that are computed together: drops the checks of the series before.
+  // Begins a series of events that are computed together: drops the checks of the previous series.
   void begin() { checks_.clear(); }
-  // Puts the next break at a load factor from `from` on into `foreseen`; false if the window cannot determine it.
+  // Puts the next break, at a load factor of `from` or more, into `foreseen`; false if the window cannot determine that
+  // break.
   bool choose(double from, const WindowOptions& options, ForecastEvent& foreseen) const;
-  // Adds the checks for an event in a state: no bond outside the window may break before the event, or tie with it.
+  // Adds the checks for an event that follows in state number `state` at the load factor `from`: no bond outside the
+  // window may break before the event, or together with it.
   void note(int state, double from, const Event& event, const WindowOptions& options);
-  // Drops the checks of all events but the first `count`.
+  // Drops the checks of all events but the first `count` events.
   void keep_first(int count);
 
-  // Number of events before the first that is not proven among bonds that the window has stopped watching.
+  // Number of events, from the first on, before which no bond breaks that the window has stopped watching (narrowing).
   int proven_in_window(const std::vector<coupling::Affine>& states) const;
-  // Number of events before the first that is not proven in the whole body, whose displacements in state 0 are `whole`.
+  // Number of events, from the first on, for which it is proven that no bond outside the window breaks before them.
+  // `whole` are the displacements of the whole body in state 0.
   int proven(const std::vector<coupling::Affine>& states, const std::vector<ForecastEvent>& events,
              const coupling::Affine& whole);
   // Displacements of the whole body in one of the states of the last call of proven().

@@ -11,7 +11,7 @@
 namespace bempd::fracture {
 
 // Event that a window (region around crack tips or bonds close to breaking that is solved alone) has computed ahead,
-// with its outcome once it is performed.
+// with its outcome once the window has performed it.
 struct ForecastEvent {
   Event event;
   Outcome outcome;                          // without the work before the event and the residual
@@ -23,8 +23,8 @@ struct ForecastEvent {
   std::vector<GrowingTip> growing;          // tips near which no bond breaks by itself before the event
 };
 
-// Events that a window has computed together, and the number of them that the run has taken. The stages of terms in the
-// system are those after the events taken; while events are computed, those after the last computed event.
+// Events that a window has computed together, and the number of them that the run has performed (taken). The system has
+// the damage stages of terms after the events taken; while events are computed, those after the last computed event.
 class ComputedEvents {
  public:
   explicit ComputedEvents(coupling::EquilibriumSystem& system) : system_(system) {}
@@ -35,16 +35,17 @@ class ComputedEvents {
   ForecastEvent& last() { return list_.back(); }
   void add(ForecastEvent event) { list_.push_back(std::move(event)); }
   void clear() noexcept { list_.clear(), position_ = 0; }
-  // Returns the system to the stages after the first `count` events. The later events stay in the list; keep_first()
-  // removes them from it, too.
+  // Returns the system to the damage stages after the first `count` events. The later events stay in the list;
+  // keep_first() removes them from the list, too.
   void take_back(int count);
   void keep_first(int count);
 
-  // Next event to take; null if there is none.
+  // Next event that the run can take; null if all have been taken.
   const ForecastEvent* next() const { return position_ < count() ? &list_[position_] : nullptr; }
   void take();  // takes the next event, and changes the stages of terms in the system
   bool are_all_taken() const { return position_ == count(); }
-  // Number of events taken. Only the states at positions 0 up to this one can be asked for or returned to.
+  // Number of events taken, the present position. A state can be asked for, and returned to, only at positions from 0
+  // to this one.
   int position() const { return position_; }
   void return_to(int position) noexcept;
   std::vector<std::uint8_t> stages(int position) const;

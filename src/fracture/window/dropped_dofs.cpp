@@ -36,8 +36,8 @@ std::vector<Affine> DroppedDofs::complete(const std::vector<State>& states, bool
   result.reserve(states.size());
   for (const State& state : states) result.push_back(state.displacement);
   const int first_part = has_constant_part ? 0 : 1, parts = 2 - first_part;
-  // Degrees of freedom that were dropped last are completed first: bonds that broke before that end on them, and pull
-  // on degrees of freedom that were dropped earlier.
+  // Degrees of freedom that were dropped last are completed first. The forces on those dropped earlier follow from
+  // bonds that broke in between, and these bonds may end on degrees of freedom dropped later.
   for (std::size_t l = levels_.size(); l-- > 0;) {
     const Level& level = levels_[l];
     std::vector<std::size_t> later;
@@ -67,10 +67,10 @@ std::vector<Affine> DroppedDofs::complete(const std::vector<State>& states, bool
   return result;
 }
 
-// Transfers forces on the dropped degrees of freedom (index l) to those that were followed when they were dropped
-// (index f). Let F0 be the flexibility at that time, F the present one, and P = sum of k b b^T over the terms that have
-// lost stiffness since. P acts on degrees of freedom f only, so F = F0 + F P F0. With y = F0_fl r_l, a force r_l
-// therefore causes the displacements
+// Transfers forces on dropped degrees of freedom (index l) to those that the window followed after the drop (index f).
+// Let F0 be the flexibility at the drop, F the present one, and P = sum of k b b^T over the terms with the elongation
+// b.u that have lost the stiffness k since. P acts on degrees of freedom f only, so F = F0 + F P F0. With y = F0_fl
+// r_l, a force r_l therefore causes the displacements
 //   F_fl r_l = y + F_ff P y.
 void DroppedDofs::transfer_forces(Affine& force, Affine& answer) const {
   for (const Level& level : levels_) {
@@ -89,8 +89,8 @@ void DroppedDofs::transfer_forces(Affine& force, Affine& answer) const {
 }
 
 int DroppedDofs::first_violation(const std::vector<Affine>& states, const std::vector<OutsideCheck>& checks) const {
-  // States are treated in batches, so that the numbers of a bond's degrees of freedom are fetched once for all states
-  // of a batch.
+  // States are treated in batches, so that the numbers of a bond's degrees of freedom are read once for all states of a
+  // batch.
   constexpr Eigen::Index batch = WindowSettings::states_swept_at_once;
   using Batch = Eigen::Array<double, batch, 1>;
   if (ratios_.fixed.empty() || checks.empty()) return static_cast<int>(states.size());

@@ -9,14 +9,15 @@
 
 namespace bempd::fracture {
 
-// Check of the bonds outside a window (region around crack tips or bonds close to breaking that is solved alone): at a
-// load factor in a state of the window, their ratios of stretch to critical stretch must stay below `limit`.
+// Check of the bonds outside a window (region around crack tips or bonds close to breaking that is solved alone): in a
+// state of the window, at a load factor, their ratios of stretch to critical stretch must stay below `limit`.
 struct OutsideCheck {
   int state;
   double load_factor;
   double limit;
 
-  // Limit less a margin for rounding, because window and whole body solve different forms of the equations.
+  // Limit of the check, less a margin for rounding, because window and whole body solve different forms of the
+  // equations.
   double limit_less_rounding() const { return limit * (1 - WindowSettings::comparison_margin); }
 };
 
@@ -24,31 +25,31 @@ struct OutsideCheck {
 // event, because nothing breaks near them any more. Their displacements are completed afterwards, for many states at
 // once.
 //
-// Let K and F be stiffness and flexibility, and u_0 the displacements, when the dofs were dropped. Terms have lost the
-// stiffnesses k_e since. The displacements obey K u = f + sum of k_e b_e e_e, where b_e is the form and e_e the
-// elongation of such a term. These terms end on followed dofs only, so u = u_0 + F sum of k_e b_e e_e.
+// Let u_0 be the displacements when the dofs were dropped, K and F stiffness and flexibility at that time, and f the
+// loads. Terms have lost the stiffnesses k_e since. The displacements u obey K u = f + sum of k_e b_e e_e, where e_e =
+// b_e.u is the elongation of such a term. These terms end on followed dofs only, so u = u_0 + F sum of k_e b_e e_e.
 class DroppedDofs {
  public:
   // Linear forms of the window's displacements: the weights of degrees of freedom, and the constant that prescribed
-  // displacements add to each form (for both parts of the load).
+  // displacements add to each form (for the constant and the proportional part of the load).
   struct Forms {
     LinearForms of_displacements;
     std::vector<Eigen::RowVector2d> fixed;
   };
 
-  // State of the window before the dropped degrees of freedom are completed in it. `narrowings` and `breaks` are the
-  // numbers of narrowings and of losses of stiffness until this state.
+  // State of the window before the displacements of dropped degrees of freedom are completed. `narrowings` and `breaks`
+  // are the numbers of narrowings, and of losses of stiffness, until this state.
   struct State {
     coupling::Affine displacement;
     std::size_t narrowings, breaks;
   };
 
   // Drops the degrees of freedom `dropped` for good; the window continues with `followed`. `response` holds the
-  // displacements of the dropped ones (rows) due to unit forces on the followed ones (columns), `ratios` the stretch
-  // ratios of the bonds that end on dropped ones.
+  // displacements of dropped degrees of freedom (rows) due to unit forces on followed ones (columns). `ratios` are the
+  // stretch ratios, as linear forms, of the bonds that end on dropped degrees of freedom.
   void narrow(std::vector<int> dropped, const std::vector<int>& followed, Eigen::MatrixXd response,
               const coupling::Affine& displacement, const Forms& ratios);
-  // Notes terms or constraints that have lost stiffness, by the forms of their elongations.
+  // Notes terms or contact constraints that have lost stiffness, with their elongations as linear forms.
   void note_lost_stiffness(const Forms& elongations, const std::vector<double>& stiffnesses);
 
   std::size_t narrowings() const { return levels_.size(); }
@@ -57,14 +58,14 @@ class DroppedDofs {
   // Displacements of the given states, completed by those of the dropped degrees of freedom.
   std::vector<coupling::Affine> complete(const std::vector<State>& states, bool has_constant_part) const;
 
-  // Replaces forces on dropped degrees of freedom by their effect on the followed ones. `answer` gains the
-  // displacements of followed ones that these forces cause with the stiffness at the time of dropping. `force` gains
-  // forces on followed ones that correct this for terms broken since. The displacements of followed ones are `answer`
-  // plus the response to `force`.
+  // Replaces forces on dropped degrees of freedom by their effect on the followed ones. The displacements of followed
+  // ones due to these forces are then `answer` plus the response to `force`: `answer` gains their part with the
+  // stiffness at the drop, and `force` gains forces on followed ones that correct this part for the terms that have
+  // lost stiffness since.
   void transfer_forces(coupling::Affine& force, coupling::Affine& answer) const;
 
-  // Index of the first state with a failed check of a bond on dropped degrees of freedom; the number of states if there
-  // is none. The states must be completed.
+  // Index of the first state in which a bond that ends on dropped degrees of freedom fails a check; the number of
+  // states if there is none. The states must be completed.
   int first_violation(const std::vector<coupling::Affine>& states, const std::vector<OutsideCheck>& checks) const;
 
  private:

@@ -117,9 +117,8 @@ void EventForecast::compute(const BodyState& state) {
   face_forecast_ = nullptr;
 }
 
-// Computes events until the window ends or their number is reached. Returns false if rounding errors have grown too
-// large since the last check of the balance of forces. A host that asks for the end of the step gets the events
-// computed so far.
+// Computes events until the window ends, the wanted number is reached, or the host asks for the end of the step.
+// Returns false if rounding errors have grown too large since the last check of the balance of forces.
 bool EventForecast::forecast_events(const BodyState& start) {
   const Phase phase("events ahead in a window", most_events_);
   double from = start.load_factor;
@@ -182,8 +181,8 @@ bool EventForecast::forecast_next(double from, const BodyState& start) {
   return true;
 }
 
-// Checks the balance of forces in windows with cell squares, and corrects it. Cell squares may be many times as stiff
-// as bonds and have larger rounding errors in that case. Returns false if the errors are too large.
+// Checks the balance of forces in windows with cell squares, which may be many times as stiff as bonds and then cause
+// larger rounding errors, and corrects small imbalances. Returns false if the imbalance is too large.
 bool EventForecast::is_balanced() {
   const auto count = events_.count();
   if (system_.terms().followers.empty() || count == balanced_events_) return true;

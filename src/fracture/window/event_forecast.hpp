@@ -20,9 +20,9 @@
 namespace bempd::fracture {
 
 // Computation of events ahead in a window (region around crack tips or bonds close to breaking that is solved alone),
-// by condensed equations. Only events are kept for which it is proven that the whole body would break in the same way.
-// The window ends before an event that it cannot perform: an event near its rim or outside, or one that frees a part of
-// the body or removes the last resistance to a motion.
+// by condensed equations. Only those events are kept for which it is proven that the whole body would break in the same
+// way. The window ends before an event that it cannot perform: a break near its rim or outside, or an event that frees
+// a part of the body or removes the last resistance to a motion.
 class EventForecast {
  public:
   using Options = WindowOptions;
@@ -33,18 +33,18 @@ class EventForecast {
   // have broken the bonds `cut`.
   void expect_cracks(const std::vector<int>& cut) { locator_.expect_cracks(cut); }
 
-  // Switches to crack lines (cracks that grow in a lattice by steps): the computed events are steps of crack lines from
-  // now on.
+  // Switches to crack lines (cracks that grow in a lattice by steps). From this call on, the computed events are steps
+  // of crack lines.
   void grow_lines(const LineSteps& lines) { lines_.emplace(body_, lines); }
 
-  // Opens a window around the bonds that are close to breaking at the load factor of the next event. Returns false if
-  // no window would be smaller than the problem.
+  // Opens a window around the bonds or crack tips that are close to critical at the load factor of the next event.
+  // Returns false if no window would be smaller than the problem.
   bool open(const BodyState& state, double load_factor, const Options& options);
-  // Opens the last window again at the same location.
+  // Opens a window again at the location of the last window.
   void open_again(const BodyState& state, const Options& options);
   bool is_open() const { return window_ != nullptr; }
   void close() noexcept;
-  // Closes the window and forgets its location, so that the next window is that of a fresh run.
+  // Closes the window and forgets its location, so that the next window is placed as in a run that has just begun.
   void forget();
 
   const Options& options() const { return options_; }
@@ -52,27 +52,28 @@ class EventForecast {
   int most_events() const { return most_events_; }
   void remember(WindowLocation place, int most_events);
 
-  // Events that the window has computed, and how many of them the run has taken.
+  // Events that the window has computed, with the number of those that the run has performed.
   ComputedEvents& events() { return events_; }
   const ComputedEvents& events() const { return events_; }
 
-  // Whether all computed events have been taken and more can be computed.
+  // Whether the run has performed all computed events and the window can compute more.
   bool must_compute() const { return events_.are_all_taken() && !has_ended_; }
-  // Computes more events with rising load factor, from `state`, which must be the state at the present position.
+  // Computes more events with rising load factor, from `state`, the state of the body after the events performed so
+  // far.
   void compute(const BodyState& state);
 
   // Whether the window has ended before an event that only the whole body can perform, or because faces of cracks open
   // or close after its last event.
   bool needs_whole_body() const { return needs_whole_body_ || faces_move_; }
-  // Whether the window has ended before an event that only the whole body can perform.
+  // Whether the window has ended before an event that only the whole body can perform, because a motion may come free.
   bool frees_a_motion() const { return needs_whole_body_; }
   // Whether the window has ended because faces of cracks open or close after its last event.
   bool ended_at_faces() const { return faces_move_; }
 
-  // Displacements of the whole body after `position` events of the window.
+  // Displacements of the whole body after the first `position` events of the window.
   coupling::Affine displacement(int position) const;
-  // Residual of the whole body after the last of the events computed together, or the largest imbalance that was
-  // corrected in the window if that is larger. This residual stands for all of these events.
+  // Residual of the whole body after the last of the events computed together or, if that is larger, the largest
+  // imbalance that was corrected in the window. This residual stands for all of these events.
   double residual() const { return balance_.residual(); }
 
  private:

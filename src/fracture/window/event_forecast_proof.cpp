@@ -1,4 +1,4 @@
-// Proof that the events of a window would happen in the whole body in the same way.
+// Proof that events computed in a window would happen in the whole body in the same way.
 #include <algorithm>
 
 #include "fracture/window/event_forecast.hpp"
@@ -10,13 +10,13 @@ namespace bempd::fracture {
 
 using coupling::Affine;
 
-// Keeps the computed events before the first for which it is not proven that the whole body would do the same.
+// Keeps the computed events up to the last for which it is proven that the whole body would break in the same way.
 void EventForecast::certify(double from) {
   const Phase phase("proof of events ahead");
   if (!events_.empty() && !lines_) keep_first(bonds_.proven_in_window(states_));
   if (events_.empty()) return;
-  // Contact places of events that were not kept need no watching. Bonds of the kept events count as broken in the
-  // system here, although these events have not been performed yet.
+  // Contact places of events that were not kept are not watched. In the system the bonds of the kept events count as
+  // broken during this proof, although the run has not performed these events yet.
   face_forecast_->forget_after(events_.count());
   const FaceCertificate watch(face_forecast_->constraints(), events_.list(), from, proportional_);
   const int unchanged = watch.events_before_change(states_, condensation_->dofs(), system_, outside_gaps_);

@@ -11,7 +11,8 @@ namespace bempd::fracture {
 FaceCertificate::FaceCertificate(const std::vector<WatchedConstraint>& constraints,
                                  const std::vector<ForecastEvent>& events, double from, bool proportional)
     : constraints_(constraints) {
-  // All load factors are equivalent if displacements are proportional to the load factor: 1 stands for them.
+  // If displacements are proportional to the load factor, the sign of a gap is the same at all of them, and 1 stands
+  // for all.
   double arrival = proportional ? 1 : from;
   for (std::size_t e = 0; e <= events.size(); ++e) {
     const double departure = proportional || e == events.size() ? arrival : events[e].event.load_factor;

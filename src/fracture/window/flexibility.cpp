@@ -9,8 +9,8 @@ namespace bempd::fracture {
 
 namespace {
 
-// Product of a symmetric matrix, given by its lower triangle, with a vector. The dsymv of OpenBLAS 0.3.21 for
-// processors that it takes for a Prescott reads past the matrix.
+// Product of a symmetric matrix, given by its lower triangle, with a vector. The routine dsymv is not used, because
+// OpenBLAS 0.3.21 reads past the matrix in its version for Prescott processors.
 Eigen::VectorXd product_with_symmetric(const Eigen::Ref<const Eigen::MatrixXd>& lower, const Eigen::VectorXd& x) {
   Eigen::VectorXd y = lower.diagonal().cwiseProduct(x);
   for (Eigen::Index j = 0; j + 1 < x.size(); ++j) {

@@ -10,8 +10,8 @@
 namespace bempd::fracture {
 
 // Displacements of the whole body in the last state that a window (region around crack tips or bonds close to breaking
-// that is solved alone) has proven, and the balance of forces in that state. One check after the last of the events
-// computed together stands for all of them.
+// that is solved alone) has proven, and the balance of forces in that state. The balance is checked only after the last
+// of the events computed together, for all of these events.
 class ForecastBalance {
  public:
   explicit ForecastBalance(LoadedBody& body) : body_(body) {}
@@ -23,12 +23,15 @@ class ForecastBalance {
   void begin() { unbalanced_ = 0; }
   // Notes an imbalance of nodal forces that was found in the window, as a share of the largest force.
   void note_unbalanced(double share) { unbalanced_ = std::max(unbalanced_, share); }
-  // Largest nodal force [N] just before the first of the events, the scale of residuals.
+  // Largest internal nodal force [N] of the run up to the load factor of the first event, by which residuals are
+  // divided.
   double largest_force_before(double load_factor, const BodyState& start) const;
-  // Checks the balance of forces of the whole body after the last event. `whole` are the displacements after it, which
-  // replace those before the first event. Returns false and keeps the old displacements if the residual is too large.
+  // Checks the balance of forces of the whole body after the last event. If the forces balance, `whole`, the
+  // displacements after that event, replace the stored displacements before the first event. Returns false and keeps
+  // the stored ones if the residual is too large.
   bool holds_after(ComputedEvents& events, coupling::Affine whole);
-  // Residual after the last event, or the largest imbalance that was corrected in the window if that is larger.
+  // Residual of the whole body after the last event or, if that is larger, the largest imbalance corrected in the
+  // window.
   double residual() const { return residual_; }
 
  private:

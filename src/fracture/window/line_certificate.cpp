@@ -51,8 +51,8 @@ int LineCertificate::first_break(const std::vector<coupling::Affine>& states, co
 }
 
 // Number of the first step before which a bond breaks by itself, among the steps of a batch that starts with `begin`.
-// States are treated in batches, so that the numbers of a bond's degrees of freedom are fetched once for all states of
-// a batch.
+// States are treated in batches, so that the numbers of a bond's degrees of freedom are read once for all states of a
+// batch.
 int LineCertificate::first_break(const Eigen::MatrixXd& stretched, int begin, const std::vector<Step>& steps,
                                  const std::vector<int>& broken_at) const {
   constexpr Eigen::Index batch = WindowSettings::states_swept_at_once;

@@ -9,13 +9,14 @@
 
 namespace bempd::fracture {
 
-// Proof that no bond away from the crack tips would have broken by itself before the steps of crack lines (cracks that
-// grow in a lattice by steps) that a window (region around crack tips or bonds close to breaking that is solved alone)
-// has computed, or the first step before which such a bond would break. Displacements are proportional to the load
-// factor.
+// Proof that away from crack tips no bond would have broken by itself before the steps of crack lines (cracks that grow
+// in a lattice by steps) that a window (region around crack tips or bonds close to breaking that is solved alone) has
+// computed. If some bond would have broken, the result is the first step before which it would. Displacements are
+// proportional to the load factor.
 class LineCertificate {
  public:
-  // Prepares the proof for the bonds that are intact in `system` at present, before the steps are computed.
+  // Collects the bonds that are intact in `system`, for which first_break() will prove that they do not break by
+  // themselves. To be created before the window computes its steps.
   LineCertificate(const coupling::EquilibriumSystem& system, const coupling::Condensation& condensation,
                   const StretchRatios& ratios, const LineSteps& steps);
 
@@ -26,7 +27,7 @@ class LineCertificate {
     const std::vector<coupling::StageChange>* changes;  // changes of stages at the step
   };
   // Number of the first step before which a bond breaks by itself; the number of steps if there is none. `states` are
-  // the kept displacements before each step.
+  // the displacements of the window's nodes before each step.
   int first_break(const std::vector<coupling::Affine>& states, const std::vector<Step>& steps) const;
 
  private:

@@ -49,8 +49,8 @@ std::optional<LineSteps::Choice> LineForecast::choose(double from, Control contr
   if (!(at >= 0) || (from > 0 && !LineSteps::is_driven(*choice.first, way, WindowSettings::surely_driven * from)))
     return std::nullopt;
   foreseen.event = lines_.event_of(*choice.first, at);
-  // A tip exempts the bonds beside it from the proof only if it is surely driven at this load factor. Otherwise it
-  // might not exempt them in the whole body, where one of them could break before the steps.
+  // A tip counts as guarding the bonds beside it from breaking by themselves only if the load surely drives it. If the
+  // whole body did not count the tip, one of these bonds could break there before the steps.
   foreseen.growing = lines_.guarded(choice.steps, tips_, way, WindowSettings::surely_driven * std::max(at, from));
   return choice;
 }

@@ -9,17 +9,17 @@
 namespace bempd::fracture {
 
 // Gaps of all contact constraints that have points outside a window (region around crack tips or bonds close to
-// breaking that is solved alone), as linear functions of the kept displacements. Their weights come from half a
-// solution (one triangular solve) for each constraint. Exact constraints are included: all of them are open while a
-// window is open.
+// breaking that is solved alone), as linear functions of the displacements kept in the window. The weights of each
+// function cost one triangular solve (half a solution). Exact constraints are included, because all of them are open
+// while a window is open.
 class OutsideGaps {
  public:
   OutsideGaps() = default;
   OutsideGaps(const coupling::EquilibriumSystem& system, const coupling::Condensation& condensation);
 
   const std::vector<std::size_t>& constraints() const { return constraints_; }  // numbers in the system
-  // Gaps in states of the kept displacements: one row for each constraint, one column for each state. `part` is 0 for
-  // the constant, 1 for the proportional part of the load.
+  // Gaps for the displacements `kept` of some states: one row for each constraint, one column for each state. `part` is
+  // 0 for the constant, 1 for the proportional part of the load.
   Eigen::MatrixXd at(std::span<const coupling::Affine> kept, int part) const;
 
  private:

@@ -23,8 +23,8 @@ std::vector<char> nodes_touched_outside(const coupling::EquilibriumSystem& syste
   return touched;
 }
 
-// Chosen rows and columns of the product of a lower triangular factor with its transpose. Columns of a row beyond its
-// diagonal are zero and left out.
+// Rows and columns `chosen` of the product of a lower triangular factor with its transpose. In a row of the factor,
+// columns beyond the diagonal are zero and left out.
 Eigen::MatrixXd part_of_product(const Eigen::MatrixXd& factor, const std::vector<int>& chosen) {
   const Eigen::Index columns = chosen.empty() ? 0 : chosen.back() + 1;
   const Eigen::MatrixXd rows = factor.leftCols(columns)(chosen, Eigen::all);

@@ -9,7 +9,7 @@
 namespace bempd::fracture {
 
 // Stiffness of everything but the terms of a window (region around crack tips or bonds close to breaking that is solved
-// alone), on the kept degrees of freedom that it touches.
+// alone), on those degrees of freedom of the window that something outside acts on.
 struct OutsideStiffness {
   std::vector<int> dofs;  // places among the kept degrees of freedom
   Eigen::MatrixXd matrix;

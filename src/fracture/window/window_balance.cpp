@@ -11,8 +11,8 @@ WindowBalance::WindowBalance(const coupling::EquilibriumSystem& system, const co
     const Pull pull = terms.pull(t);
     for (std::size_t k = 0; k < pull.size(); ++k) pulls_.add(pull.place[k], pull.weight[k]);
     pulls_.close();
-    // Displacements of prescribed degrees of freedom also exert forces on kept ones through the terms; these forces are
-    // a part of the load.
+    // Prescribed displacements at the ends of terms also exert forces on the window's degrees of freedom through these
+    // terms; such forces are a part of the load.
     Eigen::RowVector2d tension = Eigen::RowVector2d::Zero();
     for (std::size_t k = 0; k < pull.size(); ++k) {
       if (pull.place[k] >= load_.rows()) tension += terms.stiffness(t) * pull.weight[k] * rows.row(pull.place[k]);

@@ -10,22 +10,23 @@
 
 namespace bempd::fracture {
 
-// Balance of forces on the kept degrees of freedom of a window (region around crack tips or bonds close to breaking
-// that is solved alone). It is computed from stiffnesses and elongations, because the flexibility accumulates rounding
-// errors from change to change.
+// Balance of forces on the degrees of freedom of a window (region around crack tips or bonds close to breaking that is
+// solved alone). It is computed from stiffnesses and elongations, because the flexibility accumulates rounding errors
+// from change to change.
 class WindowBalance {
  public:
   WindowBalance() = default;
-  // Notes the state in which the window is opened, in which `rows` are the displacements of the window.
+  // Notes the loads in the state in which the window is opened; `rows` are the displacements of the window in that
+  // state.
   WindowBalance(const coupling::EquilibriumSystem& system, const coupling::Condensation& condensation,
                 const WindowTerms& terms, const coupling::Affine& rows);
 
-  // Notes a loss of stiffness by a contact constraint, which is no term of the system; `pull` gives its gap as a form
-  // of kept degrees of freedom.
+  // Notes a loss of stiffness by a contact constraint, which is no term of the system; `pull` gives its gap as a linear
+  // form of the window's displacements.
   void note_loss(const LinearForms& pull, double stiffness);
 
   // Imbalance of forces: loads less internal forces for the displacements `rows` of the window, with the terms in their
-  // present stages. `part` is 0 for the constant, 1 for the proportional part of the load.
+  // present damage stages. `part` is 0 for the constant, 1 for the proportional part of the load.
   Eigen::VectorXd unbalanced(const Eigen::VectorXd& rows, int part, const OutsideStiffness& outside) const;
 
  private:

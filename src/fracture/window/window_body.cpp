@@ -31,8 +31,8 @@ std::optional<BodyChange> WindowBody::change(const Event& event, std::span<const
   return change;
 }
 
-// Changes the stages of the event's terms in the system and in the window. False if this frees a part of the body, or
-// if the window cannot perform it.
+// Changes the damage stages of the event's terms in the system and in the window. False if this frees a part of the
+// body, or if the window cannot perform the change.
 bool WindowBody::change_terms(const Event& event) {
   std::vector<coupling::StageChange> here;  // with places in the window as numbers of terms
   for (const coupling::StageChange& c : event.changes) here.push_back({window_.place_of(c.term), c.stage});
@@ -52,8 +52,8 @@ std::vector<std::size_t> WindowBody::wrong_constraints(double f) const {
   return wrong;
 }
 
-// Whether a closed constraint touches a part that springs hold. The whole body might bar such a constraint, because the
-// held part may become larger as terms break.
+// Whether a closed contact constraint touches a part that springs hold. The whole body might bar such a constraint from
+// closing, because the held part may become larger as terms break.
 bool WindowBody::presses_on_held_parts() const {
   std::vector<std::size_t> closed = face_forecast_.last();
   std::erase_if(closed, [&](std::size_t i) { return !face_forecast_.constraints()[i].closed; });
@@ -66,8 +66,8 @@ bool WindowBody::presses_on_held_parts() const {
   });
 }
 
-// Closes and opens constraints after an event by the same Newton's method as in the whole body. False if the window
-// cannot do that.
+// Closes and opens constraints after an event until they agree with their gaps, by the same Newton's method as in the
+// whole body. False if the window cannot perform a switch.
 bool WindowBody::settle_constraints(const Event& event, Outcome& outcome) {
   if (body_.faces().are_none()) return true;
   face_forecast_.follow(coupling::terms_of(event.changes), state_);

@@ -11,12 +11,13 @@
 namespace bempd::fracture {
 
 // Window (region around crack tips or bonds close to breaking that is solved alone) as a body that events change while
-// they are computed ahead. Changes are made to the flexibility of the window, and to the stages of terms in the system.
-// An event that frees a part of the body or removes the last resistance to a motion cannot be performed.
+// they are computed ahead. An event changes the flexibility of the window, and the damage stages of terms in the
+// system. An event that frees a part of the body or removes the last resistance to a motion cannot be performed.
 class WindowBody final : public EventBody {
  public:
-  // Window in the state `state` (number of events), to which the next event leads; `face_forecast` knows the
-  // constraints in all states. `displacement` is any displacement of the body, at which freed parts would be held.
+  // Window that performs the event leading to state number `state` (after as many events); `face_forecast` knows the
+  // contact constraints in all states. `displacement` is any displacement of the body, used to ask which parts an event
+  // frees.
   WindowBody(LoadedBody& body, WindowSolver& window, const WindowFunctions& functions, FaceForecast& face_forecast,
              int state, const Eigen::VectorXd& displacement)
       : body_(body),

@@ -50,8 +50,8 @@ void WindowCertificate::classify(const std::vector<double>& compliance) {
 
 std::vector<WindowCertificate::Classes> WindowCertificate::largest_ratios(const Eigen::MatrixXd& displacements) const {
   std::vector<Classes> result;
-  // States are treated in batches, so that the numbers of a bond's degrees of freedom are fetched once for all states
-  // of a batch.
+  // States are treated in batches, so that the numbers of a bond's degrees of freedom are read once for all states of a
+  // batch.
   constexpr Eigen::Index batch = WindowSettings::states_swept_at_once;
   using Batch = Eigen::Array<double, batch, 1>;
   Eigen::Array<double, batch, Eigen::Dynamic> u;
@@ -87,8 +87,8 @@ void WindowCertificate::compute_together(const std::vector<int>& states) {
   std::vector<int> solved = states;
   std::erase(solved, 0);
   Eigen::MatrixXd whole = solve(solved);
-  // Pairs (state, load factor) at which the largest stretch ratios are needed: both ends of the range of load factors,
-  // then the load factors of the state's checks.
+  // Pairs (state, load factor) at which the largest stretch ratios are needed: for each state both ends of the range of
+  // all load factors, then the load factors of its checks.
   std::vector<std::pair<int, double>> wanted;
   for (int state : states) {
     wanted.emplace_back(state, lowest_);
@@ -134,7 +134,7 @@ Eigen::MatrixXd WindowCertificate::solve(const std::vector<int>& states) {
 }
 
 // Displacements of the whole body at pairs (state, load factor). `whole` holds the solutions of the states `solved`;
-// state 0 needs no solution.
+// for state 0 the displacements are known without a solution.
 Eigen::MatrixXd WindowCertificate::values(const std::vector<std::pair<int, double>>& wanted,
                                           const std::vector<int>& solved, const Eigen::MatrixXd& whole) const {
   const int parts = proportional_ ? 1 : 2;
@@ -206,8 +206,8 @@ std::vector<int> WindowCertificate::uncertified() const {
   return found;
 }
 
-// States to compute for the whole body next: about three in every run of uncertified states, in the last round all
-// uncertified states.
+// States to compute for the whole body next: up to three in every run of neighbouring uncertified states; in the last
+// round all uncertified states.
 std::vector<int> WindowCertificate::between_snapshots(const std::vector<int>& states, int round) const {
   if (round >= WindowSettings::most_rounds) return states;
   std::vector<int> chosen;

@@ -15,18 +15,18 @@ namespace bempd::fracture {
 // those of the whole body, because no bond outside the window is closer to breaking.
 //
 // Some states (snapshots) are computed for the whole body. Let (1 - t) a + t b with 0 <= t <= 1 be a mean of two
-// snapshots a and b: no bond is stretched more in it than the same mean of the largest stretches in a and b. A state
+// snapshots a and b: each bond is stretched in it by at most the same mean of the largest stretches in a and b. A state
 // between a and b differs from the mean by a displacement d of the window's nodes, to which the body outside the window
 // responds without load. The strain energy of that response is d^T S d / 2, where S is the stiffness of the outside on
 // the window's nodes. All bonds outside share this energy and none has a negative energy, so k e^2 <= d^T S d holds for
-// the elongation e of each bond.
+// the stiffness k and the elongation e of each bond.
 class WindowCertificate {
  public:
   WindowCertificate(const coupling::EquilibriumSystem& system, const coupling::Condensation& condensation,
                     const WindowSolver& window, const StretchRatios& ratios, bool proportional);
 
-  // Index of the first state with a failed check; the number of states if there is none. `states` are the kept
-  // displacements after 0, 1, ... events, `breaks` the numbers of bonds broken until each state. `first` are the
+  // Index of the first state in which a check fails; the number of states if none does. `states` are the displacements
+  // kept in the window after 0, 1, ... events, `breaks` the numbers of bonds broken until each state. `first` are the
   // displacements of the whole body in state 0.
   int first_violation(const std::vector<coupling::Affine>& states, const std::vector<int>& breaks,
                       const std::vector<OutsideCheck>& checks, const coupling::Affine& first);
@@ -35,8 +35,8 @@ class WindowCertificate {
   coupling::Affine last_displacement(int state) const;
 
  private:
-  // Classes of bonds outside the window. Bonds with a similar stretch ratio per root of energy are in one class and are
-  // proven together.
+  // Number of classes of bonds outside the window. Bonds for which one unit of energy can cause a similar stretch ratio
+  // are in one class and are proven together.
   static constexpr int most_classes = WindowSettings::classes;
   using Classes = Eigen::Array<double, most_classes, 1>;
 
@@ -67,7 +67,7 @@ class WindowCertificate {
   Classes compliance_;  // largest stretch ratio per root of energy, of each class
   double rounding_;
 
-  // Data of the present call of first_violation().
+  // Data of the present call of first_violation(), of no meaning between calls.
   const std::vector<coupling::Affine>* states_ = nullptr;
   const coupling::Affine* whole_first_ = nullptr;
   std::vector<std::vector<OutsideCheck>> checks_;  // checks of each state

@@ -10,8 +10,8 @@ namespace bempd::fracture {
 
 namespace {
 
-// Stopwatch that adds the time of its scope to a sum of seconds, without the time that the system's own counters
-// contain.
+// Stopwatch that adds the time of its scope to a sum of seconds, less the time that the system's own counters count in
+// that scope.
 class WindowWatch {
  public:
   WindowWatch(double& seconds, const coupling::SolverCounters& counters)
@@ -58,8 +58,8 @@ bool WindowEvents::open(double load_factor, const SteppingOptions& options) {
     most_events_at_first_ = most_events;
     return true;
   } catch (const Error& error) {
-    // A fresh factorization may fail when the body is close to a mechanism; the whole body finds the next break in that
-    // case.
+    // A fresh factorization may fail if the body is close to a mechanism (free motion). In that case no window is
+    // opened, and the whole body finds the next break.
     if (error.failure() != Failure::unsolvable) throw;
     return false;
   }
@@ -141,8 +141,8 @@ const Event* WindowEvents::next(double, const SteppingOptions&) {
   const WindowWatch watch(body_.response().seconds_search(), body_.system().counters());
   if (forecast_.must_compute()) {
     before_forgetting_();
-    // Displacements that were brought up to date for a reader only have other rounding errors than those that the next
-    // computed events give for this state.
+    // The next events are computed from this state, whose displacements from then on have other rounding errors than
+    // those that were brought up to date for a reader.
     is_out_of_date_ = is_out_of_date_ || is_updated_for_reader_;
     is_updated_for_reader_ = false;
     const BodyState& state = body_.state();

@@ -14,20 +14,22 @@ namespace bempd::fracture {
 
 // Source of events that a window (region around crack tips or bonds close to breaking that is solved alone) has
 // computed ahead and that are performed one by one. Until bring_up_to_date() the displacements and forces in the body's
-// state are out of date; only its load factor and the stages of bonds are correct.
+// state are out of date; only its load factor and the damage stages of bonds are correct.
 class WindowEvents final : public EventSource {
  public:
-  // Prepares windows of a body. `before_forgetting` is called before positions in a window (Place) become invalid.
+  // Window of a body. `before_forgetting` is called before the positions in the window that place() has returned become
+  // invalid.
   WindowEvents(LoadedBody& body, std::function<void()> before_forgetting);
 
-  // Switches to crack lines (cracks that grow in a lattice by steps): events are steps of crack lines from now on.
+  // Switches to crack lines (cracks that grow in a lattice by steps). From this call on, events are steps of crack
+  // lines.
   void grow_lines(const LineSteps& lines) { forecast_.grow_lines(lines); }
 
   // Announces, before the first solution, where initial cracks are: the cracks that have broken the bonds `cut`.
   void expect_cracks(const std::vector<int>& cut) { forecast_.expect_cracks(cut); }
 
-  // Opens a window around the bonds that are critical at the load factor of the next event. Returns false if no window
-  // would save time.
+  // Opens a window around the bonds or crack tips that become critical at the load factor of the next event. Returns
+  // false if no window would save time.
   bool open(double load_factor, const SteppingOptions& options);
   bool is_open() const { return forecast_.is_open(); }
   bool suits(const SteppingOptions& options) const;  // whether the open window has these options
@@ -35,16 +37,18 @@ class WindowEvents final : public EventSource {
   void forget();            // closes the window and forgets its location; the state is not brought up to date
   void abandon() noexcept;  // closes the window; the state is not brought up to date
 
-  // Origin of the open window, which tells how it has got to its present state.
+  // Origin of the open window: the data from which the window and its present state can be computed again.
   WindowOrigin origin() const;
-  // Location of the present window or of the last one.
+  // Location of the open window or, if none is open, of the last window.
   WindowLocation place_of_last() const { return forecast_.place(); }
-  // Largest number of events that the next window computes at once, or that the open one began with.
+  // Largest number of events that the open window computed at first or, if none is open, that the next one will
+  // compute.
   int most_events() const { return is_open() ? most_events_at_first_ : forecast_.most_events(); }
   // Restores place_of_last() and most_events() of a saved run.
   void remember(WindowLocation place, int most_events) { forecast_.remember(std::move(place), most_events); }
-  // Opens a saved window again, after remember() in the state in which the window was opened, and takes its events
-  // again. This also restores the body's state. Returns false if the result differs from the saved one.
+  // Opens a saved window again and takes its events again, which also restores the body's state. To be called after
+  // remember(), in the state in which the window was first opened. Returns false if the result differs from the saved
+  // window.
   bool open_again(const WindowOrigin& origin);
 
   // Next event that the window has computed; null if the window has ended.
@@ -60,7 +64,7 @@ class WindowEvents final : public EventSource {
 
   // Brings displacements and forces in the body's state up to date.
   void bring_up_to_date();
-  // Brings displacements up to date for a reader only: the run continues as if they were still out of date.
+  // Brings displacements and forces up to date for a reader only: the run continues as if they were still out of date.
   void update_for_reader();
 
   // Position of the body among the events of the window, to which the body can return.

@@ -4,12 +4,12 @@ namespace bempd::fracture {
 
 namespace {
 
-// First indices in the list of functions. Loads and supports have two functions each, for the constant and the
-// proportional part of the load.
+// Indices in the list of functions at which the functions of loads, of supports, and of reactions begin. Loads and
+// supports have two functions each, for the constant and the proportional part of the load.
 constexpr Eigen::Index loads = 0, supports = 2, first_reaction = 4;
 
-// Function of the window's displacements: the work of the body's forces on the support displacements `moved`. Tied
-// nodes move as the nodes to which they are tied.
+// Function of the window's displacements: the work of the body's internal forces on the support displacements `moved`.
+// Nodes tied to a support move with it.
 WindowSolver::Function force_of_supports(const coupling::EquilibriumSystem& system, Eigen::VectorXd moved) {
   system.ties().expand(moved);
   Eigen::VectorXd weights = system.response().internal_force(moved);

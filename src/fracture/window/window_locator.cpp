@@ -9,8 +9,8 @@
 
 namespace bempd::fracture {
 
-// Whether a system can have windows. Its cell squares (wide terms) must break only with the bonds that they follow,
-// because outside a window only bonds are watched.
+// Whether events of a system may be computed in windows. Cell squares (wide terms) must break only with the bonds that
+// they follow, because outside a window only bonds are watched.
 bool has_window_form(const coupling::EquilibriumSystem& system) {
   return system.is_symmetric() && !system.response().has_offsets() && system.terms().wide_terms_only_follow();
 }
@@ -51,8 +51,8 @@ void WindowLocator::go_back_to(WindowLocation memory) {
   system_.factor().keep_last(memory.are_last ? nodes_ : std::vector<int>());
 }
 
-// Sets the location of the window. Nodes with terms to the outside come first, so that the stiffness of the outside is
-// a corner of the factor.
+// Sets the location of the window. Nodes that have terms to outside nodes are put first in the list, so that the
+// stiffness of the outside is a corner block of the system's factor.
 void WindowLocator::keep(std::vector<Zone> zones, std::vector<int> nodes) {
   zones_ = std::move(zones);
   nodes_ = std::move(nodes);
@@ -90,8 +90,8 @@ std::vector<char> WindowLocator::marks_of_nodes() const {
   return kept;
 }
 
-// Marks the rim of the window: nodes with bonds to the outside that lie near the edge of a zone. Bonds that end on such
-// nodes are left to the next window, because their neighbours outside break soon after.
+// Marks the rim of the window: nodes with terms to outside nodes that lie near the end of a zone. Bonds that end on
+// such nodes are left to the next window, because the bonds outside would break soon after.
 void WindowLocator::mark_rim() {
   std::vector<char> kept = marks_of_nodes();
   touches_outside_.assign(system_.node_count(), 0);
@@ -146,8 +146,8 @@ std::vector<int> WindowLocator::hot_bonds(double load_factor, double share) cons
 }
 
 bool WindowLocator::choose(double load_factor, double tie_band, double ahead) {
-  // Bonds at clamps and corners are nearly as close to breaking as bonds at tips in lattices with cell squares, so that
-  // the present window is kept as long as possible there.
+  // Bonds at clamps and corners are nearly as close to breaking as bonds at crack tips in lattices with cell squares.
+  // So in such lattices the present window is kept as long as it holds all bonds that are very close to breaking.
   if (!system_.terms().followers.empty() &&
       still_holds(hot_bonds(load_factor, WindowSettings::hot_share_in_present_window)))
     return true;

@@ -9,9 +9,10 @@
 
 namespace bempd::fracture {
 
-// Whether a system can have windows (regions around crack tips or bonds close to breaking that are solved alone): it is
-// symmetric, no forces act at zero displacements (by rest elongations or closed exact constraints), and cell squares
-// (wide terms) break only with the bonds that they follow. Events of other systems are computed on the whole body.
+// Whether events of a system may be computed in windows (regions around crack tips or bonds close to breaking that are
+// solved alone): the system is symmetric, no forces act at zero displacements (by rest elongations or closed exact
+// constraints), and cell squares (wide terms) break only with the bonds that they follow. Events of other systems are
+// computed on the whole body.
 bool has_window_form(const coupling::EquilibriumSystem& system);
 
 // Finds the location of a window: zones (rectangles) around the bonds close to breaking, and the nodes in the zones,
@@ -20,15 +21,15 @@ class WindowLocator {
  public:
   WindowLocator(coupling::EquilibriumSystem& system, const StretchRatios& ratios, const std::vector<Point>& positions);
 
-  // Chooses windows at the ends of the initial cracks that have broken the bonds `cut`. Called before the first
-  // factorization.
+  // Chooses the location of windows at the ends of the initial cracks, which have broken the bonds `cut`. Called before
+  // the first factorization.
   void expect_cracks(const std::vector<int>& cut);
-  // Returns to the location that expect_cracks() has chosen, as in a fresh run.
+  // Returns to the location that expect_cracks() has chosen, as in a run that has just begun.
   void return_to_expected();
 
-  // Chooses a location around the bonds close to breaking at a load factor; keeps the present location if it suffices.
-  // `ahead` is the length in front of a crack tip in spacings, 0 to have it chosen. False if no window would be smaller
-  // than the problem.
+  // Chooses a location around the bonds close to breaking at a load factor; keeps the present location if it contains
+  // them. `ahead` is the length of the window in front of a crack tip in spacings; 0: chosen by the size of the system.
+  // False if no window would be smaller than the problem.
   bool choose(double load_factor, double tie_band, double ahead);
 
   // Path of the tip of a crack line (crack that grows in a lattice by steps) over its next steps, and the intact bonds
@@ -38,7 +39,7 @@ class WindowLocator {
     double horizon;
     std::vector<int> bonds;
   };
-  // Chooses a location around the next steps of crack tips; keeps the present location if it suffices. False if no
+  // Chooses a location around the next steps of crack tips; keeps the present location if it contains them. False if no
   // window would be smaller than the problem.
   bool choose(const std::vector<PathAhead>& paths, double ahead);
 

@@ -23,16 +23,16 @@ class WindowNarrowing {
                     (system.terms().followers.empty() ? 0 : WindowSettings::reach_of_followers)) {}
 
   void restart();  // begins with a new window
-  // Stops narrowing until restart(), because displacements are being corrected: nodes that are dropped would keep their
-  // rounding errors.
+  // Stops narrowing until restart(). Used when displacements have to be corrected, because dropped nodes would keep
+  // their rounding errors.
   void stop();
 
-  // Narrows the window at intervals, at the load factor of an event. `dofs` are the degrees of freedom that the
-  // condensation of the window keeps.
+  // Narrows the window if enough bonds have broken since the last time, at the load factor of an event. `dofs` are all
+  // degrees of freedom of the window's nodes, followed or dropped.
   void narrow(WindowSolver& window, const std::vector<int>& dofs, double load_factor);
 
-  // Reach of the tip of a crack line (crack that grows in a lattice by steps): bonds up to the distance `back` behind
-  // `place` are needed [m], so that the window is narrowed only farther behind.
+  // Region behind the tip of a crack line (crack that grows in a lattice by steps) that the window still needs: up to
+  // the distance `back` [m] behind `place`, so that the window is narrowed only farther behind.
   struct Reach {
     Point place;
     double back;
@@ -42,7 +42,8 @@ class WindowNarrowing {
  private:
   bool is_due(const WindowSolver& window);
   void leave(WindowSolver& window, const std::vector<int>& dofs, const std::vector<double>& rear) const;
-  // Coordinate along each zone's axis of the hindmost bond that is close to breaking; minus infinity if there is none.
+  // Coordinate, along the axis of each zone, of the hindmost bond in it that is close to breaking; minus infinity if
+  // there is none.
   std::vector<double> rears(const WindowSolver& window, double load_factor) const;
   bool is_needed(int node, const std::vector<double>& rear) const;
 

@@ -12,15 +12,15 @@
 
 namespace bempd::fracture {
 
-// Location of the present window (region around crack tips or bonds close to breaking that is solved alone) or of the
-// last one.
+// Location of the open window (region around crack tips or bonds close to breaking that is solved alone) or, if none is
+// open, of the last window.
 struct WindowLocation {
   std::vector<Zone> zones;
   std::vector<int> nodes;
   bool are_last = false;  // the system eliminates these nodes last
 };
 
-// Options that determine how a window computes.
+// Options that determine which events a window computes, and its size.
 struct WindowOptions {
   double tie_band = 0;
   int max_breaks_per_solve = 0;
@@ -30,14 +30,14 @@ struct WindowOptions {
 };
 
 // Origin of an open window: the data with which it was opened, and the calls in which it computed events ahead. The
-// system's factor belongs to the damage stages that the terms had when the window was opened.
+// damage stages that the terms had at the opening are saved with the system's factor (coupling::FactorOrigin).
 struct WindowOrigin {
   WindowOptions options;
   double load_factor = 0;
   coupling::Affine displacement{0, 2};
   std::vector<GrowingTip> tips;    // tips of crack lines when the window was opened
   std::optional<FaceState> faces;  // contact state when it was opened, if the window has closed or opened places since
-  // Call in which the window computed events ahead, and the state of the body from which these events were computed.
+  // Call in which the window computed events ahead: its starting point in the run.
   struct Computation {
     std::int64_t after = 0;  // number of the window's events performed before
     double load_factor = 0, largest_force = 0;
@@ -45,8 +45,9 @@ struct WindowOrigin {
   std::vector<Computation> computations;
   std::int64_t events_performed = 0;
   bool is_out_of_date = false;  // the run itself has not brought the displacements up to date
-  // Effects of closing the window on the system's factor: the factor is dropped if terms have changed, and its order of
-  // elimination, too, if an event needs the whole body because a motion may come free.
+  // Flags for the closing of the window: the system's factor is dropped if terms have changed (`has_changed_terms`),
+  // and its order of elimination is dropped if the next event needs the whole body because a motion may come free
+  // (`needs_whole_body`).
   bool has_changed_terms = false, needs_whole_body = false;
 };
 

@@ -6,8 +6,8 @@
 
 namespace bempd::fracture {
 
-// Rule for when the next window (region around crack tips that is solved alone) is tried. After a window that has saved
-// nothing, the next one is tried later, each time after twice as many events.
+// Rule for when the next window (region around crack tips that is solved alone) is tried. After each window that has
+// saved nothing, the number of events on the whole body before the next window is doubled.
 class WindowPatience {
  public:
   int events() const { return events_; }      // events to come on the whole body before the next window

@@ -12,10 +12,11 @@ namespace bempd::fracture {
 
 // Values that a window (region around crack tips or bonds close to breaking that is solved alone) follows, as affine
 // functions of the load factor, each in a row: displacements, then functions of the displacements, then prescribed
-// displacements at the ends of bonds. A Pull (elongation as a linear form) names rows.
+// displacements at the ends of bonds. The places of a Pull (elongation as a linear form) are numbers of rows.
 class WindowRows {
  public:
-  // Rows of a new window, which follows all kept degrees of freedom. Values of functions are 0 until they are set.
+  // Rows of a new window, which follows all degrees of freedom of its nodes (`kept_dofs`). Values of functions are 0
+  // until they are set.
   WindowRows(const std::vector<int>& kept_dofs, Eigen::Index functions, const std::vector<int>& prescribed_dofs,
              const coupling::Affine& displacement);
 
@@ -36,15 +37,15 @@ class WindowRows {
   bool follows(const coupling::Constraint& constraint) const;
   // Gap of a contact constraint whose points the window follows.
   double gap(const coupling::Constraint& constraint, double load_factor) const;
-  // Gap of a contact constraint for other displacements `kept` of the kept degrees of freedom. The window must follow
-  // its points.
+  // Gap of a contact constraint, whose points the window must follow, for other displacements `kept` of the window's
+  // degrees of freedom.
   double gap(const coupling::Constraint& constraint, double load_factor, const coupling::Affine& kept) const;
   double largest_displacement(double load_factor) const;
-  // Adds the elongation of a pull, times `scale`, as a form of kept displacements.
+  // Adds the elongation of a pull, times `scale`, to a list of linear forms of the window's displacements.
   void add_form(const Pull& pull, double scale, DroppedDofs::Forms& forms) const;
 
-  // Continues with the displacements in the rows `kept_rows` only. Returns the new place of every row; -1 for rows that
-  // are gone.
+  // Continues with the displacements in the rows `kept_rows` only. Returns the new row number of every old row; -1 for
+  // rows that are gone.
   std::vector<int> keep(const std::vector<int>& kept_rows);
 
  private:

@@ -77,8 +77,8 @@ bool WindowSolver::lose_one(const Loss& loss, Eigen::Ref<Eigen::VectorXd> w, Eig
   return true;
 }
 
-// Updates the functions of a window when a term with prescribed ends (at a moving support) loses stiffness, because the
-// term contributed to the reaction and the energy of the support.
+// Updates the functions of a window (reactions and energies) when a term with an end at a moving support loses
+// stiffness, because the term contributed to the reaction and the energy of the support.
 void WindowSolver::detach_functions(const Pull& pull, double stiffness, Eigen::Ref<Eigen::VectorXd> w) {
   if (!rows_.is_supported(pull)) return;
   double own = 0;
@@ -123,8 +123,8 @@ bool WindowSolver::lose(const std::vector<Loss>& losses) {
   }
   Eigen::MatrixXd functions_before;
   if (functions_change) functions_before = flexibility_.function_rows();
-  // Responses to all terms are computed at once, so that pending changes are read once; each term then adds the changes
-  // of the terms before it.
+  // The responses to all losses are computed at once, so that the pending changes are read only once. lose_one() then
+  // adds to each response the changes by the losses before.
   Eigen::MatrixXd answers = flexibility_.responses(directions);
   bool resisted = true;
   for (std::size_t i = 0; resisted && i < losses.size(); ++i) {

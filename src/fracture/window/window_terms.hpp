@@ -8,21 +8,21 @@
 
 namespace bempd::fracture {
 
-// Elongation of a term as a linear form of the rows of a window.
+// Elongation of a term (bond or cell square) as a linear form of the values in the rows of a window.
 using Pull = LinearForms::Form;
 
 // Terms (bonds and cell squares) that a window (region around crack tips or bonds close to breaking that is solved
 // alone) watches, with their stretch ratios.
 class WindowTerms {
  public:
-  // Takes all intact terms between kept and prescribed degrees of freedom. The row of a kept degree of freedom is its
-  // position in the condensation; prescribed ones have rows from `first_prescribed` on.
+  // Takes all intact terms between degrees of freedom that are in the window or prescribed. The row of a degree of
+  // freedom in the window is its position in the condensation; prescribed ones have rows from `first_prescribed` on.
   WindowTerms(const coupling::EquilibriumSystem& system, const coupling::Condensation& condensation,
               const StretchRatios& ratios, int first_prescribed);
 
   // Prescribed degrees of freedom at ends of terms, in the order of their rows in the window.
   const std::vector<int>& prescribed_dofs() const { return prescribed_dofs_; }
-  // Whether a term (number in the system) was in the window from the beginning.
+  // Whether a term (given by its number in the system) was in the window from the beginning.
   bool contained(int number) const { return contained_[number] != 0; }
 
   std::size_t size() const { return numbers_.size(); }
@@ -37,10 +37,10 @@ class WindowTerms {
   // overestimate.
   bool ratio_is_known(std::size_t term) const { return across_.empty() || across_.is_known(term); }
 
-  // Position of a term of the system in this list; -1 if the window does not watch it.
+  // Position of a term of the system in the window's list; -1 if the window does not watch the term.
   int place_of(int number) const;
 
-  // Changes the stage of a term. Here and in the functions below, a term is named by its position in the list.
+  // Changes the damage stage of a term. Here and in the functions below, a term is called by its position in the list.
   void enter(const coupling::StageChange& change);
   double stiffness_after(const coupling::StageChange& change) const;
   void update_ratios(const coupling::Affine& rows, bool has_constant_part);

@@ -10,7 +10,7 @@ namespace {
 
 constexpr double rounding_of_rims = 1e-6;  // in lattice spacings
 
-// Groups of points: each point is within `distance` of another point of its group.
+// Groups of points: each point is within `distance` of another point of its group, if the group has more than one.
 std::vector<std::vector<int>> crowds(const std::vector<Point>& points, double distance) {
   std::vector<char> taken(points.size(), 0);
   std::vector<std::vector<int>> result;
@@ -29,7 +29,8 @@ std::vector<std::vector<int>> crowds(const std::vector<Point>& points, double di
   return result;
 }
 
-// Extends a zone, whose centre and axis are set, over some points, and beyond them by the lengths of `shape`.
+// Sets the size of a zone, whose centre and axis are given: it holds some points and reaches beyond them by the lengths
+// of `shape`, with `back` behind them. `dx` is the lattice spacing.
 void fit(Zone& zone, const std::vector<Point>& points, double back, const ZoneShape& shape, double dx) {
   Point low = Point::Zero(), high = Point::Zero();
   for (const Point& point : points) {
@@ -40,9 +41,9 @@ void fit(Zone& zone, const std::vector<Point>& points, double back, const ZoneSh
   zone.low = {low.x() - back * dx, std::min(-shape.half_width * dx, low.y() - WindowSettings::beside_hot * dx)};
   zone.high = {high.x() + shape.ahead * dx,
                std::max(shape.half_width * dx, high.y() + WindowSettings::beside_hot * dx)};
-  // Nodes on the rim count as inside, so the zone is enlarged by rounding.
+  // The zone is enlarged by rounding, so that nodes exactly on its edge count as inside.
   zone.low.array() -= rounding_of_rims * dx, zone.high.array() += rounding_of_rims * dx;
-  // No break is expected behind the tip, so no rim is needed there.
+  // The back of a zone gets a rim only if breaks are expected in both directions; behind a tip none is expected.
   zone.inner_low = zone.low + Point(back == shape.back ? 0 : WindowSettings::front_rim * dx, 0);
   zone.inner_high = zone.high - Point(WindowSettings::front_rim * dx, 0);
 }
@@ -69,7 +70,8 @@ class Builder {
     }
     zone.centre /= weight;
     const double dx = spacing_[bonds().first[crowd.front()]];
-    // A crack runs across the direction in which it opens.
+    // The axis of the zone is perpendicular to the direction in which the crack opens, because a crack runs in this
+    // direction.
     const linalg::SymmetricModes openings = linalg::symmetric_modes(
         opening(zone.centre, WindowSettings::opening_reach * dx, WindowSettings::opening_share * largest));
     zone.axis = openings.vectors.col(0);

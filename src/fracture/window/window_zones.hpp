@@ -8,9 +8,9 @@
 
 namespace bempd::fracture {
 
-// Zone of a window: rectangle around bonds about to break, longer in the direction in which the next breaks are
-// expected. `low` and `high` are coordinates along `axis` (0) and across it (1) from `centre`, in the model's unit of
-// length.
+// Zone of a window (region that is solved alone): rectangle around bonds about to break, longer in the direction in
+// which the next breaks are expected. `low` and `high` are coordinates along `axis` (first) and across it (second) from
+// `centre`, in the model's unit of length.
 struct Zone {
   Point centre, axis;
   Point low, high;
@@ -24,15 +24,16 @@ struct Zone {
   bool is_inner(const Point& p) const;
 };
 
-// Size of a zone in lattice spacings: length ahead of its bonds, length behind them, and half of its width.
+// Size of a zone around some bonds in lattice spacings: length ahead of the bonds, length behind them, and half of the
+// zone's width.
 struct ZoneShape {
   double ahead;
   double back = WindowSettings::back;
   double half_width = WindowSettings::half_width;
 };
 
-// Zones of the bonds `hot` (close to breaking) at a load factor, one for each crowd (group of hot bonds). `spacing` is
-// the lattice spacing at each node.
+// Zones around the bonds `hot` (close to breaking) at a load factor, one for each crowd (group of hot bonds). `spacing`
+// is the lattice spacing at each node.
 std::vector<Zone> zones_of(const std::vector<int>& hot, const StretchRatios& ratios, double load_factor,
                            const std::vector<char>& intact, const std::vector<Point>& positions,
                            const std::vector<double>& spacing, const ZoneShape& shape);
