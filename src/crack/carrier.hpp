@@ -19,12 +19,12 @@ struct Tip {
   GrowthLaw law;
   GrowthRange range;      // load factors between which the tip does not grow
   double kink_angle = 0;  // turn of the tip if it grew at the present load factor, counter-clockwise [rad]
-  // Kink angle if the tip grows at range.highest, the load factor that the tip reaches as loads rise [rad]; NaN if the
+  // Kink angle if the tip grows at range.highest, the load factor of its growth under rising loads [rad]; NaN if the
   // range has no upper end.
   double critical_kink_angle = std::numeric_limits<double>::quiet_NaN();
   LoadRule load_rule = LoadRule::factors;
-  // Relative error of range.highest, the load factor of growth; NaN if there is no such load factor, or if its error is
-  // unknown.
+  // Relative error of range.highest, the load factor of growth under rising loads; NaN if there is no such load factor,
+  // or if its error is unknown.
   double load_error = std::numeric_limits<double>::quiet_NaN();
   bool closed = false;  // crack faces press on each other at the tip
 };

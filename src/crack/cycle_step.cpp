@@ -82,7 +82,7 @@ double TipOnStep::critical_at(double grown) const {
   return between(critical[part], critical[part + 1], at - static_cast<double>(part));
 }
 
-// Curvature over the previous and the present step; 0 if the previous step is unknown or exceeded 0.7 own_length().
+// Curvature of the equivalent factor (logarithms); 0 if the previous step is unknown or exceeded 0.7 own_length().
 double TipOnStep::bend(std::size_t level) const {
   const double start = own_length(), longest = 0.7 * start;
   const bool is_known = !past.empty() && past[level].equivalent * before[level].equivalent > 0;

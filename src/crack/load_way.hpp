@@ -14,8 +14,8 @@ enum class Control {
   path
 };
 
-// Relative difference below which two load factors count as equal (a tie), and below which two ratios of equivalent
-// factor to toughness do, because rounding may put either first.
+// Relative difference below which two load factors, or two ratios of equivalent factor to toughness, count as equal (a
+// tie), because rounding may put either first.
 constexpr double tie_share = 1e-9;
 
 // Path of the load factor: its present value, the direction in which it changes, and its control during growth.

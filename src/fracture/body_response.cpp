@@ -37,8 +37,8 @@ bool BodyResponse::is_balanced() const {
       std::max({state_.largest_force, force.lpNorm<Eigen::Infinity>(), least_force_scale(system_, f)});
   const double residual = fracture::residual(system_, force, f, largest);
   if (residual <= suspicious_residual) return true;
-  // The constant and the proportional part of loads may nearly cancel, as at the beginning of a short stretch of a load
-  // program late in its time. Such loads leave rounding errors of both parts.
+  // The constant and the proportional part of loads may nearly cancel, as in a load program of which a short part is
+  // run late in its time. Such loads leave rounding errors of both parts.
   const double parts =
       system_.response().internal_force(state_.displacement.col(0)).lpNorm<Eigen::Infinity>() +
       std::abs(f) * system_.response().internal_force(state_.displacement.col(1)).lpNorm<Eigen::Infinity>();

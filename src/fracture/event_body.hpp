@@ -45,7 +45,7 @@ class EventBody {
   EventBody& operator=(const EventBody&) = delete;
   virtual ~EventBody() = default;
 
-  // Stored energy [J] at a load factor, for the present stages of all terms.
+  // Stored energy [J] at a load factor, for the present damage stages of all terms.
   virtual double stored_energy(double load_factor) const = 0;
   virtual double unit_energy() const = 0;                               // energy of the proportional load alone [J]
   virtual std::vector<double> reactions(double load_factor) const = 0;  // x and y of every support [N]

@@ -60,7 +60,7 @@ class EventSources {
   void forget();  // forgets the window: the run continues as a fresh run from the present state
 
   // Notes that the body's state has been replaced. The next refresh(), which has to come before any other call, adapts
-  // window, system and ratios to the state.
+  // window, system and stretch ratios to the state.
   void abandon() noexcept;
   void refresh();
 

@@ -21,7 +21,7 @@ class LineCarrier final : public crack::Carrier {
   LineCarrier(CrackEvolution& body, Openings openings) : body_(body), openings_(std::move(openings)) {}
 
   std::vector<crack::Tip> tips() override;
-  // Tips without their critical loads, which may need trial steps.
+  // Tips without their critical load factors, because these may need trial steps.
   std::vector<crack::Tip> tips_without_loads();
   std::vector<crack::Candidate> candidates(const crack::LoadWay& way) override;
   // Performs a step of a crack line. A step that the load drives has to be the next event of the run. Nothing grows if

@@ -33,7 +33,7 @@ class RunRecords {
   Start start() const { return {state_, state_.history.size(), state_.extensions.size()}; }
   void forget_since(const Start& start) noexcept;
 
-  // Adds the work of loads and supports on a way without an event.
+  // Adds the work of loads and supports while the load factor changes without an event.
   void add_work(double work);
   double work() const;  // work of loads and supports so far [J]
   // Updates the largest work so far, the scale of energy errors.

@@ -54,7 +54,8 @@ class BodyContact {
   CrackFaces& faces_;
   BodyResponse& response_;
   PartHolder& holder_;
-  // Load factor of the last settle(), and the one at which gaps were evaluated then.
+  // Load factor of the state at the last settle(), and load factor (the same or slightly farther) at which gaps were
+  // evaluated.
   double settled_at_ = 0, settled_farther_on_ = 0;
   std::size_t changes_that_bar_ = 0;  // number of springs and broken terms when constraints were barred
 };

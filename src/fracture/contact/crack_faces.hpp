@@ -58,8 +58,8 @@ class CrackFaces {
   // are determined; the result lists these bonds for forget_terms(), which ends that.
   std::vector<int> follow(std::span<const int> broken, FacePlaces& places);
   void forget_terms(std::span<const int> terms);
-  // Makes the system's constraints those of a saved state whose stages the system already has; pending terms remain
-  // pending.
+  // Makes the system's constraints those of a saved state, whose damage stages of terms the system already has. Broken
+  // terms without contact places (pending) remain pending.
   void restore(const FaceState& state);
   // Makes the system's constraints those of a state, while the system's factor belongs to another matrix, as in an open
   // window (region around crack tips that is solved alone).

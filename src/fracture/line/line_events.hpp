@@ -19,9 +19,9 @@ class LineEvents final : public EventSource {
 
   const Event* next(double target, const SteppingOptions& options) override;
   Outcome perform() override;
-  // Event at which a tip takes its next step at the present load factor, whatever its critical load. The step has the
-  // given direction, or that of the criterion. Null if no bond lies ahead of the tip. The next perform() performs this
-  // event.
+  // Event at which a tip takes its next step at the present load factor, whatever the tip's critical load factor. The
+  // step has the given direction, or that of the criterion. Null if no bond lies ahead of the tip. The next perform()
+  // performs this event.
   const Event* step_of(const crack::TipId& tip, const std::optional<Point>& direction);
 
   const LineSteps& steps() const { return steps_; }

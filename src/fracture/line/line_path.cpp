@@ -23,8 +23,8 @@ constexpr double around_edge = 1.5;
 
 // Number of places, within one spacing of the path ahead of a tip, at which a crack face is searched.
 constexpr int samples = 10;
-// Limits for bonds that tell of a crack face ahead: largest distance from the tip's path in spacings, and least cosine
-// of the angle to the path.
+// Limits for the bonds by which a crack face ahead is found: largest distance from the tip's path in spacings, and
+// least cosine of the angle to the path.
 constexpr double beside = 1, least_cosine = 0.8;
 // Least number of bonds along the path near a place. If all of them are broken, a crack face lies there.
 constexpr int enough_bonds = 2;

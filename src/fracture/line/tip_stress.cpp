@@ -28,7 +28,7 @@ constexpr double near_reach = 1.5, near_cosine = 0.5;  // in horizons
 constexpr double near_opening = 0.79, near_shear = 0.482;
 
 constexpr int fitted_terms = WilliamsFit::most_terms;
-// Number of terms of Williams' series that are fitted ahead of the face of another crack, where there are fewer points:
+// Number of terms of Williams' series that are fitted near the face of another crack, where there are fewer points:
 // four within three horizons of the face, two within one horizon (docs/directions.md).
 constexpr int terms_near_face = 4, terms_at_face = 2;
 constexpr double at_face = 1;

@@ -32,9 +32,8 @@ class TrialBody {
   TrialBody& operator=(const TrialBody&) = delete;
   virtual ~TrialBody() = default;
 
-  // Flexibility F = B^T K^-1 B along some intact terms (coupling/term_flexibility.hpp), with the body's stiffness K and
-  // the elongations B^T u of the terms: their elongations due to unit forces in them. Empty if a part of the body could
-  // move freely.
+  // Flexibility F = B^T K^-1 B along some intact terms, with the body's stiffness K: elongations B^T u of the terms due
+  // to unit forces in them (coupling/term_flexibility.hpp). Empty if a part of the body could move freely.
   virtual std::optional<Eigen::MatrixXd> flexibility(std::span<const int> terms) = 0;
   virtual std::optional<TipFactors> factors_around(const GrowingTip& tip, const coupling::Affine& displacement) = 0;
 };

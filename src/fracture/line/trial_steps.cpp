@@ -36,7 +36,8 @@ constexpr double least_ratio = 1e-9;
 
 constexpr int rounds_for_load = 30;
 constexpr double load_rounding = 1e-12;
-// Distance from a load factor to either side, relative to it, at which the slope of ratio() there is measured.
+// Relative distance to both sides of a load factor, between which the slope of ratio() over the load factor is
+// measured.
 constexpr double beside_load = 1e-5;
 
 // Share of a tip's opening that depends on the last bonds that its crack cuts or weakens, measured on straight cracks
@@ -82,8 +83,8 @@ std::vector<CutStiffness::Bond> CutStiffness::family_of(const coupling::Terms& t
     auto& [vector, stiffness] = bond;
     const auto middle = stiffness.begin() + static_cast<std::ptrdiff_t>(stiffness.size() / 2);
     std::nth_element(stiffness.begin(), middle, stiffness.end());
-    // Rounding may give equal bond vectors different keys. So each key gets a part of the stiffness, in proportion to
-    // the number of points at which it was found.
+    // Rounding may give equal bond vectors different keys (rounded coordinates). So each key gets a part of the
+    // stiffness, in proportion to the number of points at which it was found.
     family.push_back({vector, *middle * static_cast<double>(stiffness.size()) / static_cast<double>(points.size())});
   }
   return family;

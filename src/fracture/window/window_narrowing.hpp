@@ -27,8 +27,8 @@ class WindowNarrowing {
   // their rounding errors.
   void stop();
 
-  // Narrows the window if enough bonds have broken since the last time, at the load factor of an event. `dofs` are all
-  // degrees of freedom of the window's nodes, followed or dropped.
+  // Narrows the window to what lies around the bonds close to breaking at a load factor, if enough bonds have broken
+  // since the last time. `dofs` are all degrees of freedom of the window's nodes, followed or dropped.
   void narrow(WindowSolver& window, const std::vector<int>& dofs, double load_factor);
 
   // Region behind the tip of a crack line (crack that grows in a lattice by steps) that the window still needs: up to

@@ -97,8 +97,8 @@ struct WindowSettings {
   // of the largest stretch ratio that one unit of energy can cause in a bond, so that one inequality proves a whole
   // class.
   static constexpr int classes = 8;
-  // Proof of a window's events: least range of the logarithms by which bonds are sorted into classes, if all bonds are
-  // equal.
+  // Proof of a window's events: least range of the logarithms by which bonds are sorted into classes, for the case that
+  // all bonds are equal.
   static constexpr double least_class_width = 1e-12;
   // Number of states (displacements after some events) for which the whole body is solved at once, enough for fast
   // products.

@@ -70,8 +70,8 @@ class Builder {
     }
     zone.centre /= weight;
     const double dx = spacing_[bonds().first[crowd.front()]];
-    // The axis of the zone is perpendicular to the direction in which the crack opens, because a crack runs in this
-    // direction.
+    // A crack runs perpendicular to the direction in which it opens, so the zone's axis is the direction of least
+    // opening.
     const linalg::SymmetricModes openings = linalg::symmetric_modes(
         opening(zone.centre, WindowSettings::opening_reach * dx, WindowSettings::opening_share * largest));
     zone.axis = openings.vectors.col(0);
