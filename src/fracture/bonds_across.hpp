@@ -24,7 +24,8 @@ struct AffineRelief {
 // Poisson's ratio in the plane. By Hooke's law this stress causes the part -nu / (1 - nu^2) (b + nu a) of the bond's
 // strain. An estimate of b is the stretch of a bond of the same length at right angles. If neither end has such a bond,
 // b is estimated from the bond and two others at an end, exactly for constant strain. The mean of all estimates by
-// intact bonds counts. A bond has no relief if its law has none, or if there is no estimate.
+// intact bonds counts. The relief is zero for bonds whose law takes no account of compression, and for bonds without an
+// estimate.
 class BondsAcross {
  public:
   BondsAcross() = default;

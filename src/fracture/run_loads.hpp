@@ -6,9 +6,9 @@
 
 namespace bempd::fracture {
 
-// Loads of a run: forces, prescribed displacements, heat and pressures. Each change can be undone: present(), called
-// before set(), gives the data for restore(); heat() and load_faces() return the data that undo them.
-// find_equilibrium() has to follow each change.
+// Loads of a run: forces, prescribed displacements, heat and pressures. Changes can be undone: restore() undoes set()
+// with the loads that present() returned before, restore_rest_lengths() undoes heat(), and unload_faces() undoes
+// load_faces(). After each change find_equilibrium() has to be called.
 class RunLoads {
  public:
   RunLoads(EvolutionState& state, LoadedBody& body, EventSources& sources, InnerWork& inner_work, RunRecords& records)

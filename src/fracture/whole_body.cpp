@@ -50,8 +50,8 @@ bool WholeBody::loses_resistance(std::span<const ChangingTerm> terms) const {
 
 // Energies [J] that constraints have released by opening or closing at the event: the sum for constraints with a
 // penalty, then, if an exact constraint has a multiplier (contact force), the sum for exact constraints. The formula
-// for exact constraints is the limit of the formula with penalties for large penalties; gaps are those that the
-// displacements would leave without multipliers.
+// for exact constraints is the limit of the formula with penalties for large penalties; the gaps in it are those that
+// the displacements would leave without multipliers.
 std::vector<double> WholeBody::released_by_constraints(const Eigen::VectorXd& before) const {
   const coupling::Constraints& constraints = system_.constraints();
   const Eigen::VectorXd& after = body_.state().total_displacement;

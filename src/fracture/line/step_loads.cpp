@@ -241,8 +241,8 @@ bool StepLoads::take_factors(const GrowingTip& tip, const coupling::Affine& disp
 }
 
 // Replaces the load factor by the fit by that of sums around the tip, or of a trial step's energy. Cracks under fluid
-// pressure get no load factor by a trial step, because the fluid would follow into the step, which its energy does not
-// contain.
+// pressure get no load factor by a trial step, because the fluid would follow into the step, and the step's energy does
+// not contain the work of the fluid.
 void StepLoads::replace(const GrowingTip& tip, const coupling::Affine& displacement, const LoadWay& way,
                         TrialBody& body, LineStep& step) const {
   const bool around = step.asks_for_sums && take_factors(tip, displacement, way, body, step);

@@ -17,7 +17,7 @@ namespace bempd::fracture {
 
 // Stresses around tips of crack lines (cracks that grow in a lattice by steps) from the forces of terms (bonds and cell
 // squares). The stress of a point is the mean over its area: half of force times bond vector of every bond belongs to
-// the point at either end, and a quarter of the moment of a cell square to each corner of its cell. At points of the
+// the point at either end, and the moment of a cell square belongs to its points in equal parts. At points of the
 // outline the stress is exact under uniform stress (OutlinePoints). All results are linear in the displacements. Only
 // points ahead of the tip are used that do not lie beside its crack and that no other crack hides.
 class TipStress {

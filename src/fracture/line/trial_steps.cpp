@@ -200,8 +200,8 @@ std::optional<LineLoad> TrialGrowth::load(double nearby, double sense, bool prop
 TrialSteps::TrialSteps(const coupling::EquilibriumSystem& system, const pd::TipLaws& laws, const LinePath& path)
     : system_(system), path_(path), cut_(system.terms(), laws) {}
 
-// Crack length and fracture energy for which a cut bond counts. At the first step of an initial crack, bonds that its
-// end has weakened count with their effective stiffness.
+// Crack length and fracture energy that the cut of a bond stands for. Bonds at the end of an initial crack may be
+// weakened; the first step from there cuts them with their effective stiffness.
 CutStiffness::Counted TrialSteps::counted(const GrowingTip& tip, int bond, const Point& normal) const {
   const auto b = static_cast<std::size_t>(bond);
   const double present = system_.stages().stiffness()[b];

@@ -18,8 +18,9 @@ class CutStiffness {
  public:
   CutStiffness(const coupling::Terms& terms, const pd::TipLaws& laws);
 
-  // Crack length [m] and fracture energy [J] for which a cut bond counts, on a crack with the unit normal `normal`. One
-  // half of both follows from the lattice at one end of the bond, the other half from the lattice at the other end.
+  // Crack length [m] that the cut of one bond stands for on a crack with the unit normal `normal`, and the fracture
+  // energy [J] of this length. One half of each follows from the lattice at one end of the bond, the other half from
+  // the lattice at the other end.
   struct Counted {
     double length = 0, energy = 0;
   };

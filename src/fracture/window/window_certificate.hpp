@@ -61,7 +61,7 @@ class WindowCertificate {
   const coupling::Condensation& condensation_;
   const WindowSolver& window_;
   bool proportional_;
-  std::vector<int> first_, second_;    // end nodes of the bonds outside the window that can break
+  std::vector<int> first_, second_;    // first degree of freedom of each end, of bonds outside that can break
   std::vector<double> cosine_, sine_;  // scaled so that elongations are stretch ratios
   std::vector<char> class_of_;
   Classes compliance_;  // largest stretch ratio per root of energy, of each class

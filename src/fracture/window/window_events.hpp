@@ -17,8 +17,8 @@ namespace bempd::fracture {
 // state are out of date; only its load factor and the damage stages of bonds are correct.
 class WindowEvents final : public EventSource {
  public:
-  // Window of a body. `before_forgetting` is called before the positions in the window that place() has returned become
-  // invalid.
+  // Prepares windows of a body. `before_forgetting` is called before the positions in the window that place() has
+  // returned become invalid.
   WindowEvents(LoadedBody& body, std::function<void()> before_forgetting);
 
   // Switches to crack lines (cracks that grow in a lattice by steps). From this call on, events are steps of crack
