@@ -66,8 +66,8 @@ double ArcParameters::sum_of_distances(const Point& x, const Interval& interval)
 
 // Bound by places as complex numbers: x has the parameter -i ln(z / m) / alpha on the arc, where z is x less the arc's
 // centre, m the arc's mid node less its centre, and alpha half the arc's angle. The parameters of two places z and z'
-// therefore differ by |ln(z' / z)| / |alpha| <= q / (1 - q) / |alpha|, where q = |z' - z| / |z|, and both distances
-// change by at most this.
+// therefore differ by |ln(z' / z)| / |alpha| <= q / (1 - q) / |alpha|, where q = |z' - z| / |z|, and the
+// parameter's distances from both ends of `interval` change by at most this.
 double ArcParameters::largest_change(const std::array<Point, 3>& places, const Interval& interval) const {
   const double apart =
       std::sqrt(std::max((places[0] - places[1]).squaredNorm(), (places[2] - places[1]).squaredNorm()));

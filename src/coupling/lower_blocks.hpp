@@ -18,8 +18,8 @@ struct PackedLower {
   }
 };
 
-// Lower triangle of a symmetric sum in three blocks: of the unknowns to be eliminated, of the remaining unknowns, and
-// the coupling block between them.
+// Lower triangle of a symmetric matrix that is a sum of smaller ones, in three blocks: of the unknowns to be
+// eliminated, of the remaining unknowns, and the coupling block between them.
 struct LowerBlocks {
   Eigen::MatrixXd eliminated, coupling, remaining;
 

@@ -11,8 +11,8 @@ namespace bempd::coupling {
 
 namespace {
 
-// Limit on the ratio of an eigenvalue (square) of the held directions to the largest eigenvalue; above the limit a
-// motion counts as held.
+// Limit on the ratio of an eigenvalue of D^T D to the largest one, where the rows of D are the directions in which
+// rigid motions are held; above the limit a motion counts as held.
 constexpr double rank_tolerance = 1e-12;
 
 Eigen::Matrix<double, 3, Eigen::Dynamic> null_space(const Eigen::Matrix3d& gram) {

@@ -19,7 +19,7 @@ void add(Resistance& resistance, const Event& event, const Outcome& outcome, boo
 // load may be small.
 bool is_lost(const Resistance& resistance, double share);
 
-// Whether the body still carries a force: some bonds, like a hinge, hold a connection that counts as lost.
+// Whether the body carries more than rounding of its largest force, as by a hinge of a few bonds after is_lost().
 bool still_bears_force(const Resistance& resistance);
 
 }  // namespace bempd::fracture

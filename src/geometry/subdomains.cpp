@@ -171,7 +171,8 @@ class Subdivider {
     return slits;
   }
 
-  // Parts of a subdomain with the given cracks; empty if it cannot be cut.
+  // The two parts into which a straight cut divides a subdomain that contains the given cracks; empty if there is no
+  // such cut.
   std::vector<SubdomainLoops> halves(const SubdomainLoops& loops, const std::vector<int>& cracks) {
     std::vector<Stations> own;
     for (const int crack : cracks) own.push_back(cracks_[static_cast<std::size_t>(crack)]);

@@ -25,8 +25,8 @@ class SparseMinimumNorm {
   struct Step {
     Eigen::VectorXd lambda, change;  // change = B^T lambda
   };
-  // Solves N lambda = r until the residual is at most the larger of 1e-5 times the largest entry of r and half of
-  // `least_residual`.
+  // Solves N lambda = B B^T lambda = r until the residual is at most the larger of 1e-5 times the largest entry of r
+  // and half of `least_residual`.
   Step solve(Eigen::VectorXd r, double least_residual) const;
 
  private:

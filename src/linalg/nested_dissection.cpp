@@ -99,8 +99,8 @@ class Dissection {
     return std::any_of(partners.begin(), partners.end(), [&](int n) { return side_[n] == side; });
   }
 
-  // Whether a group of a node has nodes on the given side of the cut. The answer for each group is stored until
-  // boundary() ends.
+  // Whether one of the groups of coupled nodes that contain a node has nodes on the given side of the cut. The answer
+  // for each group is stored until boundary() ends.
   bool shares_group_with_side(int node, Side side) {
     const std::span<const int> groups = groups_of_.of(node);
     return std::any_of(groups.begin(), groups.end(), [&](int g) {

@@ -33,7 +33,8 @@ struct Part {
   Outline outline;
 };
 
-// Parts of the model, which is planned or prepared if needed; regions of the host come first.
+// Parts of the model: first the regions that the host has added, then the lattice patches that the library has laid in
+// bodies. The model is planned or prepared if needed.
 std::vector<Part> parts_of(Model& model);
 
 // Loop of an outline as a polyline; arcs have a vertex at each step of a few degrees.

@@ -23,8 +23,8 @@ struct GrowingTip {
   std::optional<double> even_ahead{};
   double grown = 0;  // length by which the tip has grown [m]
 
-  // Place at which the stresses and the material of the tip are evaluated: the end of the equal cut through evenly
-  // spread bonds (even_ahead) if known, else `place`.
+  // Place at which the stresses and the material of the tip are evaluated: the place that lies
+  // `even_ahead` in front of the tip if known, else `place`.
   Point acts_at() const { return place + even_ahead.value_or(0) * direction; }
   bool has_ended() const { return crack::has_ended(state); }
 };

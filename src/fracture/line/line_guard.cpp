@@ -28,16 +28,16 @@ bool LineGuard::is_guarded(int term, const GrowingTip& tip) const {
 }
 
 void LineGuard::exempt(const GrowingTip& tip, std::vector<char>& intact, std::optional<double> overloaded_at) const {
-  // A term keeps its flag, if `overloaded_at` is given, when it is not overloaded, or so far from the tip that its
-  // overload has another cause.
-  const auto bears = [&](int term) {
+  // Whether a guarded term stays in `intact`. It does only if `overloaded_at` is given, and the term is not overloaded
+  // at this load factor or is so far from the tip that its overload has another cause.
+  const auto stays_intact = [&](int term) {
     return overloaded_at && (!(body_.response().ratios().at(static_cast<std::size_t>(term), *overloaded_at) > 1) ||
                              (middle_of(body_.system().terms(), term, body_.positions()) - tip.place).norm() >
                                  relaxing_reach * fields_.law_of(tip).horizon);
   };
   for (const int node : fields_.stress().near().about(tip.place, (guarded_reach + 1) * fields_.law_of(tip).horizon)) {
     for (const int term : path_.terms_from().of(node))
-      if (is_guarded(term, tip) && !bears(term)) intact[static_cast<std::size_t>(term)] = 0;
+      if (is_guarded(term, tip) && !stays_intact(term)) intact[static_cast<std::size_t>(term)] = 0;
   }
 }
 

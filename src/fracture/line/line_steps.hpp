@@ -64,7 +64,8 @@ class LineSteps {
   };
   Choice choose(const std::vector<GrowingTip>& tips, const coupling::Affine& displacement, const LoadWay& way,
                 TrialBody* body = nullptr) const;
-  // Event at which a step is taken, without the followers (cell squares) of the bonds that it breaks.
+  // Event at which a step is taken, without the extra terms of lattice cells (cell squares) that
+  // fail together with the bonds that it breaks.
   Event event_of(const LineStep& step, double load_factor) const;
   // Whether more than rounding loads a tip: the critical load factor of its step is at most a million times
   // `load_factor`, the load factor of the next event.

@@ -67,8 +67,8 @@ double largest_residual(const pd::TipLaw& law) {
   return std::max(least_limit, limit_of_residual * std::pow(law.spacing / law.horizon, 2));
 }
 
-// Whether an edge lies within a horizon to the left or right of a tip. Such an edge makes the stress intensity factors
-// by sums turn the tip towards the edge.
+// Whether an edge lies within a horizon to the left or right of a tip. Such an edge falsifies the stress intensity
+// factors that sums over the bonds around the tip give: they turn the tip towards the edge.
 bool runs_along_edge(const GrowingTip& tip, const pd::TipLaw& law, const LinePath& path) {
   const int spacings = static_cast<int>(std::floor(law.horizon / law.spacing + rounding_of_places));
   const Point left = left_of(tip.direction);
@@ -167,8 +167,8 @@ void StepLoads::judge_fit(const std::vector<GrowingTip>& tips, const WilliamsFit
              beside_face = fields_.stress().is_beside_face(tip, law, (1 - rounding_of_places) * law.horizon);
   const bool may_sum =
       !fields_.has_begun(tip) && !step.is_shut && !press && !beside_face && !runs_along_edge(tip, law, path_);
-  // Sums around the tip give the load factors of first steps, and of steps towards an edge. Sums are not used at other
-  // steps, because each would cost a solution of the whole body.
+  // Stress intensity factors by sums over the bonds around the tip give the load factors of first steps, and of steps
+  // towards an edge. At other steps they are not used, because each sum needs a solution of the whole body.
   const bool has_own_field = may_sum && tip.grown == 0;
   if (law.function) {  // the function of the host needs stress intensity factors
     step.asks_for_sums = has_own_field;

@@ -50,7 +50,8 @@ struct WindowSettings {
   // bonds open in all directions alike, so that the crack behind the bonds gives the direction.
   static constexpr double opening_all_around = 0.75;
 
-  // Narrowing of a window (end of following nodes behind the crack tip): number of bonds broken between two attempts.
+  // Number of bonds broken between two attempts to narrow a window, which then no longer follows the nodes behind the
+  // crack tip.
   static constexpr std::size_t breaks_between_narrowings = 96;
   // Narrowing of a window (end of following nodes behind the crack tip): least share of the followed nodes that has to
   // be dropped; share of the largest stretch ratio from which on bonds are hot; and distance behind the hindmost hot

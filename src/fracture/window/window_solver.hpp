@@ -111,8 +111,8 @@ class WindowSolver {
     double stiffness;
   };
   bool lose(const std::vector<Loss>& losses);
-  // Applies one loss of stiffness to F and the displacements; false if a motion would lose its resistance. `response`
-  // is F b at the time when only the first `changes_known` changes were pending.
+  // Applies one loss of stiffness to the flexibility F and the displacements; false if a motion would lose its
+  // resistance. `response` is F b for b of `loss.pull`, when only the first `changes_known` changes were pending.
   bool lose_one(const Loss& loss, Eigen::Ref<Eigen::VectorXd> response, Eigen::Index changes_known);
   void detach_functions(const Pull& pull, double stiffness, Eigen::Ref<Eigen::VectorXd> response);
 
