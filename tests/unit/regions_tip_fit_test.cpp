@@ -2,6 +2,7 @@
 // has the displacement of a term of Williams' series about the tip. The other terms must not be taken for K.
 #include <gtest/gtest.h>
 
+#include <Eigen/SparseCholesky>
 #include <cstdio>
 #include <memory>
 #include <numbers>
@@ -16,6 +17,7 @@
 #include "regions/discretization.hpp"
 #include "regions/initial_cracks.hpp"
 #include "regions/lattice/peridynamic_description.hpp"
+#include "regions/tips/tip_rings.hpp"
 
 namespace regions_tip_fit_test {
 namespace {
@@ -201,6 +203,87 @@ TEST(TipFit, pressure_across_a_crack_has_no_shear) {
     EXPECT_GT(found.one[1], 0);
     EXPECT_NEAR(found.one[0] / found.one[1], 0.4, 1e-12);
     EXPECT_NEAR(found.two.norm(), 0, 1e-12 * found.one.norm());
+  }
+}
+
+// Displacements in balance with those that are given at points farther from the tip than `radius`.
+Eigen::VectorXd balanced(const Lattice& lattice, double radius, Eigen::VectorXd displacement) {
+  const coupling::Terms& terms = lattice.system->terms();
+  std::vector<int> unknown_of(lattice.d.positions.size(), -1);
+  int count = 0;
+  for (std::size_t n = 0; n < unknown_of.size(); ++n)
+    if ((lattice.d.positions[n] - lattice.tip.place).norm() < radius) unknown_of[n] = count++;
+  std::vector<Eigen::Triplet<double>> entries;
+  Eigen::VectorXd forces = Eigen::VectorXd::Zero(2 * count);
+  for (std::size_t b = 0; b < terms.size(); ++b) {
+    if (!lattice.system->stages().intact()[b]) continue;
+    const double stiffness = lattice.system->stages().stiffness()[b];
+    std::vector<std::pair<int, double>> pull;
+    double given = 0;  // elongation by the given displacements
+    terms.for_each_entry(b, [&](int node, double x, double y) {
+      const int at = unknown_of[static_cast<std::size_t>(node)];
+      if (at < 0) {
+        given += Point(x, y).dot(displacement.segment<2>(2 * node));
+        return;
+      }
+      pull.emplace_back(2 * at, x), pull.emplace_back(2 * at + 1, y);
+    });
+    for (const auto& [row, one] : pull) {
+      forces[row] -= stiffness * given * one;
+      for (const auto& [column, other] : pull) entries.emplace_back(row, column, stiffness * one * other);
+    }
+  }
+  Eigen::SparseMatrix<double> matrix(2 * count, 2 * count);
+  matrix.setFromTriplets(entries.begin(), entries.end());
+  const Eigen::VectorXd found = Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>>(matrix).solve(forces);
+  for (std::size_t n = 0; n < unknown_of.size(); ++n)
+    if (unknown_of[n] >= 0)
+      displacement.segment<2>(2 * static_cast<Eigen::Index>(n)) = found.segment<2>(2 * unknown_of[n]);
+  return displacement;
+}
+
+// The field far from the tip is that of a continuum with a rigid motion; rings find its terms in the lattice's own
+// field.
+TEST(TipRings, find_the_terms_of_the_field_far_from_the_tip) {
+  constexpr int m = 3;
+  for (const double degrees : {0.0, 25.0}) {
+    const double half = 10.0 * m, radius = 7.0 * m;
+    const std::vector<Point> path = from_left(half, degrees);
+    const Lattice lattice(square(half), {path}, m);
+    const std::vector<scene::Crack> cracks;
+    const std::vector<int> cut;
+    const regions::BondedBody body{lattice.scene,
+                                   lattice.d,
+                                   lattice.system->terms(),
+                                   lattice.system->stages().stiffness(),
+                                   lattice.system->stages().intact(),
+                                   cut,
+                                   cracks,
+                                   lattice.system->constraints(),
+                                   {}};
+    const regions::TipAxes axes{lattice.tip.place, lattice.tip.direction, path, 1, lattice.elasticity};
+    const regions::TipRings rings(body, axes, radius + m);
+    const std::complex<double> opening(0.7, -0.4);
+    constexpr double along = 0.3;  // T
+    const CrackTipField singular(lattice.elasticity, 0.5, opening), uniform(lattice.elasticity, 1, along / 4);
+    Eigen::VectorXd displacement(2 * static_cast<Eigen::Index>(lattice.d.positions.size()));
+    for (std::size_t n = 0; n < lattice.d.positions.size(); ++n) {
+      const Point arm = lattice.d.positions[n] - axes.place, own = axes.into(arm);
+      const TipPolar polar{own.norm(), std::atan2(own.y(), own.x())};
+      displacement.segment<2>(2 * static_cast<Eigen::Index>(n)) =
+          axes.out_of(singular.displacement(polar) + uniform.displacement(polar)) + Point(3, -2) +
+          0.5 * Point(-arm.y(), arm.x());
+    }
+    const Eigen::VectorXd around = rings.around(balanced(lattice, radius + 2 * m, displacement));
+    for (const double part : {1.0, 0.6}) {
+      const regions::TipRings::Expansion found =
+          rings.expansion(rings.about(0), 0.5 * part * radius, part * radius, around);
+      std::printf("crack at %g degrees: %.4f %+.4fi, T %.4f, shift %.4f %+.4fi\n", degrees, found.opening.real(),
+                  found.opening.imag(), found.uniform, found.shift.real(), found.shift.imag());
+      EXPECT_NEAR(std::abs(found.opening - opening), 0, 0.03 * std::abs(opening));
+      EXPECT_NEAR(found.uniform, along, 0.05 * along);
+      EXPECT_NEAR(std::abs(found.shift), 0, 0.3 * std::abs(opening));  // 0.6 of a spacing
+    }
   }
 }
 
