@@ -71,6 +71,34 @@ TEST(EdgeReaction, of_uniform_stress_is_its_resultant_in_whatever_order_supports
   }
 }
 
+// The stress xx of bent elements is `bending` times y and all others are zero, so the left and the right edge have all
+// of the load.
+TEST(EdgeReaction, of_bent_elements_is_that_of_tractions_that_change_along_edges) {
+  constexpr double width = 1.2, height = 0.8, nu = 0.3, bending = 0.05;
+  const auto bent = [](double x, double y) -> Vector {
+    return {bending / young * x * y, -0.5 * bending / young * (x * x + nu * y * y)};
+  };
+  for (const double target : {0.6, 0.2}) {
+    Model model;
+    const int32_t id = model.add(material(young, nu, BEMPD_PLANE_STRESS, thickness));
+    const int32_t body = model.bem(id, rectangle(0, 0, width, height), target);
+    std::map<int32_t, int32_t> supports;  // by edge
+    for (int32_t edge = 1; edge <= 4; ++edge) supports[edge] = model.prescribe(body, edge, 0, 1, bent);
+    model.step(1);
+    const double force = 0.5 * thickness * bending * height * height, moment = -force * height * 2 / 3;  // about y = 0
+    for (const auto& [edge, support] : supports) {
+      const double sign = edge == 2 ? 1 : edge == 4 ? -1 : 0;
+      const Reaction found = edge_reaction(model, body, edge, {edge == 2 ? width : 0.0, 0});
+      const Vector of_support = model.reaction(support);
+      EXPECT_NEAR(found.force[0], sign * force, 1e-11) << edge;
+      EXPECT_NEAR(found.force[1], 0, 1e-11) << edge;
+      EXPECT_NEAR(found.moment, sign * moment, 1e-11) << edge;
+      EXPECT_NEAR(of_support[0], sign * force, 1e-11) << edge;
+      EXPECT_NEAR(of_support[1], 0, 1e-11) << edge;
+    }
+  }
+}
+
 // A block clamped at three edges with corners in common, of two regions, pushed from above: the edges have all that the
 // supports have.
 TEST(EdgeReaction, of_all_edges_sums_to_that_of_all_supports) {
