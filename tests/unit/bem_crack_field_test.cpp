@@ -92,6 +92,22 @@ TEST(CrackField, jumps_by_the_opening_across_each_element) {
     }
 }
 
+// Terms of two elements that are infinite at their common end cancel; the displacement of a face goes on evenly there.
+TEST(CrackField, is_a_mean_of_both_elements_at_their_common_end) {
+  const CrackField found = field();
+  for (const int end : {1, 2}) {
+    const Point place = (ends[end] - centre) / unit;
+    const Point back = (ends[end - 1] - ends[end]) / unit, on = (ends[end + 1] - ends[end]) / unit;
+    const CrackField::Value at_end = found.anywhere(place);
+    const Point across = left_of(Point((on.normalized() - back.normalized()).normalized()));
+    EXPECT_LE((at_end.displacement - found.at(place + 1e-6 * across).displacement).norm(), 1e-4) << end;
+    const Eigen::Vector3d mean = 0.5 * (found.at(place + 0.02 * back).stress + found.at(place + 0.02 * on).stress);
+    EXPECT_LE((at_end.stress - mean).norm(), 1e-9 * mean.norm()) << end;
+  }
+  const Point inside = (0.5 * (ends[1] + ends[2]) - centre) / unit;
+  EXPECT_EQ((found.anywhere(inside).stress - found.at(inside).stress).norm(), 0);
+}
+
 TEST(CrackField, knows_its_nearest_tip) {
   const CrackField found = field();
   const double first = (ends[1] - ends[0]).norm(), last = (ends[3] - ends[2]).norm();

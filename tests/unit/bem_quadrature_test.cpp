@@ -105,7 +105,7 @@ TEST(ElementGeometry, points_seen_from_another_are_those_at_their_parameter) {
       for (const double way : {-0.7, 1e-3, 0.6}) {
         const auto [values, quotients] =
             element.values_and_quotients(from, way, element.basis.half(from), element.basis.half(way));
-        const ElementGeometry::Values at = element.values(from + way);
+        const ElementGeometry::Values at = element.values(from + way, element.basis.at(from + way));
         const ElementGeometry::Quotients between = element.quotients(from + way, from);
         EXPECT_NEAR((values.derivative - at.derivative).norm(), 0, 1e-15);
         EXPECT_NEAR((quotients.place - between.place).norm(), 0, 1e-15);
