@@ -134,8 +134,8 @@ Program cracks() {
                   {create(), add_material(with_fracture_energy()), bem(0, {-1, -3, 1, -3, 1, 3, -1, 3}, 0.8),
                    crack({-1, 0.1, -0.3, 0}), pin(0, -1, -3), pin(1, 1, -3), fix(2, 0, 1), traction(0, 0, 3),
                    crack_traction(1), listen()}};
-  add(program, {step(0.5), tips(), openings(), grow(0.2), tips(), evaluate_at({0.5, 1, -0.5, -1}), save(),
-                grow(0.2), snapshot(), history(), restore(), tips(), new_load_values(0), step(0.4), field(0, BEMPD_TRACTION),
+  add(program, {step(0.5), tips(), openings(), grow(0.2), tips(), evaluate_at({0.5, 1, -0.5, -1}), save(), grow(0.2),
+                snapshot(), history(), restore(), tips(), new_load_values(0), step(0.4), field(0, BEMPD_TRACTION),
                 free_state(), free_model()});
   return program;
 }

@@ -109,7 +109,7 @@ class Cancellation : public testing::Test {
 };
 
 TEST_F(Cancellation, is_heard_while_boundary_operators_are_built) {
-  const int32_t large = add_boundary(4, 10.0 / 1000);
+  const int32_t large = add_boundary(4, 10.0 / 4000);
   expect_heard([&] { return bempd_prepare(model); });
   ASSERT_EQ(bempd_remove_region(model, large), BEMPD_OK) << bempd_last_error(model);
   expect_usable(add_boundary(4, 0.5));
