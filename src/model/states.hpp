@@ -3,7 +3,6 @@
 #include <functional>
 #include <memory>
 
-#include "crack/extension.hpp"
 #include "model/load_values.hpp"
 #include "model/prepared_scene.hpp"
 #include "model/saved_state.hpp"
