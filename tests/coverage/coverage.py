@@ -26,7 +26,7 @@ TABLE = pathlib.Path(__file__).with_name("coverage.csv")
 # Least share of branches that tests take, in per cent: of all files, and of folders whose answers hosts trust first, the default
 # crack rule, contact and tips. A gate may be raised, not lowered: it follows the stored share by so much at most.
 SLACK = 3
-GATES = {"src": 90, "src/crack": 90, "src/fracture/line": 92, "src/fracture/contact": 93, "src/regions/tips": 93}
+GATES = {"src": 90, "src/crack": 92, "src/fracture/line": 92, "src/fracture/contact": 93, "src/regions/tips": 93}
 
 
 def files() -> list[str]:
