@@ -62,6 +62,13 @@ void follow(Discretization& d, const LeadingElements& leading, int leader) {
   follower->follow(leading, leader, d.ties);
 }
 
+std::string names_of(const std::vector<int>& regions) {
+  std::string names = regions.size() > 1 ? "regions " : "region ";
+  for (std::size_t i = 0; i < regions.size(); ++i)
+    names += (i == 0 ? "" : i + 1 == regions.size() ? " and " : ", ") + std::to_string(regions[i]);
+  return names;
+}
+
 }  // namespace
 
 const Region& Discretization::region(int id) const { return *region_of(*this, id); }
@@ -88,11 +95,7 @@ std::string Discretization::regions_with(const std::vector<int>& nodes) const {
     const std::vector<int>& own = region->nodes();
     if (std::any_of(own.begin(), own.end(), [&](int node) { return member[node] != 0; })) ids.push_back(region->id());
   }
-  std::string names = ids.size() > 1 ? "regions " : "region ";
-  for (std::size_t i = 0; i < ids.size(); ++i) {
-    names += (i == 0 ? "" : i + 1 == ids.size() ? " and " : ", ") + std::to_string(ids[i]);
-  }
-  return names;
+  return names_of(ids);
 }
 
 RegionStatistics Discretization::statistics() const {
@@ -148,11 +151,11 @@ void build(Discretization& d, const Preparation& preparation) {
   d.positions = registry.positions();
 }
 
-// Discretizes the scene. If `may_leave_rows`, lattice regions with a neighbour of another outline get points on their
-// outlines instead of following lattice rows, so that both are one body. CannotLeaveRows is thrown if no network of
-// bonds can be built for such a body.
+// Discretizes the scene. Lattice regions with a neighbour of another outline get points on their outlines instead of
+// following lattice rows, so that both are one body; the regions `on_rows` (ids, ascending) keep their rows. Throws
+// CannotLeaveRows if no network of bonds can be built for such a body.
 Discretization discretize(const scene::Scene& scene, const scene::Options& options, const Discretization* before,
-                          bool may_leave_rows) {
+                          const std::vector<int>& on_rows) {
   Discretization d = arranged(scene, before);
   const std::unique_ptr<Scheme> scheme = make_scheme(options);
   const Preparation preparation{scene,
@@ -166,11 +169,8 @@ Discretization discretize(const scene::Scene& scene, const scene::Options& optio
                                 before ? &before->regions : nullptr,
                                 before ? &before->cracks : nullptr};
   require_compatible(preparation);
-  if (before) {
-    d.off_rows = before->off_rows;
-  } else if (may_leave_rows) {
-    d.off_rows = regions_leaving_rows(preparation);
-  }
+  d.off_rows = before ? before->off_rows : regions_leaving_rows(preparation);
+  std::erase_if(d.off_rows, [&](int id) { return std::binary_search(on_rows.begin(), on_rows.end(), id); });
   build(d, preparation);
   return d;
 }
@@ -178,10 +178,21 @@ Discretization discretize(const scene::Scene& scene, const scene::Options& optio
 }  // namespace
 
 Discretization discretize(const scene::Scene& scene, const scene::Options& options, const Discretization* before) {
-  try {
-    return discretize(scene, options, before, true);
-  } catch (const CannotLeaveRows&) {
-    return discretize(scene, options, before, false);
+  std::vector<int> on_rows;
+  std::vector<std::string> warnings;
+  for (;;) {
+    try {
+      Discretization d = discretize(scene, options, before, on_rows);
+      d.warnings.insert(d.warnings.end(), warnings.begin(), warnings.end());
+      return d;
+    } catch (const CannotLeaveRows& body) {
+      on_rows.insert(on_rows.end(), body.regions.begin(), body.regions.end());
+      std::sort(on_rows.begin(), on_rows.end());
+      warnings.push_back(text("no network of positive bonds was found for ", names_of(body.regions),
+                              " together: no bond crosses their common edges with lattice rows, and cracks across "
+                              "these meet loads up to 22 % off; make parts at least three spacings wide, or one region "
+                              "where cracks are expected"));
+    }
   }
 }
 

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <functional>
 #include <map>
+#include <string>
+#include <vector>
 
 #include "host.hpp"
 
@@ -320,6 +322,34 @@ TEST(JoinedOutlines, parts_keep_their_rows_where_they_need_them) {
   EXPECT_EQ(nodes_on_edge(rectangle(0, 0, 8, 14), true), 15);
   const Outline with_leg{{-8, 0}, {8, 0}, {8, 14}, {0, 14}, {0, 1}, {-8, 1}};
   EXPECT_EQ(nodes_on_edge(with_leg, false), 15);
+}
+
+// A warning names the regions that cannot be one body; another body of the scene leaves its rows all the same.
+TEST(JoinedOutlines, rows_that_stay_are_told) {
+  Model model;
+  std::vector<std::string> lines;
+  model.check(bempd_set_log(
+      model.get(),
+      [](int32_t level, const char* line, void* user) {
+        if (level == 1) static_cast<std::vector<std::string>*>(user)->push_back(line);
+      },
+      &lines));
+  std::vector<Part> parts{{{{-8, 0}, {8, 0}, {8, 14}, {0, 14}, {0, 1}, {-8, 1}}}, beside_rows.parts[1]};
+  parts.push_back({rectangle(40, 0, 48, 14)});
+  parts.push_back({{{48, 0}, {62, 0}, {66, 14}, {48, 14}}});
+  const auto regions = add(model, model.add(material(1, 1.0 / 3)), parts, 3, "slanted");
+  model.fix(regions[1], 1, BEMPD_BOTH);
+  model.fix(regions[3], 1, BEMPD_BOTH);
+  model.step(1);
+  const auto tells = [](const std::string& line) {
+    return line.find("no network of positive bonds was found for regions 1 and 2 together") != std::string::npos;
+  };
+  EXPECT_EQ(std::count_if(lines.begin(), lines.end(), tells), 1);
+  int64_t nodes = 0, element = 0;
+  model.check(bempd_edge_size(model.get(), regions[0], 2, &nodes, &element));
+  EXPECT_EQ(nodes, 15);
+  model.check(bempd_edge_size(model.get(), regions[2], 2, &nodes, &element));
+  EXPECT_LT(nodes, 3);
 }
 
 // Regions of two materials, horizons or directions of the lattice share the points of the common edge.

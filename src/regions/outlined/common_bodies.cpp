@@ -1,6 +1,8 @@
 #include "regions/outlined/common_bodies.hpp"
 
 #include <algorithm>
+#include <iterator>
+#include <set>
 
 #include "regions/lattice/acting_as_one.hpp"
 #include "regions/outlined/outlined_region.hpp"
@@ -54,17 +56,18 @@ std::vector<OutlinedRegion*> regions_acting_as_one(OutlinedRegion& region, const
 std::vector<int> regions_leaving_rows(const Preparation& preparation) {
   const auto is_on_rows = [&](int region) { return description_of(preparation, region)->lattice().has_value(); };
   std::vector<int> leaving;
+  std::set<int> seen;
   for (const int id : preparation.scene.region_ids()) {
     // Each body is found from one of its regions whose outline follows no lattice rows.
-    if (!description_of(preparation, id) || is_on_rows(id)) continue;
+    if (!description_of(preparation, id) || is_on_rows(id) || seen.count(id) > 0) continue;
     const std::vector<int> body = regions_touching(id, preparation.arrangement, [&](int first, int second) {
       return are_one_lattice(preparation, first, second);
     });
+    seen.insert(body.begin(), body.end());
     if (has_condition_on_common_edge(body, preparation)) continue;
     std::copy_if(body.begin(), body.end(), std::back_inserter(leaving), is_on_rows);
   }
   std::sort(leaving.begin(), leaving.end());
-  leaving.erase(std::unique(leaving.begin(), leaving.end()), leaving.end());
   return leaving;
 }
 

@@ -18,8 +18,10 @@ std::vector<OutlinedRegion*> regions_acting_as_one(OutlinedRegion& region, const
 // instead, because they are one body with a region whose outline follows no lattice rows.
 std::vector<int> regions_leaving_rows(const Preparation& preparation);
 
-// Exception: regions that were to get material points on their outlines (regions_leaving_rows()) cannot be one body
-// with their neighbours. discretize() catches it and keeps the lattice rows.
-struct CannotLeaveRows {};
+// Exception: regions, of which some were to get material points on their outlines (regions_leaving_rows()), cannot be
+// one body. discretize() catches it and keeps the lattice rows of these regions.
+struct CannotLeaveRows {
+  std::vector<int> regions;  // ids, ascending
+};
 
 }  // namespace bempd::regions

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "error.hpp"
 #include "pd/cell_squares.hpp"
@@ -44,10 +45,11 @@ void OutlinedRegion::divide(const Preparation& preparation) {
   if (outline().is_divided()) return;
   const auto group = std::make_shared<OutlinedGroup>(regions_acting_as_one(*this, preparation));
   if (group->members().size() > 1 && OutlinedGroup::join(group, preparation)) return;
-  for (OutlinedRegion* member : group->members()) {
-    if (preparation.leaves_rows(member->id())) throw CannotLeaveRows();
-    member->part_.outline->divide(preparation);
-  }
+  std::vector<int> ids;
+  for (const OutlinedRegion* member : group->members()) ids.push_back(member->id());
+  if (std::any_of(ids.begin(), ids.end(), [&](int region) { return preparation.leaves_rows(region); }))
+    throw CannotLeaveRows{std::move(ids)};
+  for (OutlinedRegion* member : group->members()) member->part_.outline->divide(preparation);
 }
 
 void OutlinedRegion::mesh(const Preparation& preparation) {
