@@ -108,10 +108,13 @@ double largest_turn_of(const RunAnswers& run) {
   return largest;
 }
 
-// The difference of loads of first growth is 1 if cracks have grown in one of the runs only: the other load is unknown.
+// The differences of the loads of first growth and of the peaks are 1 if cracks have grown in one of the runs only: the
+// other load and the other peak are unknown.
 RunDifference difference(const RunAnswers& run, const RunAnswers& other) {
   RunDifference found;
-  if (!run.places.empty()) {
+  if (run.places.empty() != other.places.empty()) {
+    found.peak = 1, found.is_at_start = false;
+  } else if (!run.places.empty()) {
     const double end = run.places.back().grown;
     const RunAnswers::Place peak = peak_until(run.places, end), other_peak = peak_until(other.places, end);
     found.peak = over(peak.resistance - other_peak.resistance, peak.resistance);
